@@ -6,12 +6,17 @@ import math
 from itertools import pairwise
 from typing import Any
 
+import numpy as np
 import pytest
 
 import scenewright as sw
+from hall_chains import posed, two_zones
 from scenewright.core.brief import Brief
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
+from scenewright.domains.hall.solvers.chains import begin_chain, layout_of
+from scenewright.domains.hall.solvers.outcome import lacking, measure_among
+from scenewright.engine.draws import streams
 
 WIDE, DEEP, DOOR = 16.0, 10.0, 6.0
 """The room of all tests, and where along its south wall the middle of its door is, in metres."""
@@ -144,3 +149,32 @@ def test_a_piano_stands_on_the_stage_and_who_plays_sits_on_it_too() -> None:
 def test_a_piano_without_a_stage_stands_at_a_wall() -> None:
     (piano,) = of_kind(solve(SHOWCASES, {"category": "piano"}), "piano")
     assert off_walls(piano) < 0.05
+
+
+@pytest.mark.parametrize(("at", "width", "count"), [(2.6, 0.5, 6), (3.2, 0.8, 10), (4.5, 0.5, 16)])
+def test_racks_do_not_stand_before_one_another_in_corners(
+    at: float, width: float, count: int
+) -> None:
+    racks = {"category": "coat_rack", "count": count, "size": [width, 0.5, 1.7]}
+    door = {"id": "front", "at": [at, 0], "width": 1.6, "swing": "slide"}
+    room = {"name": "Hall", "outline": [[0, 0], [9, 0], [9, 7], [0, 7]], "height": 4.0}
+    demands = [{"category": "showcase", "count": 3}, racks]
+    brief = {"domain": "hall", "rooms": [{**room, "doors": [door], "demands": demands}]}
+    found = sw.solve(Brief.model_validate(brief), steps=600, threads=1, seed=1)
+    assert len(of_kind(found, "coat_rack")) == count
+    report = sw.check(found)
+    assert report.valid, report.findings
+
+
+def test_passages_are_measured_past_what_stands_on_floor_that_objects_have_for_it() -> None:
+    """As chairs on the floor of their table: what comes later in the hall counts all the same."""
+    tables = {"id": "tables", "category": "reading_table", "count": 2, "zone": "west"}
+    shown = {"id": "shown", "category": "showcase", "count": 4, "zone": "east"}
+    fitted = posed(two_zones(tables, shown)).fitted
+    layout = layout_of(begin_chain(fitted.problem, fitted.start, streams(0, 1)[0]))
+    chair = [*layout.boxes[0, :2], 0.0, 0.4, 0.4]
+    fence = [10.0, 5.0, 0.0, 9.6, 0.2]
+    p, s, _ = measure_among(fitted.problem, layout, np.array([chair]))
+    assert lacking(p, s) == 0.0
+    p, s, _ = measure_among(fitted.problem, layout, np.array([chair, fence]))
+    assert lacking(p, s) > 0.5

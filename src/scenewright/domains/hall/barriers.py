@@ -12,7 +12,7 @@ from scenewright.core.space import Space
 from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.rails import RowOfGates, lay_rails, measure_barred, measure_blocked
 from scenewright.domains.hall.retouch.gates import FREE, find_gates, find_row, gates_adrift
-from scenewright.domains.hall.solvers.outcome import MeasuredLayout, lacking, measure_layout
+from scenewright.domains.hall.solvers.outcome import MeasuredLayout, lacking, measure_among
 
 CATEGORY, BARRIERS = "glass_barrier", "/barriers"
 """What closes the floor beside gates, and what its function ends with."""
@@ -60,9 +60,7 @@ def _choices(problem: HallProblem, row: RowOfGates) -> list[Floats]:
 
 def _leads_on(problem: HallProblem, layout: MeasuredLayout, rails: Floats) -> bool:
     """Whether the route misses no more with some rails (k, 5), and no passage is narrower."""
-    ground = problem.ground
-    closed = ground._replace(obstacles=np.concatenate([ground.obstacles, rails]))
-    p, s, missed = measure_layout(problem._replace(ground=closed), layout)
+    p, s, missed = measure_among(problem, layout, rails)
     return missed <= layout.missed and lacking(p, s) <= layout.lacking + 1e-9
 
 

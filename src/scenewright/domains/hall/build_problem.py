@@ -84,6 +84,13 @@ def wall_lengths(hall: HallContext) -> Floats:
     return np.array([sum(_length(wall) for wall in walls) for walls in hall.walls])
 
 
+def taken_floor(hall: HallContext) -> Floats:
+    """Boxes (n, 5) of the floor that doors and windows need, and of what stands there already."""
+    solid = [piece for piece in (*hall.fixed, *hall.beside) if _solid(piece)]
+    standing = [list(box) for piece in solid for box in boxes_of(piece)]
+    return _rows([*_kept_free(hall.space, gates(hall.space)), *standing], 5)
+
+
 def zone_areas(hall: HallContext) -> Floats:
     """Square metres of each zone less what stands there already."""
     shapes = [shapely.Polygon(zone.outline, zone.holes) for zone in hall.plan.zones]
@@ -288,6 +295,8 @@ def _access(wishes: list[HallDemand], units: list[Unit], catalog: Catalog) -> Fl
         sides: tuple[str, ...] = catalog.kinds.get(category, Kind(category)).access
         if any(word in category for word in SEATS):
             sides = ()  # one goes along the row, sideways
+        elif wishes[unit.demand].double:
+            sides = ("front", "back")
         elif wishes[unit.demand].turned:
             sides = tuple(side for k, side in enumerate(SIDES) if SIDES[k - 2] in sides)
         rows += [[float(side in sides) for side in SIDES]] * (unit.last - unit.first)

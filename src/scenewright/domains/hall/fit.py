@@ -15,10 +15,13 @@ from scenewright.domains.hall.assign import Unit, assign
 from scenewright.domains.hall.build_problem import (
     HallContext,
     build_problem,
+    taken_floor,
     wall_lengths,
     zone_areas,
 )
+from scenewright.domains.hall.clear_of_openings import clear_hosts
 from scenewright.domains.hall.energy import capacity
+from scenewright.domains.hall.gates_by_door import share_among_doors
 from scenewright.domains.hall.holdings import HallDemand
 from scenewright.domains.hall.partitions import (
     Host,
@@ -29,7 +32,7 @@ from scenewright.domains.hall.partitions import (
     stands_free,
     visiting_order,
 )
-from scenewright.domains.hall.problem import HallProblem
+from scenewright.domains.hall.problem import THICKNESS, HallProblem
 from scenewright.domains.hall.shortfall import drop_unplaceable
 from scenewright.domains.hall.solvers.chains import anneal_hall, first_layout
 from scenewright.domains.hall.terms.state import Kept
@@ -97,12 +100,13 @@ def _fit(
     walls = wall_lengths(hall)
     units = assign(wishes, hall.names, zone_areas(hall), walls, whole)
     units = drop_unplaceable(hall, wishes, units, share)
+    units = units if whole else share_among_doors(hall, wishes, units)
     built = build_hosts(hall, wishes, units, whole, whole)
     if free:
         lack = lacking(units, wishes, walls, whole)
-        built += standing_hosts(
-            hall.plan.zones, short_of(built, lack), max(hall.route, hall.passage)
-        )
+        gap = max(hall.route, hall.passage)
+        alone = standing_hosts(hall.plan.zones, short_of(built, lack), gap)
+        built += clear_hosts(alone, taken_floor(hall), THICKNESS)
     spans = np.array([host.span for host in built]).reshape(-1, 2)
     rule = hall.settings.fit
     for attempt in range(rule.most_rounds):
@@ -130,10 +134,12 @@ def build_hosts(
     printed: bool,
     spare: bool = False,
 ) -> tuple[Host, ...]:
-    """Walls on the borders of zones for what units lack, counted as ``printed`` or as ours."""
+    """Walls on the borders of zones for what units lack, counted as ``printed`` or as ours; none
+    before doors and windows."""
     lack = lacking(units, wishes, wall_lengths(hall), printed)
     order = visiting_order(hall.plan.links, hall.names, _first_zone(hall))
-    return hosts(hall.borders, hall.plan.links, hall.names, order, lack, spare)
+    found = hosts(hall.borders, hall.plan.links, hall.names, order, lack, spare)
+    return clear_hosts(found, taken_floor(hall), THICKNESS)
 
 
 def _all_reached(problem: HallProblem, start: Kept, seed: int, looked: int) -> bool:

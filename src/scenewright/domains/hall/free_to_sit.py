@@ -11,8 +11,8 @@ from scenewright.core.layout import corners
 from scenewright.core.piece_outlines import polygons_of
 from scenewright.core.scene import Piece, Size
 from scenewright.core.space import Space
-from scenewright.domains.hall.problem import Floats, HallProblem
-from scenewright.domains.hall.solvers.outcome import MeasuredLayout, lacking, measure_layout
+from scenewright.domains.hall.problem import HallProblem
+from scenewright.domains.hall.solvers.outcome import MeasuredLayout, lacking, measure_among
 
 HALF, ARM = 0.2, 0.2
 """Half of what one takes sideways between furniture, and how far one stands off a chair, metres."""
@@ -78,9 +78,7 @@ def _off_passages(
 def _lacking(problem: HallProblem, layout: MeasuredLayout, chairs: tuple[Piece, ...]) -> float:
     """Metres that passages lack with some chairs."""
     rows = [(*c.pose[:2], c.pose.heading, *c.size[:2]) for c in chairs]
-    boxes: Floats = np.concatenate([problem.ground.obstacles, np.array(rows).reshape(-1, 5)])
-    ground = problem.ground._replace(obstacles=boxes)
-    p, s, _ = measure_layout(problem._replace(ground=ground), layout)
+    p, s, _ = measure_among(problem, layout, np.array(rows))
     return lacking(p, s)
 
 

@@ -14,7 +14,14 @@ import numpy as np
 
 from scenewright.core.brief import Room
 from scenewright.domains.hall.borders import Border, floor_of, shared_borders
-from scenewright.domains.hall.build_problem import HallContext, build_problem, hall_of, zone_areas
+from scenewright.domains.hall.build_problem import (
+    HallContext,
+    build_problem,
+    hall_of,
+    taken_floor,
+    zone_areas,
+)
+from scenewright.domains.hall.clear_of_openings import clear_hosts
 from scenewright.domains.hall.fit import Fitted
 from scenewright.domains.hall.partitions import Host, refit_host, stands_free
 from scenewright.domains.hall.patterns import WALL
@@ -202,7 +209,8 @@ def _follow(
         if moved is None:
             return None
         found.append(moved)
-    return tuple(found)
+    kept = clear_hosts(tuple(found), taken_floor(hall), thickness)
+    return kept if len(kept) == len(hosts) else None
 
 
 def _far(border: Border, point: Floats) -> float:

@@ -17,6 +17,8 @@ from scenewright.domains.hall.settings import HallSettings
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 _NONE: Floats = np.zeros(0)
+THICKNESS = 0.15
+"""Metres of the walls that are built."""
 
 
 class HallGround(NamedTuple):
@@ -59,7 +61,7 @@ class HallGround(NamedTuple):
     zone_walls: Floats = _NONE
     standing: Floats = _NONE
     standing_access: Floats = _NONE
-    thickness: float = 0.15
+    thickness: float = THICKNESS
 
 
 class Units(NamedTuple):

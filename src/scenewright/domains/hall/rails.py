@@ -10,6 +10,7 @@ import shapely
 
 from scenewright.core.layout import corners
 from scenewright.domains.hall.problem import Floats, HallProblem
+from scenewright.domains.hall.terms.visitors import FIRST
 
 INSIDE = 0.6
 """How far outside the bounds of its zone a door may lie, in metres."""
@@ -34,7 +35,8 @@ class WayIn(NamedTuple):
 
 def find_way_in(problem: HallProblem, unit: int) -> WayIn:
     """The way into the zone of a unit: by the main entrance, else another door of it, else over the
-    middle of the linked border nearest to the entrance."""
+    middle of the linked border nearest to the entrance; where a zone has several doors people come
+    in by, each unit of gates there has one of its own."""
     zone, ground = int(problem.units.zones[unit]), problem.ground
     bounds, passage = ground.zone_bounds[zone], max(problem.passage, problem.route)
     ahead = np.column_stack([np.cos(ground.doors[:, 2]), np.sin(ground.doors[:, 2])])
@@ -43,7 +45,10 @@ def find_way_in(problem: HallProblem, unit: int) -> WayIn:
     door = problem.visitors.entrances[0]
     if inside.all(1).any():
         far = np.hypot(*(points - door).T) + 1e3 * ~inside.all(1)
-        near = int(far.argmin())
+        comes = _find_entrances(problem, points)
+        ranked = [int(k) for k in np.argsort(far, kind="stable") if int(k) in comes]
+        own = [k for k in ranked if inside[k].all()] or [int(far.argmin())]
+        near = own[_count_before(problem, unit) % len(own)]
         return WayIn(points[near], ahead[near], 0.5 * float(ground.doors[near, 3]), passage)
     rows = [row for row in ground.borders if zone in ground.links[int(row[4]), :2].astype(int)]
     if not rows:
@@ -53,6 +58,22 @@ def find_way_in(problem: HallProblem, unit: int) -> WayIn:
     across = np.array([-along[1], along[0]]) / max(float(np.hypot(*along)), 1e-9)
     inward = 1.0 if (0.5 * (bounds[:2] + bounds[2:]) - middle) @ across >= 0.0 else -1.0
     return WayIn(middle, across * inward, 0.0, float(ground.links[int(row[4]), 2]))
+
+
+def _find_entrances(problem: HallProblem, points: Floats) -> set[int]:
+    """Which of some points inside doors (d, 2) are those of doors people come in by."""
+    off = np.hypot(*(points[:, None] - problem.visitors.entrances).transpose(2, 0, 1))
+    return set(off.argmin(0).tolist())
+
+
+def _count_before(problem: HallProblem, unit: int) -> int:
+    """How many units of gates in the zone of a unit come before it."""
+    units, roles = problem.units, problem.visitors.roles.astype(int)
+    return sum(
+        bool(roles[k] & FIRST and units.access[units.spans[k, 0], ::2].all())
+        for k in range(unit)
+        if units.zones[k] == units.zones[unit]
+    )
 
 
 class RowOfGates(NamedTuple):

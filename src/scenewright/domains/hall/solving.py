@@ -62,7 +62,13 @@ from scenewright.domains.hall.settings import USUAL_ZONING, ZoningSettings
 from scenewright.domains.hall.shortfall import left_out
 from scenewright.domains.hall.solvers.outcome import MeasuredLayout, StartedHall, measure_layout
 from scenewright.domains.hall.split_demands import find_locked, split_demands
-from scenewright.domains.hall.staff_room import fit_with_staff, grow_to_floor, lacks, leaves_open
+from scenewright.domains.hall.staff_room import (
+    fit_with_staff,
+    grow_to_floor,
+    lacks,
+    leaves_open,
+    measure_lack,
+)
 from scenewright.domains.hall.tour import tour
 from scenewright.domains.hall.unreached import drop_unreached
 from scenewright.domains.hall.zones import HallPlan, borders_of, zones_of
@@ -221,7 +227,8 @@ def _run(
         if again and leaves_open(brief.rooms[task.number].demands):
             free = task.preset._replace(settings=settings._replace(lined=False))
             task = task._replace(preset=free)
-            return _lay(brief, task, catalog, on_progress, cancel, watch)
+            other = _lay(brief, task, catalog, on_progress, cancel, watch)
+            return min((laid, other), key=measure_lack)
         return laid
 
     answers: dict[int, Laid] = {}
@@ -253,7 +260,7 @@ def _lay(
     weights, seed = preset.weights, task.seed
     together = preset.settings.whole or task.solver != "anneal"
     wishes, carried, small = split_demands(hall, asked, catalog, together)
-    wishes, fitted = fit_with_staff(hall, wishes, weights, catalog, seed, cancel)
+    wishes, fitted = fit_with_staff(hall, wishes, weights, catalog, seed, cancel, small)
     if not fitted.units:
         missing = left_out(hall, wishes, fitted.units)
         on, groups, out = put_on_stage(hall, carried, hall.fixed, catalog)

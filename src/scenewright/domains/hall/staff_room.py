@@ -7,8 +7,9 @@ object until it is furnished.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
+from typing import NamedTuple
 
 from scenewright.catalog.kinds import KINDS
 from scenewright.core.brief.zones import Demand
@@ -17,13 +18,12 @@ from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains.hall.assemble import Laid
 from scenewright.domains.hall.build_problem import HallContext
 from scenewright.domains.hall.chairs import grow_table
+from scenewright.domains.hall.counter_forms import COUNTER, list_forms
 from scenewright.domains.hall.fit import Fitted, fit
 from scenewright.domains.hall.holdings import HallDemand
 from scenewright.domains.hall.seating import grow_desk
 from scenewright.engine.solve import Cancel
 
-COUNTER = "counter"
-"""Of what several stand at a wall unless the brief says otherwise."""
 NOTHING = 1e-6
 """What costs less costs nothing."""
 Place = tuple[Pose, Size]
@@ -36,38 +36,85 @@ def fit_with_staff(
     catalog: Catalog,
     seed: int,
     cancel: Cancel | None = None,
+    small: Sequence[HallDemand] = (),
 ) -> tuple[list[HallDemand], Fitted]:
     """Demands as they find room, and their first layout (:func:`.fit.fit`): counters at walls in
-    rows with room for their staff, else each by itself, else with their backs at the wall. Where
-    something lacks in any case, as lacks least; as they are where groups stay as printed."""
-    whole, lined = hall.settings.whole, hall.settings.lined
-    found: list[tuple[int, list[HallDemand], Fitted]] = []
-    for asked in [wishes] if whole else _ways_to_stand(wishes, lined):
-        fitted = fit(hall, asked, weights, catalog, seed, whole, cancel)
+    rows with room for their staff, else each by itself, else with their backs at the wall, where
+    something lacks in any case as lacks least; those of which the brief leaves open where they
+    stand in the first form (:mod:`.counter_forms`) by which nothing is lost that else would stand.
+    As they are where groups stay as printed. ``small`` objects are set last."""
+
+    def fit_one(asked: list[HallDemand]) -> Stand:
+        fitted = fit(hall, asked, weights, catalog, seed, hall.settings.whole, cancel)
         count = sum(_count_objects(asked[u.demand], u.last - u.first) for u in fitted.units)
-        unasked = any(a.at_wall and not b.at_wall for a, b in zip(asked, wishes, strict=True))
-        if unasked and fitted.hosts:
-            continue
-        if count == sum(len(wish.sizes) for wish in wishes):
-            return asked, fitted
-        if not unasked:
-            found.append((count, asked, fitted))
-    return max(found, key=lambda one: one[0])[1:]
+        return Stand(count, asked, fitted)
+
+    if hall.settings.whole:
+        return fit_one(wishes)[1:]
+    every, lined = sum(len(wish.sizes) for wish in wishes), hall.settings.lined
+    forms = [list(list_forms(hall, wish, small)) if lined else [] for wish in wishes]
+    if any(forms):
+        whole = fit_one(
+            [_in_row(_with_staff((f or [w])[0])) for f, w in zip(forms, wishes, strict=True)]
+        )
+        if whole.count == every and not _built_for(whole, wishes):
+            return whole[1:]
+    best = _fit_said(wishes, every, fit_one)
+    for number, row in enumerate(forms):
+        best = _line_up(best, number, row, fit_one)
+    return best[1:]
+
+
+class Stand(NamedTuple):
+    """How many objects have a place, in what form they are asked for, and their first layout."""
+
+    count: int
+    asked: list[HallDemand]
+    fitted: Fitted
+
+
+def _fit_said(
+    wishes: list[HallDemand], every: int, fit_one: Callable[[list[HallDemand]], Stand]
+) -> Stand:
+    """The first form of what the brief says to stand at walls in which all ``every`` objects have
+    a place, else that in which most do."""
+    found: list[Stand] = []
+    for asked in _ways_to_stand(wishes):
+        found.append(fit_one(asked))
+        if found[-1].count == every:
+            break
+    return max(found, key=lambda one: one.count)
+
+
+def _line_up(
+    best: Stand, number: int, forms: list[HallDemand], fit_one: Callable[[list[HallDemand]], Stand]
+) -> Stand:
+    """The same with one demand in the first of some forms by which nothing is lost; itself where
+    there is none."""
+    for form in forms:
+        asked = [*best.asked[:number], form, *best.asked[number + 1 :]]
+        tried = fit_one(asked)
+        if tried.count >= best.count and not _built_for(tried, best.asked):
+            return tried
+    return best
+
+
+def _built_for(stand: Stand, before: list[HallDemand]) -> bool:
+    """Whether walls are built in zones of what was not to stand at walls before."""
+    unasked = [a.at_wall and not b.at_wall for a, b in zip(stand.asked, before, strict=True)]
+    zones = {unit.zone for unit in stand.fitted.units if unasked[unit.demand]}
+    return any(zones & {int(host.row[4]), int(host.row[5])} for host in stand.fitted.hosts)
 
 
 def _count_objects(wish: HallDemand, count: int) -> int:
     """How many objects so many of a demand are once they are furnished."""
-    return count * max(len(wish.row), 1)
+    return count * max(len(wish.row), 1) * (2 if wish.double else 1)
 
 
-def _ways_to_stand(wishes: list[HallDemand], lined_up: bool) -> Iterator[list[HallDemand]]:
-    """The demands with their counters in rows, where ``lined_up`` those too of which the brief
-    leaves open where they stand, each by itself and as they are."""
-    lined = [_in_row(_with_staff(_at_wall(wish))) for wish in wishes]
+def _ways_to_stand(wishes: list[HallDemand]) -> Iterator[list[HallDemand]]:
+    """The demands with their counters at walls in rows, each by itself and as they are."""
     staffed = [_with_staff(wish) for wish in wishes]
     in_rows = [_in_row(wish) for wish in staffed]
-    if lined_up and lined != in_rows:
-        yield lined
     if in_rows != staffed:
         yield in_rows
     if staffed != wishes:
@@ -83,22 +130,21 @@ def leaves_open(demands: list[Demand]) -> bool:
 
 def lacks(laid: Laid) -> bool:
     """Whether something is left out of a hall, or the route misses some of it or is too narrow."""
-    missed = (part.cost for part in laid.parts if part.term in ("reach", "access"))
-    return bool(laid.left_out) or sum(missed) > NOTHING
+    return any(measure_lack(laid)[:2])
 
 
-def _at_wall(wish: HallDemand) -> HallDemand:
-    """Several counters at a wall, where the brief leaves open where they stand."""
-    if wish.category != COUNTER or len(wish.sizes) < 2 or not wish.unplaced or wish.facing:
-        return wish
-    front, left, _, right = wish.clearance
-    return wish._replace(patterns=("wall",), clearance=(front, left, 0.0, right))
+def measure_lack(laid: Laid) -> tuple[float, int, int]:
+    """What the route misses of a hall and passages lack, how many demands lack something, and less
+    than none of how many objects stand: the greater, the worse."""
+    missed = sum(part.cost for part in laid.parts if part.term in ("reach", "access"))
+    stand = sum(len(group.objects) for group in laid.groups)
+    return (missed if missed > NOTHING else 0.0), len(laid.left_out), -stand
 
 
 def _with_staff(wish: HallDemand) -> HallDemand:
     """A demand with the room of its staff behind it, where it is served from there at a wall."""
     kind = KINDS.get(wish.category)
-    if kind is None or not kind.staff or not wish.at_wall:
+    if kind is None or not kind.staff or not wish.at_wall or wish.staff:
         return wish
     sizes = tuple(size._replace(depth=size.depth + kind.staff) for size in wish.sizes)
     return wish._replace(sizes=sizes, staff=kind.staff)
@@ -108,7 +154,8 @@ def _in_row(wish: HallDemand) -> HallDemand:
     """Several counters of one depth, side by side, as one object."""
     sizes = wish.sizes
     alike = len({size.depth for size in sizes}) == 1
-    if len(sizes) < 2 or not wish.staff or any(wish.clearance[1::2]) or wish.least or not alike:
+    sides = any(wish.clearance[1::2])
+    if len(sizes) < 2 or not wish.staff or sides or wish.least or not alike or wish.row:
         return wish
     width, height = sum(size.width for size in sizes), max(size.height for size in sizes)
     return wish._replace(sizes=(Size(width, sizes[0].depth, height),), row=sizes)
@@ -125,6 +172,23 @@ def part_row(wish: HallDemand, pose: Pose, size: Size) -> list[Place]:
     """
     if not wish.row:
         return [(pose, size)]
+    if not wish.double:
+        return _part_line(wish, pose, size)
+    deep = wish.row[0].depth
+    front, own = _ahead(pose, 0.5 * (size.depth - deep)), size._replace(depth=deep)
+    back = _ahead(pose, -0.5 * (size.depth - deep))
+    turned = back._replace(heading=math.remainder(pose.heading + math.pi, 2.0 * math.pi))
+    return [*_part_line(wish, front, own), *_part_line(wish, turned, own)]
+
+
+def _ahead(pose: Pose, far: float) -> Pose:
+    """A pose so many metres ahead."""
+    x, y = pose.x + far * math.cos(pose.heading), pose.y + far * math.sin(pose.heading)
+    return pose._replace(x=x, y=y)
+
+
+def _part_line(wish: HallDemand, pose: Pose, size: Size) -> list[Place]:
+    """Where the objects of a row stand side by side."""
     found, along = list[Place](), -0.5 * size.width
     for one in wish.row:
         at, along = along + 0.5 * one.width, along + one.width
@@ -138,8 +202,8 @@ def grow_to_floor(piece: Piece, wish: HallDemand, catalog: Catalog) -> Piece:
     """A piece as large as the floor it takes with its chairs or staff."""
     if wish.before:
         return grow_desk(piece, wish.before)
-    if wish.staff:
-        return _grow_staff(piece, wish.staff)
+    if wish.staff or wish.double:
+        return _grow_staff(piece, KINDS[wish.category].staff)
     return grow_table(piece, wish.chairs, catalog)
 
 

@@ -64,6 +64,8 @@ def _roles(wishes: list[HallDemand], units: list[Unit]) -> Floats:
     roles = np.zeros(len(units))
     for k, unit in enumerate(units):
         category = wishes[unit.demand].category
+        if wishes[unit.demand].double:
+            continue  # as good from both sides
         if is_till(category, beside):
             roles[k] = TILL + (LANE if category in LANES and unit.last - unit.first > 1 else 0)
         elif is_first(category, beside):

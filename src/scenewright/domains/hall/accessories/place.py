@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 import shapely
 
+from scenewright.catalog.kinds import KINDS
 from scenewright.core.layout import corners
 from scenewright.core.piece_outlines import boxes_of
 from scenewright.core.scene import Piece, Size
@@ -21,17 +22,20 @@ from scenewright.domains.hall.accessories.setting import (
     find_floor,
     find_free,
     find_walls,
+    lead_before,
     lie_open,
 )
 from scenewright.domains.hall.accessories.spots import NO_PAIR, Spots, spread_spots
-from scenewright.domains.hall.build_problem import HallContext
+from scenewright.domains.hall.build_problem import SIDES, HallContext
 from scenewright.domains.hall.holdings import HallDemand
 from scenewright.domains.hall.problem import Floats, HallProblem
-from scenewright.domains.hall.solvers.outcome import MeasuredLayout, lacking, measure_layout
+from scenewright.domains.hall.solvers.outcome import MeasuredLayout, lacking, measure_among
 
 NARROW, SINGLE, MATE = 2.0, 1.7, -2.0
 """What a spot costs with too little floor before it, one of a pair whose other is not to be had,
 and one whose other is taken."""
+BEFORE = 0.6
+"""Metres before a small object in which others had better not stand."""
 TRIED, SAME = 12, 0.01
 """How many spots are tried for what bars a way on the first, and metres between two spots that are
 one."""
@@ -52,29 +56,49 @@ Placed = list[list[Floats | None]]
 
 
 def place_accessories(there: StandingHall, small: list[HallDemand]) -> Placed:
-    """Where the objects of some demands stand, each demand after those before it."""
+    """Where the objects of some demands stand, each demand after those before it; none where it
+    bars a way, or where no route would lead to it or to one set before it."""
     boxes = _place_all(there, small, lambda _: True)
-    least = _measure_ways(there, np.zeros((0, 5)))
-    if _as_open(there, boxes, least):
+    least = _measure_ways(there, small, [])
+    if _as_open(there, small, boxes, least):
         return boxes
-    return _place_all(there, small, lambda placed: _as_open(there, placed, least))
+    return _place_all(there, small, lambda placed: _as_open(there, small, placed, least))
 
 
-def _as_open(there: StandingHall, boxes: Placed, least: tuple[float, float]) -> bool:
+def _as_open(
+    there: StandingHall, small: list[HallDemand], boxes: Placed, least: tuple[float, float]
+) -> bool:
     """Whether the route misses no more with some boxes and no passage is narrower."""
-    found = _measure_ways(there, _stack(*boxes))
+    found = _measure_ways(there, small, boxes)
     return found[0] <= least[0] and found[1] <= least[1] + 1e-9
 
 
-def _measure_ways(there: StandingHall, boxes: Floats) -> tuple[float, float]:
-    """What the route misses past all that stands and boxes (n, 5), and metres passages lack."""
-    own = {wish.id for wish in there.wishes}
+def _measure_ways(
+    there: StandingHall, small: list[HallDemand], boxes: Placed
+) -> tuple[float, float]:
+    """What the route misses past all that stands and the boxes of some demands, these among it, and
+    metres passages lack."""
+    own, ground = {wish.id for wish in there.wishes}, there.problem.ground
     more = [box for p in there.pieces if p.function not in own for box in boxes_of(p)]
-    ground = there.problem.ground
-    solid = np.concatenate([ground.obstacles, np.array(more).reshape(-1, 5), boxes])
-    problem = there.problem._replace(ground=ground._replace(obstacles=solid))
-    p, s, missed = measure_layout(problem, there.layout)
-    return missed, lacking(p, s)
+    solid = np.concatenate([np.array(more).reshape(-1, 5), _stack(*boxes)])
+    standing, access = _find_used(small, boxes)
+    standing = np.concatenate([ground.standing.reshape(-1, 5), standing])
+    access = np.concatenate([ground.standing_access.reshape(-1, 4), access])
+    ground = ground._replace(standing=standing, standing_access=access)
+    p, s, missed = measure_among(there.problem._replace(ground=ground), there.layout, solid)
+    return missed + len(standing) - len(p.standing), lacking(p, s)
+
+
+def _find_used(small: list[HallDemand], boxes: Placed) -> tuple[Floats, Floats]:
+    """The boxes (n, 5) of those demands that people walk up to, and 1 for the sides (n, 4) of
+    which one of each must be reached."""
+    sides = [[float(side in KINDS[wish.category].access) for side in SIDES] for wish in small]
+    used = [(_stack(mine), of) for mine, of in zip(boxes, sides, strict=False) if any(of)]
+    access = [np.tile(of, (len(mine), 1)) for mine, of in used]
+    return (
+        np.concatenate([np.zeros((0, 5)), *(mine for mine, _ in used)]),
+        np.concatenate([np.zeros((0, 4)), *access]),
+    )
 
 
 def _place_all(
@@ -115,6 +139,8 @@ def _choose_spots(
         spots = make(setting, size)
         stand = find_free(free, spots.boxes) & ~_overlap(spots.boxes, taken)
         narrow = ~lie_open(free, spots.boxes, row.free, row.around)
+        narrow |= _overlap(lead_before(spots.boxes, row.free), taken)
+        narrow |= _overlap(spots.boxes, lead_before(taken, BEFORE))
         costs = spots.costs + NARROW * narrow + _weigh_pairs(spots, setting.others, stand, pairs)
         if stand.any():
             order = np.argsort(costs, kind="stable")

@@ -122,14 +122,19 @@ def find_free(free: FreeFloor, boxes: Floats) -> Bools:
 
 def lie_open(free: FreeFloor, boxes: Floats, before: float, around: float) -> Bools:
     """Of which of boxes (k, 5) so many metres of floor ``before`` and ``around`` are free (k,)."""
-    ahead, wider = boxes.copy(), boxes.copy()
-    off = 0.5 * (boxes[:, 4] + before)
-    ahead[:, 0] += off * np.cos(boxes[:, 2])
-    ahead[:, 1] += off * np.sin(boxes[:, 2])
-    ahead[:, 4] = before
+    wider = boxes.copy()
     wider[:, 3:] += 2.0 * around
     found = np.ones(len(boxes), bool)
-    for rows in (ahead, wider):
+    for rows in (lead_before(boxes, before), wider):
         shapes = shapely.polygons(corners(rows))
         found[free.bodies.query(shapes, predicate="intersects")[0]] = False
     return found
+
+
+def lead_before(boxes: Floats, deep: float) -> Floats:
+    """Boxes (k, 5) of the floor so many metres ``deep`` before boxes (k, 5)."""
+    ahead, off = boxes.copy(), 0.5 * (boxes[:, 4] + deep)
+    ahead[:, 0] += off * np.cos(boxes[:, 2])
+    ahead[:, 1] += off * np.sin(boxes[:, 2])
+    ahead[:, 4] = deep
+    return ahead

@@ -27,6 +27,8 @@ at least."""
 FAR, TOO_FAR, LITTLE = 3.0, 0.4, 0.05
 """Metres from the entrance that are near enough, and what each beyond counts: of a desk one comes
 to first, and of others."""
+NEXT = 0.05
+"""Metres from the end of a wall at which a row begins at least."""
 INSIDE = 0.6
 """How far inside the bounds of its zone a door may lie, in metres."""
 WAY, WIDE, QUEUE = 6.0, 1.2, 1.5
@@ -114,8 +116,9 @@ def measure_desks(problem: HallProblem, boxes: Floats, row: int, too_far: float)
     front = np.stack([np.cos(boxes[:, 2]), np.sin(boxes[:, 2])], axis=1)
     staff = max(float(problem.units.clear[row, 2]), STAFF)
     side = 0.5 * width * np.stack([front[:, 1], -front[:, 0]], axis=1)
-    adrift = _far(problem, middles - 0.5 * depth * front) - staff
-    aside = np.minimum(_far(problem, middles - side), _far(problem, middles + side))
+    edges = _find_edges(problem, row, float(boxes[:, 3].max(initial=0.0)))
+    adrift = _far(edges, middles - 0.5 * depth * front) - staff
+    aside = np.minimum(_far(edges, middles - side), _far(edges, middles + side))
     adrift = np.where(boxes[:, 3] <= SHORT, np.minimum(adrift, aside), adrift)
     far = np.hypot(*(middles - door).T)
     turned = np.where(((door - middles) * front).sum(1) < -0.3 * far, BACK_TO, 0.0)
@@ -133,12 +136,24 @@ def _share(boxes: Floats, free: shapely.Polygon) -> Floats:
     return shapely.area(shapely.intersection(shapely.polygons(corners(boxes)), free))
 
 
-def _far(problem: HallProblem, points: Floats) -> Floats:
-    """Metres (n,) from points (n, 2) to the nearest wall of the hall."""
-    start, way = (
-        problem.ground.edges[:, :2],
-        problem.ground.edges[:, 2:] - problem.ground.edges[:, :2],
-    )
+def _find_edges(problem: HallProblem, row: int, wide: float) -> Floats:
+    """The edges (e, 4) at which desks may have their backs, ``row`` being the first: the walls of
+    the hall; the edges of their zone where no wall of that is as long as they are wide."""
+    ground, units = problem.ground, problem.units
+    zone = int(units.zones[np.searchsorted(units.spans[:, 1], row, side="right")])
+    walls = ground.stretches[ground.stretches[:, 4] == zone, :4]
+    if (_lengths(walls) > wide + NEXT).any():
+        return ground.edges
+    return ground.zone_edges[slice(*ground.zone_spans[zone])]
+
+
+def _lengths(edges: Floats) -> Floats:
+    return np.hypot(edges[:, 2] - edges[:, 0], edges[:, 3] - edges[:, 1])
+
+
+def _far(edges: Floats, points: Floats) -> Floats:
+    """Metres (n,) from points (n, 2) to the nearest of some edges (e, 4)."""
+    start, way = edges[:, :2], edges[:, 2:4] - edges[:, :2]
     off = points[:, None] - start
     along = (off * way).sum(2) / np.maximum((way**2).sum(1), 1e-12)
     off = off - np.clip(along, 0.0, 1.0)[..., None] * way
@@ -197,16 +212,20 @@ def _spaced(places: Floats, order: Ints) -> list[int]:
 
 
 def _places(problem: HallProblem, boxes: Floats, unit: int) -> Floats:
-    """Boxes (n, 5) of the desks of a unit in a row along the walls of their zone, with room behind
-    them to serve, and with their side at them: at even steps, and in line with the middles of
+    """Boxes (n, 5) of the desks of a unit in a row along the walls of their zone, its borders where
+    they are too long for these, with room behind them to serve, and with their side there: at even
+    steps, and in line with the middles of
     other ``boxes`` (n, 5)."""
     first, last = (int(row) for row in problem.units.spans[unit])
     zone, sizes = int(problem.units.zones[unit]), problem.units.sizes[first:last]
     staff = max(float(problem.units.clear[first, 2]), STAFF)
     box = np.array([0.0, 0.0, 0.0, sizes[:, 0].sum(), sizes[:, 1].max()])
     others = np.delete(boxes[:, :2], np.arange(first, last), axis=0)
-    found = [np.zeros((0, 5))]
-    for x0, y0, x1, y1 in problem.ground.stretches[problem.ground.stretches[:, 4] == zone, :4]:
+    behind, found = problem.ground.stretches, [np.zeros((0, 5))]
+    behind = behind[behind[:, 4] == zone, :4]
+    if not (_lengths(behind) > box[3] + NEXT).any():
+        behind = _find_edges(problem, first, float(box[3]))
+    for x0, y0, x1, y1 in behind:
         length = float(np.hypot(x1 - x0, y1 - y0))
         way = np.array([x1 - x0, y1 - y0]) / max(length, 1e-9)
         left = np.array([-way[1], way[0]])
@@ -214,7 +233,7 @@ def _places(problem: HallProblem, boxes: Floats, unit: int) -> Floats:
         aside = ((0.5 * np.pi, 0.05), (-0.5 * np.pi, 0.05)) if box[3] <= SHORT else ()
         for turn, off in ((0.0, staff), *aside):
             wide, deep = (box[3], box[4]) if turn == 0.0 else (box[4], box[3])
-            near, far = 0.5 * wide + 0.05, length - 0.5 * wide
+            near, far = 0.5 * wide + NEXT, length - 0.5 * wide
             along = np.arange(near, far, STEP)
             along = np.append(along, _lines((others - (x0, y0)) @ way, near, far))
             first = off + 0.5 * deep

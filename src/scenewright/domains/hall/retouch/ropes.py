@@ -31,7 +31,11 @@ LANES = (1.0, 1.25)
 TURNED, ALONG, ASIDE, MOST_OFF = 2.0, 0.6, 0.5, 3.0
 """What ropes across what they should stand along count, those along a desk instead of up to it,
 what a metre beside it does, and metres beyond which more count no more."""
-ANCHORS = 12
+NEARER = 5.0
+"""What a metre counts by which ropes are so near that nobody passes between."""
+ANCHORS, WIDEST = 12, 0.75
+"""How many of what stands at walls are looked at, and the part of the widest row of desks down to
+which people queue at others of the zone too."""
 
 
 class Anchor(NamedTuple):
@@ -82,7 +86,9 @@ def find_anchors(problem: HallProblem, kept: Kept, boxes: Floats, unit: int) -> 
     desks = find_served(problem, unit)
     mine = [boxes[slice(*span)] for span in units.spans]
     if desks:
-        return [Anchor(box_round(mine[u]), True) for u in desks]
+        whole = [box_round(mine[u]) for u in desks]
+        widest = max(float(box[3]) for box in whole)
+        return [Anchor(box, True) for box in whole if box[3] >= WIDEST * widest]
     lanes = [u for u in beside if roles[u] & LANE]
     if lanes:
         return [Anchor(_find_queue_end(problem, mine[u]), True) for u in lanes]
@@ -134,7 +140,8 @@ def _fault(ropes: Floats, anchor: Anchor) -> float:
     off = seen[:2] - box[:2]
     gap = float(off @ front) - 0.5 * (box[4] + seen[4])
     aside = abs(float(off @ (front[1], -front[0]))) - 0.5 * max(box[3] - seen[3], 0.0)
-    far = max(GAPS[0] - 0.3 - gap, gap - GAPS[1] - 0.3, 0.0)
+    near = NEARER * max(GAPS[0] - 0.1 - gap, 0.0)
+    far = max(near, gap - GAPS[1] - 0.3, 0.0)
     turned = ALONG * (1.0 - along) if anchor.queue else TURNED * along
     return turned + min(far, MOST_OFF) + ASIDE * min(max(aside, 0.0), MOST_OFF)
 

@@ -19,7 +19,7 @@ from scenewright.domains.hall.problem import Floats, HallProblem, Ints
 from scenewright.domains.hall.solvers.guided_metropolis import bring_back, count_missed, run
 from scenewright.domains.hall.solvers.outcome import HallFound, MeasuredLayout, lacking
 from scenewright.domains.hall.solvers.printed_metropolis import run_printed
-from scenewright.domains.hall.solvers.start import copy_frames, place_units
+from scenewright.domains.hall.solvers.start import copy_frames, leave_refused_walls, place_units
 from scenewright.domains.hall.terms.place import build
 from scenewright.domains.hall.terms.state import Kept, PreparedHall, Scratch, State, make_scratch
 from scenewright.domains.hall.terms.table import REACH
@@ -55,20 +55,33 @@ class HallChain(NamedTuple):
 def first_layout(
     problem: HallProblem, walls: Floats, seed: int, tries: int | None = None
 ) -> tuple[Kept, tuple[int, ...]]:
-    """A layout without overlap and the units that found no place in it: wall rows first, which
-    can stand nowhere else, then the largest. ``walls`` (p, 2) are the partitions to start with;
-    ``tries`` is how often a place is drawn for each unit (what the settings say)."""
+    """A layout without overlap, of finite energy unless units are lost, and the units that found
+    no place in it: wall rows first, which can stand nowhere else, then the largest. ``walls``
+    (p, 2) are the partitions to start with, less those that may not stand there; ``tries`` is how
+    often a place is drawn for each unit (what the settings say)."""
     tries = problem.settings.chains.tries if tries is None else tries
     p = prepare(problem)
     s, work = make_state(p), make_scratch(p)
     s.partitions[:] = walls
     for host in range(len(walls)):
         build(p, s, host)
+    leave_refused_walls(p, s)
     need = np.array([p.sizes[a:b].prod(1).sum() + p.beta[u] for u, (a, b) in enumerate(p.spans)])
     order = np.lexsort([-need, -p.wall_bound]).astype(np.int64)
     placed = np.zeros(len(need))
     place_units(p, s, work, order, 0, tries, True, streams(seed, 1)[0], placed)
-    return kept_of(s), tuple(int(u) for u in order if not placed[u])
+    start, lost = kept_of(s), tuple(int(u) for u in order if not placed[u])
+    return start, lost or _find_refused(p, s, work, start)
+
+
+def _find_refused(p: PreparedHall, s: State, work: Scratch, start: Kept) -> tuple[int, ...]:
+    """The units of a layout that break a hard rule beside those before them; none where its energy
+    is finite."""
+    if np.isfinite(bring_back(p, s, work, start)):
+        return ()
+    order, placed = np.arange(len(p.spans)), np.zeros(len(p.spans))
+    place_units(p, s, work, order, len(order), 0, False, streams(0, 1)[0], placed)
+    return tuple(np.flatnonzero(placed == 0.0).tolist())
 
 
 def begin_chain(problem: HallProblem, start: Kept, stream: Stream) -> HallChain:

@@ -68,6 +68,17 @@ def measure_layout(
     return p, s, count_missed(p, s, grid, bits[0], bits[1], bits[2], inset)
 
 
+def measure_among(
+    problem: HallProblem, layout: MeasuredLayout, solid: Floats
+) -> tuple[PreparedHall, State, float]:
+    """As :func:`measure_layout` with more that stands there, boxes ``solid`` (n, 5), which may lie
+    on floor that objects of the layout have for it: no hard rule is looked at."""
+    ground = problem.ground
+    standing = np.concatenate([ground.obstacles.reshape(-1, 5), solid.reshape(-1, 5)])
+    among = problem._replace(ground=ground._replace(obstacles=standing))
+    return measure_layout(among, layout._replace(loose=True))
+
+
 def by_patterns(
     solve: HallRun,
     given: StartedHall,

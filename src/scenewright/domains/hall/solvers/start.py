@@ -7,9 +7,9 @@ from __future__ import annotations
 
 from scenewright.domains.hall.solvers.moves import drawn_code, reseed, scatter
 from scenewright.domains.hall.terms.measure import clear_of, write_row
-from scenewright.domains.hall.terms.place import unfold
+from scenewright.domains.hall.terms.place import build, unfold
 from scenewright.domains.hall.terms.state import Ints, PreparedHall, Scratch, State
-from scenewright.domains.hall.terms.whole import forget, place_all
+from scenewright.domains.hall.terms.whole import forget, may_stand, place_all
 from scenewright.engine.draws import Stream, uniform
 from scenewright.geometry.boxes import Floats, make_frame, read_frame
 from scenewright.geometry.buckets import remove
@@ -59,6 +59,15 @@ def place_units(
     for k in range(order.shape[0]):
         most, anew = (tries, fresh) if k >= stay else (0, False)
         placed[order[k]] = 1.0 if place_one(p, s, work, order[k], most, anew, stream) else 0.0
+
+
+@compiled
+def leave_refused_walls(p: PreparedHall, s: State) -> None:
+    """Leave out every partition that may not stand where it does."""
+    for host in range(s.walls.shape[0]):
+        if s.walls[host, 4] > 0.0 and not may_stand(p, s, host):
+            s.partitions[host, 1] = s.partitions[host, 0]
+            build(p, s, host)
 
 
 @compiled
