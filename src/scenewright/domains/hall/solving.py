@@ -57,6 +57,7 @@ from scenewright.domains.hall.on_stage import put_on_stage
 from scenewright.domains.hall.presets import PRESETS, HallPreset, count_steps
 from scenewright.domains.hall.retouch import retouch_layout
 from scenewright.domains.hall.search import HallSearch, may_retry, search_layout
+from scenewright.domains.hall.seat_audiences import seat_audiences
 from scenewright.domains.hall.seating import seat_chairs
 from scenewright.domains.hall.settings import USUAL_ZONING, ZoningSettings
 from scenewright.domains.hall.shortfall import left_out
@@ -286,6 +287,9 @@ def _lay(
     missing = left_out(hall, wishes, fitted.units, given_up, crowding)
     best = found.layouts[0]
     if may_retry(search):
+        here = search._replace(hall=hall)
+        fitted, best, unseated = seat_audiences(here, fitted, best)
+        missing += unseated
         best = retouch_layout(fitted.problem, best)
     best = turn_desks(hall, wishes, fitted.units, fitted.problem, best)
     search = search._replace(hall=hall, wishes=[*wishes, *small])

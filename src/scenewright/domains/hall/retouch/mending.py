@@ -62,15 +62,9 @@ def mend(
 ) -> MeasuredLayout:
     """The layout with one of the touches, or as it is. Those before it keep what they placed."""
     chain = begin_chain(problem, layout.kept, streams(0, 1)[0])
-    one, mine, upto = touches[number], touches[number : number + 1], touches[: number + 1]
+    mine, upto = touches[number : number + 1], touches[: number + 1]
     now = _weigh(chain, mine, layout.kept)
-    proposed = one.touch.propose(one.seen, layout.kept, layout.boxes)
-    found = [_weigh(chain, mine, kept) for kept in proposed]
-    least = min((p.fault for p in found if p.cost < now.cost), default=now.fault)
-    firm = _placed(touches[:number], layout.kept)
-    for barred in _barred(found, layout.kept, least - WORTH):
-        made = make_room(chain, layout.kept, barred.kept, firm)
-        found += [_weigh(chain, mine, kept) for kept in made]
+    found = weigh_proposals(chain, touches[number], layout, _placed(touches[:number], layout.kept))
     better = sorted((p for p in found if p.cost < now.cost - LEAST), key=lambda p: p.cost)
     whole = _weigh(chain, upto, layout.kept).cost if better else 0.0
     gaining = (
@@ -81,6 +75,21 @@ def mend(
         if tried.missed <= layout.missed and tried.lacking <= layout.lacking + 1e-9:
             return tried
     return layout
+
+
+def weigh_proposals(
+    chain: HallChain, one: SeenTouch, layout: MeasuredLayout, firm: list[int]
+) -> list[Proposal]:
+    """What a touch proposes for a layout, and the same with room made for what runs into others but
+    the ``firm`` ones."""
+    now = _weigh(chain, [one], layout.kept)
+    proposed = one.touch.propose(one.seen, layout.kept, layout.boxes)
+    found = [_weigh(chain, [one], kept) for kept in proposed]
+    least = min((p.fault for p in found if p.cost < now.cost), default=now.fault)
+    for barred in _barred(found, layout.kept, least - WORTH):
+        made = make_room(chain, layout.kept, barred.kept, firm)
+        found += [_weigh(chain, [one], kept) for kept in made]
+    return found
 
 
 def _differing(proposals: list[Proposal]) -> list[Proposal]:
