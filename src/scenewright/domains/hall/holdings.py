@@ -81,7 +81,8 @@ def collect_demands(
         if sizes:
             asked = {other.category for other in room.demands if may_share_zone(demand, other)}
             own = name not in tables
-            chairs = out_of_table(demand.category, asked, catalog) if own else 0.0
+            tall = max(size.height for size in sizes)
+            chairs = out_of_table(demand.category, asked, catalog, tall) if own else 0.0
             least = filled.least and max(filled.least - len(filled.sizes) + len(sizes), 1)
             filled = filled._replace(sizes=sizes, least=least)
             found.append(with_floor(filled, chairs, seats_around(demand.category, catalog)))

@@ -17,6 +17,7 @@ from scenewright.domains.hall.build_problem import HallContext, build_problem
 from scenewright.domains.hall.energy import capacity
 from scenewright.domains.hall.fit import Fitted
 from scenewright.domains.hall.holdings import HallDemand
+from scenewright.domains.hall.idle_guides import drop_units
 from scenewright.domains.hall.problem import HallProblem
 from scenewright.domains.hall.retouch import RETOUCHES
 from scenewright.domains.hall.retouch.audience import FEWEST
@@ -42,10 +43,13 @@ def seat_audiences(
     search: HallSearch, fitted: Fitted, layout: MeasuredLayout
 ) -> tuple[Fitted, MeasuredLayout, tuple[LeftOut, ...]]:
     """The layout with the seats of each demand that look away, or stand in several groups, in rows
-    before what they look at; it stays as it is where no rows find room."""
+    before what they look at. Where no rows find room, those that look away are left out."""
     missing: tuple[LeftOut, ...] = ()
     for demand in [] if layout.loose else sorted(_find_astray(search, fitted, layout)):
-        found = _seat(search, fitted, layout, _units_of(fitted, demand))
+        mine = _units_of(fitted, demand)
+        found = _seat(search, fitted, layout, mine)
+        if found is None and _count_away(fitted.problem, layout, mine):
+            found = drop_units(search.hall, search.wishes, fitted, layout, mine, search.catalog)
         if found is not None:
             missing += _report(search.hall, search.wishes[demand], fitted, found[0], demand)
             fitted, layout = found
@@ -63,10 +67,9 @@ def _find_astray(search: HallSearch, fitted: Fitted, layout: MeasuredLayout) -> 
             continue
         alone = sorted(np.flatnonzero(units.targets == target)) == mine
         together = len(set(units.zones[mine])) == 1 and np.diff(units.spans[target])[0] == 1
-        seats = _seats_of(fitted.problem, mine)
-        if alone and together and len(seats) >= FEWEST:
-            away = count_away(layout.boxes[seats], layout.boxes[units.spans[target, 0]])
-            if len(mine) > 1 or away > SHARE * len(seats):
+        many = int(count_objects(fitted.problem)[mine].sum()) >= FEWEST
+        if alone and together and many:
+            if len(mine) > 1 or _count_away(fitted.problem, layout, mine):
                 yield demand
 
 
@@ -74,9 +77,13 @@ def _units_of(fitted: Fitted, demand: int) -> list[int]:
     return [number for number, unit in enumerate(fitted.units) if unit.demand == demand]
 
 
-def _seats_of(problem: HallProblem, units: Sequence[int]) -> list[int]:
-    """The rows of the objects of some units."""
-    return [row for unit in units for row in range(*problem.units.spans[unit])]
+def _count_away(problem: HallProblem, layout: MeasuredLayout, mine: Sequence[int]) -> int:
+    """How many seats of some units look past their stage, if those are more than may."""
+    units = problem.units
+    rows = [row for unit in mine for row in range(*units.spans[unit])]
+    stage = layout.boxes[units.spans[units.targets[mine[0]], 0]]
+    away = count_away(layout.boxes[rows], stage)
+    return away if away > SHARE * len(rows) else 0
 
 
 def _seat(
@@ -97,7 +104,7 @@ def _seat(
         rows = sorted((p for p in every if np.isfinite(p.cost)), key=lambda p: p.cost)
         for found in _walk_through(search, chain, [p.kept for p in rows]):
             reached = found.missed <= layout.missed and found.lacking <= layout.lacking + 1e-9
-            if reached and _looks(joined.problem, found, mine[0]):
+            if reached and not _count_away(joined.problem, found, mine[:1]):
                 return joined._replace(start=found.kept), found
     return None
 
@@ -111,14 +118,6 @@ def _walk_through(
     for kept in rows[:SETTLED]:
         settled = cooled_hall(heavy, kept, budget, search.seed).layouts[0]
         yield layout_of(begin_chain(chain.problem, settled.kept, streams(0, 1)[0]))
-
-
-def _looks(problem: HallProblem, layout: MeasuredLayout, seats: int) -> bool:
-    """Whether no more seats of a unit look past their stage than may."""
-    units = problem.units
-    stage = layout.boxes[units.spans[units.targets[seats], 0]]
-    mine = layout.boxes[slice(*units.spans[seats])]
-    return count_away(mine, stage) <= SHARE * len(mine)
 
 
 def join_units(

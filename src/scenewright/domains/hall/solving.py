@@ -30,6 +30,7 @@ from scenewright.core.space import Space
 from scenewright.domains.hall.accessories import count_groups
 from scenewright.domains.hall.accessories.pieces import furnish_accessories
 from scenewright.domains.hall.accessories.place import StandingHall
+from scenewright.domains.hall.asked_low_tables import claim_low_tables
 from scenewright.domains.hall.assemble import Laid, assemble_solution
 from scenewright.domains.hall.barriers import place_barriers
 from scenewright.domains.hall.build_problem import HallContext, hall_of
@@ -355,6 +356,7 @@ def furnish_layout(
     )
     low = low_tables(groups, (*objects, *chairs), (*hall.fixed, *walls), catalog)
     low = keep_reached(fitted.problem, best._replace(missed=lost), low)
+    low, seatless = claim_low_tables(hall, wishes, groups, low)
     low += _seat_desks(
         hall, wishes, fitted, best, objects, (*hall.fixed, *walls, *chairs, *low), catalog
     )
@@ -376,7 +378,7 @@ def furnish_layout(
         groups,
         layout.partitions,
         parts,
-        (*missing, *alone, *lost_small),
+        (*missing, *alone, *seatless, *lost_small),
         sum(part.cost for part in parts),
         evaluations,
         way,

@@ -113,7 +113,8 @@ def _choose_spots(
     pairs = len(wish.sizes) - len(setting.others) > 1
     for make in (row.spots, partial(spread_spots, free.floor.bounds)):
         spots = make(setting, size)
-        stand = find_free(free, spots.boxes) & ~_overlap(spots.boxes, taken)
+        own = row.used_at and make is row.spots
+        stand = find_free(free, spots.boxes, own) & ~_overlap(spots.boxes, taken)
         narrow = ~lie_open(free, spots.boxes, row.free, row.around)
         costs = spots.costs + NARROW * narrow + _weigh_pairs(spots, setting.others, stand, pairs)
         if stand.any():

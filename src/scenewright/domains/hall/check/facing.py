@@ -17,6 +17,7 @@ from scenewright.domains.hall.audience import CHAIRS, SEATS, find_shows
 from scenewright.domains.hall.demands import ids_of
 from scenewright.domains.hall.turned_seats import SHARE, TURNED
 
+
 def note_seats_turned_away(
     bodies: Bodies, spaces: tuple[Space, ...], wishes: Mapping[str, Room]
 ) -> list[Note]:

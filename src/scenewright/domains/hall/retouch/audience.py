@@ -16,6 +16,8 @@ from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.retouch.lines import count_objects, find_layers
 from scenewright.domains.hall.retouch.stages import AT_WALL, measure_stage, propose_stages
 from scenewright.domains.hall.terms.state import Kept
+from scenewright.domains.hall.turned_seats import TURNED as TURNED_AWAY
+from scenewright.domains.hall.turned_seats import measure_turns
 
 VIEW, BEFORE = 0.6, 0.5
 """Metres a seat may lie beyond the side of its stage for each metre it lies before it, and the
@@ -28,6 +30,8 @@ PASSED, LONG = 0.5, 0.25
 without has more than between two aisles; metres."""
 FAR, GAPS = (1.3, 2.0, 3.0), (1.1, 0.92, 0.57)
 """Metres between stage and first row, and between rows, that are tried."""
+AWAY = 30.0
+"""What seats count that look past their stage, all of them, in metres."""
 FARTHEST, NEAR_EDGE = 4.0, 0.05
 """Metres between stage and first row from which on each is a fault, and how far the first row is
 set from the edge of a zone that begins farther off."""
@@ -67,7 +71,9 @@ def sit_aside(problem: HallProblem, kept: Kept, boxes: Floats) -> float:
     total = 0.0
     for seats, stage in find_audiences(problem, kept):
         spans = problem.units.spans
-        total += _fault(boxes[slice(*spans[seats])], boxes[spans[stage, 0]], kept.pose[seats, 2])
+        total += measure_audience(
+            boxes[slice(*spans[seats])], boxes[spans[stage, 0]], kept.pose[seats, 2]
+        )
         if kept.pose[seats, 3] == 0.0:
             total += LONG * max(_find_longest(problem, kept, seats) - BLOCK, 0)
         total += measure_stage(problem, boxes, stage)
@@ -92,7 +98,7 @@ def _cut_aisles(problem: HallProblem, kept: Kept, seats: int) -> Kept:
     return kept._replace(pose=pose)
 
 
-def _fault(seats: Floats, stage: Floats, heading: float) -> float:
+def measure_audience(seats: Floats, stage: Floats, heading: float) -> float:
     """How far seats (n, 5) lie beside and off the axis of a stage (5,) and too far before it, in
     metres."""
     front = np.array([np.cos(stage[2]), np.sin(stage[2])])
@@ -104,7 +110,8 @@ def _fault(seats: Floats, stage: Floats, heading: float) -> float:
     hidden = np.maximum(beyond, 0.0) + np.maximum(BEFORE - ahead, 0.0)
     turned = 1.0 + float(np.cos(heading - stage[2]))
     total = SIDE * float(hidden.mean()) + OFF_AXIS * abs(float(aside.mean())) + TURNED * turned
-    return min(total + far, MOST)
+    away = float((measure_turns(seats, stage) > TURNED_AWAY).mean())
+    return min(total + far + AWAY * away, MOST)
 
 
 def propose_audiences(problem: HallProblem, kept: Kept, boxes: Floats) -> Iterator[Kept]:
