@@ -95,7 +95,6 @@ def test_belts_are_for_groceries(name: str, demands: list[dict[str, Any]], model
         ("vending_machine", "cash machines", "vending_machine_cash"),
         ("vending_machine", "Fahrkartenautomaten", "vending_machine_tickets"),
         ("exhibit_island", "mammoth diorama", "exhibit_island_skeleton"),
-        ("exhibit_island", "whale model", "exhibit_island_skeleton"),
         ("exhibit_island", "model of the town", "exhibit_island_scale_model"),
     ],
 )

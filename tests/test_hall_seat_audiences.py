@@ -66,7 +66,11 @@ def test_rows_far_from_their_stage_are_a_fault() -> None:
     """Of two alike blocks on the axis of a stage the one 15 m off counts 11 m more."""
     stage = np.array([0.0, 0.0, 0.0, 6.0, 3.0])
     rows = np.array([(x, y, np.pi, 0.55, 0.62) for x in (0.0, 1.2) for y in (-0.6, 0.0, 0.6)])
-    near, far = (measure_audience(rows + (x + 1.81, 0, 0, 0, 0), stage, np.pi) for x in (4.0, 15.0))
+    ahead = np.array([1.81, 0.0, 0.0, 0.0, 0.0])
+    near, far = (
+        measure_audience(rows + ahead + np.array([x, 0, 0, 0, 0]), stage, np.pi)
+        for x in (4.0, 15.0)
+    )
     assert near == pytest.approx(0.0, abs=1e-6)
     assert far == pytest.approx(11.0)
 

@@ -123,7 +123,7 @@ class Group(NamedTuple):
         return hash(self[:4])
 
 
-SHOWN_AS = ("model", "diorama", "maquette", "modell", "maqueta", "模型", "ジオラマ")
+SHOWN_AS = ("diorama", "ジオラマ")
 """Words for how something is shown, not what it is."""
 
 
@@ -148,8 +148,8 @@ class Catalog:
 
     def choose_called(self, category: str, name: str, number: int = 0) -> Asset | None:
         """Of the assets of a category called by a word of a ``name``, its last such word, the
-        ``number``-th in turn; ``None`` if there are none. Of a *whale model* the whale is drawn:
-        words for how something is shown count last."""
+        ``number``-th in turn; ``None`` if there are none. Of a *mammoth diorama* the mammoth
+        is drawn: words for how something is shown count last."""
         said = re.findall(r"[^\W\d_]+", name.casefold())[::-1]
         for word in sorted(said, key=lambda word: any(_means(word, w) for w in SHOWN_AS)):
             found = [a for a in self.of(category) if any(_means(word, w) for w in a.called)]

@@ -3,7 +3,15 @@
 from __future__ import annotations
 
 from scenewright.catalog.assets.drawing import Drawing
-from scenewright.catalog.assets.materials import ACCENT, BLACK, CHARCOAL, PAPER, SCREEN, STEEL, WHITE
+from scenewright.catalog.assets.materials import (
+    ACCENT,
+    BLACK,
+    CHARCOAL,
+    PAPER,
+    SCREEN,
+    STEEL,
+    WHITE,
+)
 from scenewright.catalog.assets.model import Parts, parts
 from scenewright.catalog.assets.objects import Stuff
 from scenewright.catalog.assets.symbols import Lines, box, path, rectangle

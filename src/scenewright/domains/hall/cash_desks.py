@@ -15,7 +15,16 @@ GROCERIES = ("fridge_shelf",)
 OTHERS = ("clothes_rail", "round_rack", "mannequin", "fitting_room", "book_stack", *TABLES, *DESKS)
 """Several tills beside one of these, and no groceries, have none."""
 NAMED = (
-    *("supermarket", "hypermarket", "grocer", "food hall", "belt", "lane", "supermarch", "épicerie"),
+    *(
+        "supermarket",
+        "hypermarket",
+        "grocer",
+        "food hall",
+        "belt",
+        "lane",
+        "supermarch",
+        "épicerie",
+    ),
     *("lebensmittel", "supermarkt", "supermercado", "超市", "スーパー"),
 )
 """Parts of the names of halls and tills with belts."""

@@ -12,9 +12,9 @@ from scenewright.core.brief.zones import Demand
 from scenewright.core.catalog import Catalog
 from scenewright.core.scene import Piece, Size
 from scenewright.domains.hall.audience import find_shows, find_tables, may_share_zone
+from scenewright.domains.hall.cash_desks import is_cash_desk, measure_cash_desk
 from scenewright.domains.hall.chairs import out_of_table, seats_around
 from scenewright.domains.hall.demands import ids_of, sizes_of
-from scenewright.domains.hall.cash_desks import is_cash_desk, measure_cash_desk
 from scenewright.domains.hall.patterns import PATTERNS
 
 SEATWAY = 0.45

@@ -18,7 +18,7 @@ from scenewright.domains.hall.energy import capacity
 from scenewright.domains.hall.fit import Fitted
 from scenewright.domains.hall.holdings import HallDemand
 from scenewright.domains.hall.idle_guides import drop_units
-from scenewright.domains.hall.problem import HallProblem
+from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.retouch import RETOUCHES
 from scenewright.domains.hall.retouch.audience import FEWEST
 from scenewright.domains.hall.retouch.lines import count_objects, line_up
@@ -68,9 +68,9 @@ def _find_astray(search: HallSearch, fitted: Fitted, layout: MeasuredLayout) -> 
         alone = sorted(np.flatnonzero(units.targets == target)) == mine
         together = len(set(units.zones[mine])) == 1 and np.diff(units.spans[target])[0] == 1
         many = int(count_objects(fitted.problem)[mine].sum()) >= FEWEST
-        if alone and together and many:
-            if len(mine) > 1 or _count_away(fitted.problem, layout, mine):
-                yield demand
+        rows = alone and together and many
+        if rows and (len(mine) > 1 or _count_away(fitted.problem, layout, mine)):
+            yield demand
 
 
 def _units_of(fitted: Fitted, demand: int) -> list[int]:
@@ -90,15 +90,15 @@ def _seat(
     search: HallSearch, fitted: Fitted, layout: MeasuredLayout, mine: list[int]
 ) -> tuple[Fitted, MeasuredLayout] | None:
     """The layout with as many seats of some units as find room in rows before their stage, joined
-    in one; None if hardly any do."""
+    in one; None if no more do than look at it already."""
     whole = int(count_objects(fitted.problem)[mine].sum())
+    least = max(whole - _count_away(fitted.problem, layout, mine), FEWEST)
     for count in dict.fromkeys(int(share * whole) for share in SHARES):
-        if count < FEWEST:
+        if count < least:
             break
         joined = join_units(search, fitted, layout.kept, mine, count)
         chain = begin_chain(joined.problem, joined.start, streams(0, 1)[0])
-        boxes = np.zeros((int(joined.problem.units.spans[-1, 1]), 5))
-        start = layout._replace(kept=joined.start, boxes=boxes)
+        start = layout._replace(kept=joined.start, boxes=_join_boxes(fitted, layout, mine, count))
         touch = SeenTouch(RETOUCHES["audience"], joined.problem)
         every = weigh_proposals(chain, touch, start, [])
         rows = sorted((p for p in every if np.isfinite(p.cost)), key=lambda p: p.cost)
@@ -107,6 +107,15 @@ def _seat(
             if reached and not _count_away(joined.problem, found, mine[:1]):
                 return joined._replace(start=found.kept), found
     return None
+
+
+def _join_boxes(fitted: Fitted, layout: MeasuredLayout, mine: list[int], count: int) -> Floats:
+    """The boxes (n, 5) of a layout with ``count`` of those of some units in the place of the first
+    of these."""
+    spans = fitted.problem.units.spans
+    rows = [layout.boxes[slice(*span)] for span in spans]
+    rows[mine[0]] = np.concatenate([rows[unit] for unit in mine])[:count]
+    return np.concatenate([row for unit, row in enumerate(rows) if unit not in mine[1:]])
 
 
 def _walk_through(

@@ -55,6 +55,7 @@ from scenewright.domains.hall.idle_guides import (
 from scenewright.domains.hall.low_tables import keep_reached, low_tables
 from scenewright.domains.hall.move_borders import move_borders, read_slack, search_with_borders
 from scenewright.domains.hall.on_stage import put_on_stage
+from scenewright.domains.hall.place_exhibit import place_exhibit
 from scenewright.domains.hall.presets import PRESETS, HallPreset, count_steps
 from scenewright.domains.hall.retouch import retouch_layout
 from scenewright.domains.hall.search import HallSearch, may_retry, search_layout
@@ -291,6 +292,7 @@ def _lay(
         here = search._replace(hall=hall)
         fitted, best, unseated = seat_audiences(here, fitted, best)
         missing += unseated
+        best = place_exhibit(here, fitted, best)
         best = retouch_layout(fitted.problem, best)
     best = turn_desks(hall, wishes, fitted.units, fitted.problem, best)
     search = search._replace(hall=hall, wishes=[*wishes, *small])

@@ -3,7 +3,8 @@
 Where they stand follows from what is already there, so they are set once everything else stands:
 planters in pairs beside a way in or a stage, at ends of benches, in corners and at walls; totems
 before those who come in, beside the door and off their way; baskets and racks for coats at the
-wall next to the entrance; bar stools at counters and high tables. Those whose place or pattern a brief states are laid out with the rest.
+wall next to the entrance; bar stools at counters and high tables. Those whose place or pattern a
+brief states are laid out with the rest.
 """
 
 from __future__ import annotations
