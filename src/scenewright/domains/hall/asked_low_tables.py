@@ -6,13 +6,16 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from scenewright.catalog.kinds import SIZES
+from scenewright.core.catalog import Catalog
 from scenewright.core.scene import Piece, Size
 from scenewright.core.solution import LeftOut
 from scenewright.domains.hall.build_problem import HallContext
 from scenewright.domains.hall.hall_layout import PlacedGroup
 from scenewright.domains.hall.holdings import HallDemand
-from scenewright.domains.hall.low_tables import CATEGORY
+from scenewright.domains.hall.low_tables import CATEGORY, keep_reached, low_tables
 from scenewright.domains.hall.patterns.around import COMPANY
+from scenewright.domains.hall.problem import HallProblem
+from scenewright.domains.hall.solvers.outcome import MeasuredLayout
 
 AROUND = ("around",)
 REASON = "no seats are left that could stand round it"
@@ -37,6 +40,22 @@ def split_low_tables(wishes: list[HallDemand]) -> tuple[list[HallDemand], list[H
 def _count_companies(wish: HallDemand) -> int:
     """In how many companies the seats of a demand stand, at least; 0 for other patterns."""
     return -(-len(wish.sizes) // COMPANY) if wish.patterns == AROUND else 0
+
+
+def set_low_tables(
+    hall: HallContext,
+    wishes: Sequence[HallDemand],
+    groups: tuple[PlacedGroup, ...],
+    pieces: tuple[Piece, ...],
+    others: tuple[Piece, ...],
+    problem: HallProblem,
+    layout: MeasuredLayout,
+    catalog: Catalog,
+) -> tuple[tuple[Piece, ...], tuple[LeftOut, ...]]:
+    """The low tables that companies of seats stand round and people get to, those asked for among
+    them, and what of these finds no seats."""
+    tables = keep_reached(problem, layout, low_tables(groups, pieces, others, catalog))
+    return claim_low_tables(hall, wishes, groups, tables)
 
 
 def claim_low_tables(

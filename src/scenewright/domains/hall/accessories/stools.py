@@ -50,7 +50,8 @@ def _is_high(category: str, size: Size) -> bool:
 def _weigh(rows: list[Floats], cost: float) -> Spots:
     """Spots (k, 5) of one piece, each next one dearer."""
     boxes = np.array(rows).reshape(-1, 5)
-    return make_spots(boxes, cost + NEXT * np.arange(len(boxes)))
+    costs: Floats = cost + NEXT * np.arange(len(boxes), dtype=np.float64)
+    return make_spots(boxes, costs)
 
 
 def _before(counter: Piece, size: Size) -> Iterator[Floats]:

@@ -15,7 +15,10 @@ from scenewright.core.report import Note
 from scenewright.core.space import Space
 from scenewright.domains.hall.audience import CHAIRS, SEATS, find_shows
 from scenewright.domains.hall.demands import ids_of
-from scenewright.domains.hall.turned_seats import SHARE, TURNED
+
+TURNED, SHARE = 60.0, 0.1
+"""Degrees by which a seat looks past what it is to look at, and the share of the seats of one
+demand that may."""
 
 
 def note_seats_turned_away(
