@@ -11,7 +11,7 @@ import pytest
 import scenewright
 from scenewright.core.brief import Brief
 from scenewright.domains.hall.rails import reach
-from scenewright.domains.hall.retouch.audience import _fault as sits_aside
+from scenewright.domains.hall.retouch.audience import measure_audience as sits_aside
 from scenewright.domains.hall.retouch.tills import measure_tills
 from scenewright.domains.hall.solving import problems
 

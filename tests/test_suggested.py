@@ -33,8 +33,8 @@ def brief(domain: str = "home", **room: Any) -> Brief:
     [
         ("till", "use one of: checkout"),
         ("rope", "use one of: rope_barrier"),
-        ("chair", "use one of: dining_chair, office_chair, outdoor_chair, deck_chair"),
-        ("vitrine", "use one of: display_cabinet, showcase, wall_exhibit, fridge_shelf"),
+        ("chair", "use dining_chair, reading_chair, auditorium_seat or lounge_seat"),
+        ("vitrine", "use one of: showcase, wall_exhibit, fridge_shelf"),
         ("xyzzy", "see: scenewright list assets"),
     ],
 )

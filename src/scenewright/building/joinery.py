@@ -10,9 +10,10 @@ from itertools import pairwise
 
 import numpy as np
 
+from scenewright.building.door_leaves import leaves_of
 from scenewright.core.catalog import Material, Part
 from scenewright.core.space import Opening
-from scenewright.geometry.mesh import Floats, Mesh, merge
+from scenewright.geometry.mesh import Floats, Mesh, merge, translate_mesh
 from scenewright.geometry.prisms import box
 
 AJAR = np.deg2rad(78.0)
@@ -49,7 +50,8 @@ def parts(opening: Opening) -> tuple[Part, ...]:
     if opening.kind == "passage":
         return _threshold(opening), _lining(opening)
     if opening.hinge and opening.swing:
-        return (_threshold(opening), _lining(opening), *_leaf(opening))
+        leaves = (part for leaf in leaves_of(opening) for part in _leaf(*leaf))
+        return (_threshold(opening), _lining(opening), *leaves)
     return _sliding(opening)
 
 
@@ -86,8 +88,8 @@ def _lining(opening: Opening) -> Part:
     return _part(PAINT, *_surround(opening, width, -face, face, 0.002))
 
 
-def _leaf(opening: Opening) -> tuple[Part, Part]:
-    """The leaf, open on its swing side, and its handles."""
+def _leaf(opening: Opening, along: float) -> tuple[Part, Part]:
+    """A leaf, open on its swing side, and its handles, set so far along the whole opening."""
     clear = opening.width - 2 * min(LINING, opening.width / 8) - 0.006
     top = max(opening.head - LINING - 0.006, 0.5)
     leaf = box((0, 0, 0.008), (clear, LEAF, top))
@@ -98,7 +100,7 @@ def _leaf(opening: Opening) -> tuple[Part, Part]:
         box((reach - 0.1, side, 1.0), (reach + 0.025, side + 0.018, 1.025))
         for side in (-0.05, LEAF + 0.032)
     ]
-    swung = [_swung(opening, clear, mesh) for mesh in (leaf, merge(handles))]
+    swung = [translate_mesh(_swung(opening, clear, mesh), along) for mesh in (leaf, merge(handles))]
     return _part(LEAF_WOOD, swung[0]), _part(METAL, swung[1])
 
 

@@ -109,11 +109,15 @@ def _rests(bodies: Bodies, small: int, large: int) -> bool:
 
 
 def _back_outside(seat: Floats, bodies: Bodies, large: int) -> bool:
-    """Whether the rear 5 cm of a seat, its backrest, stay out of a table."""
+    """Whether the rear 5 cm of a seat, its backrest, stay out of a table; a round one is a disc."""
     forward = seat[1] - seat[0]
     step = forward * min(_BACKREST / max(float(np.hypot(*forward)), 1e-12), 1.0)
     back = np.stack([seat[0], seat[0] + step, seat[3] + step, seat[3]])
-    if bodies.pieces[large].footprint:
+    chairs, piece = bodies.kinds[large].chairs, bodies.pieces[large]
+    if chairs is not None and chairs.around:
+        disc = shapely.Point(piece.pose[:2]).buffer(0.5 * min(piece.size[:2]))
+        return thickness(shapely.intersection(shapely.Polygon(back), disc)) <= TOLERANCE
+    if piece.footprint:
         shared = shapely.intersection(shapely.Polygon(back), bodies.footprints[large])
         return thickness(shared) <= TOLERANCE
     return bool(penetration(back[None], bodies.corners[large][None])[0] <= TOLERANCE)

@@ -123,6 +123,10 @@ class Group(NamedTuple):
         return hash(self[:4])
 
 
+SHOWN_AS = ("diorama", "ジオラマ")
+"""Words for how something is shown, not what it is."""
+
+
 @dataclass(frozen=True, eq=False)
 class Catalog:
     """Kinds by category and assets by id; for models of a user's own catalogues ``names``, other
@@ -144,8 +148,10 @@ class Catalog:
 
     def choose_called(self, category: str, name: str, number: int = 0) -> Asset | None:
         """Of the assets of a category called by a word of a ``name``, its last such word, the
-        ``number``-th in turn; ``None`` if there are none."""
-        for word in reversed(re.findall(r"[^\W\d_]+", name.casefold())):
+        ``number``-th in turn; ``None`` if there are none. Of a *mammoth diorama* the mammoth
+        is drawn: words for how something is shown count last."""
+        said = re.findall(r"[^\W\d_]+", name.casefold())[::-1]
+        for word in sorted(said, key=lambda word: any(_means(word, w) for w in SHOWN_AS)):
             found = [a for a in self.of(category) if any(_means(word, w) for w in a.called)]
             if found:
                 return found[number % len(found)]

@@ -62,6 +62,7 @@ KINDS = {
     "finite_number": "a finite number",
 }
 """What is wanted in place of a value of the wrong kind."""
+FILL = "it should be a share of the floor, from 0.05 to 0.8: half of it is 0.5"
 PLAINLY = {
     "less than or equal to": "at most",
     "greater than or equal to": "at least",
@@ -217,6 +218,8 @@ def _describe_expected(
         return RADIANS
     if loc[-1:] == ("pitch",) and limits:
         return PITCH
+    if loc[-1:] == ("fill",) and limits:
+        return FILL
     if kind in KINDS:
         asked = "ask" in loc[-2:-1] and isinstance(given, str)
         return f'write {{"group": {_quote_value(given)}}}' if asked else f"give {KINDS[kind]}"

@@ -40,7 +40,7 @@ class HallUse(NamedTuple):
 
 class TableChairs(NamedTuple):
     """Chairs of one category along the front and back of a table, ``pitch`` metres apart, pushed
-    in by ``tuck``; ``around`` it they stand at all its four sides, looking at its middle."""
+    in by ``tuck``; ``around`` a round table they stand evenly, looking at its middle."""
 
     category: str
     pitch: float

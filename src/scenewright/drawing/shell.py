@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from shapely import Geometry, MultiPolygon, Polygon, union_all
 
+from scenewright.building.door_leaves import leaves_of
 from scenewright.core.layout import corners
 from scenewright.core.scene import Piece, Prism, Wall
 from scenewright.core.space import Opening, Space
@@ -175,7 +176,13 @@ def roof_windows(openings: Sequence[Opening]) -> list[Polygon]:
 
 
 def _door(view: PaperView, opening: Opening) -> Mark:
-    """Leaf at a right angle to the wall and the quarter arc it sweeps."""
+    """The faces of the wall and each leaf."""
+    leaves = (mark for leaf in leaves_of(opening) for mark in _leaf(view, leaf.opening))
+    return group([_faces(view, opening, stroke_width=FINE, stroke=GREY), *leaves])
+
+
+def _leaf(view: PaperView, opening: Opening) -> list[Mark]:
+    """The quarter arc that a leaf sweeps, and the leaf at a right angle to the wall."""
     middle, along, left = frame_of(opening)
     out = left * opening.swing
     hinge = middle + along * opening.hinge * opening.width / 2 + out * opening.thickness / 2
@@ -191,7 +198,7 @@ def _door(view: PaperView, opening: Opening) -> Mark:
     style: Style = {"stroke_width": FINE, "stroke": GREY}
     sweep = opening.hinge * opening.swing < 0
     arc = ArcMark((x0, y0), (x1, y1), opening.width * view.scale, sweep, style)
-    return group([_faces(view, opening, stroke_width=FINE, stroke=GREY), arc, leaf])
+    return [arc, leaf]
 
 
 def _sliding_door(view: PaperView, opening: Opening) -> Mark:

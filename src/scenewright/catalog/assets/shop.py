@@ -182,6 +182,25 @@ def _checkout(size: Size) -> Parts:
     )
 
 
+def _cash_desk(size: Size) -> Parts:
+    """A counter to pay at without a belt: a screen and a card reader on a closed desk."""
+    w, d, h = size.width / 2, size.depth / 2, size.height
+    top = min(1.0, h - 0.25)
+    till = 0.4 * w
+    shown = block((till - 0.17, till + 0.17), (-0.02, 0.02), (top + 0.06, top + 0.25))
+    pay = block((till - 0.3, till - 0.2), (0.5 * d, 0.5 * d + 0.14), (top, top + 0.04))
+    return parts(
+        size,
+        {
+            WHITE: [block((-w + 0.02, w - 0.02), (-0.2 * d, d - 0.04), (0.1, top - 0.04))],
+            OAK: [block((-w, w), (-d, d), (top - 0.04, top))],
+            RUBBER: [block((-w + 0.04, w - 0.04), (-0.15 * d, d - 0.08), (0, 0.1))],
+            STEEL: [rod((till, 0.0, top), (till, 0.0, top + 0.08), 0.02, sides=6)],
+            SCREEN: [shown, pay],
+        },
+    )
+
+
 def _fitting_room(size: Size) -> Parts:
     """Three walls, a rail with a curtain half drawn, mirror behind and a seat."""
     w, d, h = size.width / 2, size.depth / 2, size.height
@@ -289,6 +308,12 @@ def _checkout_symbol(size: Size) -> Lines:
     )
 
 
+def _cash_desk_symbol(size: Size) -> Lines:
+    w, d = size.width / 2, size.depth / 2
+    line = 0.7 * d
+    return rectangle(size), path((-w, line), (w, line)), box(0.2 * w, 0.6 * w, -0.1 * d, 0.1 * d)
+
+
 def _fitting_symbol(size: Size) -> Lines:
     w, d = size.width / 2, size.depth / 2
     t = 0.03
@@ -325,6 +350,14 @@ ASSETS = (
     Drawing("mannequin", _mannequin, _mannequin_symbol),
     Drawing("display_table", _display_table, _stacks_symbol),
     Drawing("checkout", _checkout, _checkout_symbol),
+    Drawing(
+        "checkout",
+        _cash_desk,
+        _cash_desk_symbol,
+        id="checkout_desk",
+        name="Cash desk",
+        sizes=(Size(0.8, 0.5, 0.9), Size(1.6, 0.7, 1.2), Size(3.0, 0.78, 1.4)),
+    ),
     Drawing("fitting_room", _fitting_room, _fitting_symbol),
     Drawing("basket_stack", _basket_stack, _basket_symbol),
 )

@@ -184,6 +184,42 @@ KINDS = (
                 ja="自動販売機, 自販機",
             ),
         ),
-        drawn_by=(".reception",),
+        drawn_by=(".reception", ".machines"),
+    ),
+    Kind(
+        "cash_machine",
+        access=FRONT,
+        reach=0.75,
+        sizes=size_range("55 75 120", "50 75 110", "130 155 210"),
+        hall=at_wall(0.9),
+        words=(
+            words(
+                en="cash machine, cash dispenser, atm, teller machine",
+                fr="distributeur de billets",
+                de="geldautomat, bankomat",
+                es="cajero automático",
+                zh="取款机, 自动取款机",
+                ja="現金自動預払機",
+            ),
+        ),
+        drawn_by=(".machines",),
+    ),
+    Kind(
+        "ticket_machine",
+        access=FRONT,
+        reach=0.75,
+        sizes=size_range("55 80 120", "50 75 110", "130 175 210"),
+        hall=at_wall(0.9),
+        words=(
+            words(
+                en="ticket machine, ticket vending machine, fare machine",
+                fr="distributeur de titres de transport",
+                de="fahrkartenautomat, fahrscheinautomat, ticketautomat",
+                es="máquina de billetes",
+                zh="售票机, 自动售票机",
+                ja="券売機",
+            ),
+        ),
+        drawn_by=(".machines",),
     ),
 )

@@ -12,7 +12,7 @@ KINDS = (
         airy=True,
         sizes=size_range("60 160 300", "55 90 120", "70 74 78"),
         hall=free("grid chain", 0.75),
-        chairs=TableChairs("dining_chair", 0.65, 0.1),
+        chairs=TableChairs("dining_chair", 0.6, 0.1),
         words=(
             words(
                 en="dining table, dinner table, kitchen table",
@@ -43,7 +43,7 @@ KINDS = (
         airy=True,
         sizes=size_range("60 110 180", "60 110 180", "70 74 78"),
         hall=free("grid chain", 0.75),
-        chairs=TableChairs("dining_chair", 0.65, 0.1, around=True),
+        chairs=TableChairs("dining_chair", 0.6, 0.1, around=True),
         words=(
             words(
                 en="round table, table round",

@@ -7,6 +7,8 @@ from collections.abc import Sequence
 
 from scenewright.catalog.kinds.usual import DESKS, TABLES
 from scenewright.core.brief.zones import Demand
+from scenewright.domains.hall.chairs import HIGH
+from scenewright.domains.hall.demands import usual_size
 
 SHOWS = ("stage", "screen", "lectern")
 SEATS = ("auditorium_seat",)
@@ -47,10 +49,15 @@ def find_tables(demands: Sequence[Demand], ids: Sequence[str]) -> list[str]:
         kinds = [*DESKS, *MEALS] if one.category == "office_chair" else [*MEALS, *DESKS]
         free = one.category in CHAIRS and not (one.facing or one.patterns or one.place)
         near = [row for row in named if free and may_share_zone(one, row[0])]
-        near = [row for row in near if row[0].category in kinds]
+        near = [row for row in near if row[0].category in kinds and _may_sit_at(row[0])]
         near.sort(key=lambda row: (_zones(row[0]) != _zones(one), kinds.index(row[0].category)))
         found.append(near[0][1] if near else "")
     return found
+
+
+def _may_sit_at(table: Demand) -> bool:
+    """Whether chairs stand at a table: it is not one to stand at."""
+    return max(size[2] for size in table.sizes or [usual_size(table)]) < HIGH
 
 
 def _is_audience(one: Demand, demands: Sequence[Demand]) -> bool:

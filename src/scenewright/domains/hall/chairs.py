@@ -13,16 +13,22 @@ from scenewright.core.kind import TableChairs
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.geometry.boxes import Frame, common_area, make_frame
 
-TOUCH = 1e-4
+TOUCH, NEARLY = 1e-4, 1e-9
+HIGH = 0.95
+"""Height in metres from which on one stands at a table, or sits at it on a bar stool."""
+FEWEST_AROUND = 4
+"""Chairs round a table that is small, at least."""
 CHAIRS = "/chairs"
 """What the function of chairs that came with a table ends with."""
 
 
-def out_of_table(category: str, asked: Collection[str], catalog: Catalog) -> float:
-    """How far the chairs that come with a table stand out before and behind it, in metres; 0 for
-    what has none, or where chairs are ``asked`` for by themselves."""
+def out_of_table(
+    category: str, asked: Collection[str], catalog: Catalog, height: float = 0.0
+) -> float:
+    """How far the chairs that come with a table of some ``height`` stand out before and behind it,
+    in metres; 0 for what has none or is high, or where chairs are ``asked`` for by themselves."""
     company = company_of(category, catalog)
-    if company is None or company.category in asked:
+    if company is None or company.category in asked or height >= HIGH:
         return 0.0
     return catalog.of(company.category)[0].usual[1] - company.tuck
 
@@ -83,7 +89,7 @@ def company_of(category: str, catalog: Catalog) -> TableChairs | None:
 
 def _chairs(table: Piece, catalog: Catalog) -> list[Piece]:
     company = company_of(table.category, catalog)
-    if company is None:
+    if company is None or table.size.height >= HIGH:
         return []
     asset = catalog.of(company.category)[0]
     size = Size(*asset.usual)
@@ -102,22 +108,37 @@ def _chairs(table: Piece, catalog: Catalog) -> list[Piece]:
     ]
 
 
+def count_places(width: float, company: TableChairs) -> int:
+    """Chairs that have room at a table ``width`` metres wide: along each of two sides, or an even
+    number round all of it.
+
+    >>> round_table = TableChairs("dining_chair", 0.6, 0.1, around=True)
+    >>> [count_places(width, round_table) for width in (0.8, 1.2, 1.5, 1.8)]
+    [4, 6, 6, 8]
+    >>> count_places(2.4, TableChairs("dining_chair", 0.6, 0.1))
+    8
+    """
+    if company.around:
+        return max(2 * int(0.5 * math.pi * width / company.pitch + NEARLY), FEWEST_AROUND)
+    return 2 * max(int(width / company.pitch + NEARLY), 1)
+
+
 def places_at(table: Piece, company: TableChairs, deep: float) -> list[Pose]:
-    """Where chairs ``deep`` metres deep stand at a table: before it, then behind it, or in turn at
-    all its sides."""
-    count = max(int(table.size.width / company.pitch), 1)
+    """Where chairs ``deep`` metres deep stand at a table: before it, then behind it, or in turn all
+    round it, each across from another."""
+    count = count_places(table.size.width, company) // 2
     if company.around:
         ahead = table.size.width / 2 + deep / 2 - company.tuck
-        turned = [_quarter(table.pose, k) for k in range(2)]
+        turned = [_turn(table.pose, math.pi * k / count) for k in range(count)]
         return [_beside(pose, 0.0, ahead, side) for side in (0, 1) for pose in turned]
     ahead = table.size.depth / 2 + deep / 2 - company.tuck
     steps = [(k + 0.5 - count / 2) * table.size.width / count for k in range(count)]
     return [_beside(table.pose, along, ahead, side) for side in (0, 1) for along in steps]
 
 
-def _quarter(pose: Pose, turns: int) -> Pose:
-    """A pose turned by so many right angles."""
-    return pose._replace(heading=pose.heading + 0.5 * math.pi * turns)
+def _turn(pose: Pose, angle: float) -> Pose:
+    """A pose turned by an angle."""
+    return pose._replace(heading=pose.heading + angle)
 
 
 def _beside(pose: Pose, along: float, ahead: float, side: int) -> Pose:

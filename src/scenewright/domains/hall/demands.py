@@ -15,6 +15,7 @@ from scenewright.core.brief.zones import Demand, Sizes
 from scenewright.core.errors import InputError
 from scenewright.core.space import Space
 from scenewright.domains.hall.patterns import PATTERNS
+from scenewright.domains.hall.stand_ins import offer_stand_in
 
 MOST_OBJECTS = 20_000
 LEAST_FOOTPRINT = 0.0025
@@ -104,11 +105,12 @@ def _check_category(demand: Demand, where: str) -> None:
     kinds = shipped().kinds
     if demand.category not in kinds:
         fault = f"'{demand.category}' is not a kind of the catalog"
-        raise InputError(fault, offer_kinds(demand.category, kinds), place=where)
+        near = offer_stand_in(demand.category, kinds) or offer_kinds(demand.category, kinds)
+        raise InputError(fault, near, place=where)
     if kinds[demand.category].support != "floor":
         raise InputError(
             f"a {name_of(demand.category)} does not stand on the floor",
-            "ask for things that do",
+            offer_stand_in(demand.category, kinds, unknown=False) or "ask for things that do",
             place=where,
         )
     if demand.size is None and not demand.sizes and demand.category not in SIZES:

@@ -23,6 +23,11 @@ from scenewright.domains.hall.holdings import fill_defaults
 
 LONGEST, MOST_NOTES = 400, 100
 """Letters of a note of a brief, and notes, at most."""
+FAIR, ROW, FULL = 0.5, 3, 0.8
+"""Part of what a demand would fill by itself that others leave it, objects of a row, and share of
+the floor that all may take for that."""
+MOST_NAMED, LITTLE = 3, 0.05
+"""Of how many others a note says what they take, and from which share of the floor on."""
 WALL_SHARE = 0.8
 """Share of the walls of a zone that things may fill; the rest is corners."""
 
@@ -46,14 +51,18 @@ def _fill(room: Room, hall: HallContext) -> Room:
 
 
 def _grow(demand: Demand, every: Sequence[Demand], hall: HallContext) -> Demand:
-    """A demand with the number its zones take; those that fill the same zones share alike."""
+    """A demand with the number its zones take; those that fill the same zones share alike. Where
+    other things take all that, a row of it and half of its share have room beside them, as long as
+    the zones are not full."""
     areas, mine = zone_areas(hall), _zones_of(demand, hall)
     used = sum(floor_needed(other) * _overlap(other, mine, areas, hall) for other in every)
     others = [d for d in every if d.fill is not None and (_zones_of(d, hall) * mine).any()]
-    left = float((demand.fill or 0.0) * (areas * mine).sum()) - used
+    floor, fill = float((areas * mine).sum()), demand.fill or 0.0
     least = len(sizes_of(demand))
-    each = floor_needed(demand) / least
-    count = least + max(int(left / len(others) / max(each, 1e-9)), 0)
+    each = max(floor_needed(demand) / least, 1e-9)
+    fair = max(FAIR * fill * floor / len(others), ROW * each) - least * each
+    more = max((fill * floor - used) / len(others), min(fair, (FULL * floor - used) / len(others)))
+    count = least + max(int(more / each), 0)
     if fill_defaults(demand, "").at_wall:
         width = float(np.mean([size[0] for size in sizes_of(demand)]))
         count = min(count, int(WALL_SHARE * float((wall_lengths(hall) * mine).sum()) / width))
@@ -94,14 +103,29 @@ def _describe_fill(asked: Room, settled: Room, hall: HallContext) -> list[str]:
         if old.fill is None:
             continue
         mine = _zones_of(old, hall)
-        used = sum(floor_needed(d) * _overlap(d, mine, areas, hall) for d in settled.demands)
-        full = used / max(float((areas * mine).sum()), 1e-9)
+        floor = max(float((areas * mine).sum()), 1e-9)
+        shares = [floor_needed(d) * _overlap(d, mine, areas, hall) for d in settled.demands]
+        rows = zip(names, shares, strict=True)
+        taken = {other: share / floor for other, share in rows if other != name}
+        full = sum(shares) / floor
         most = f" of {old.most} that it allows" if (old.most or 0) > (new.count or 0) else ""
         found.append(
             f"{name}: fill {old.fill:g} asked, {new.count}{most} stand; all there takes {full:.2f} "
             f"of {', '.join(hall.names[k] for k in np.flatnonzero(mine)[:5])} with its free floor"
+            f"{_name_others(taken)}"
         )
     return found
+
+
+def _name_others(taken: Mapping[str, float]) -> str:
+    """What the others of a zone take of its floor, the most first.
+
+    >>> _name_others({"racks": 0.3, "tables": 0.12, "bin": 0.01})
+    ': racks 0.30, tables 0.12'
+    """
+    most = sorted(taken.items(), key=lambda one: -one[1])[:MOST_NAMED]
+    named = ", ".join(f"{name} {share:.2f}" for name, share in most if share >= LITTLE)
+    return f": {named}" if named else ""
 
 
 def _settle(room: Room, pieces: Sequence[Piece]) -> Room:

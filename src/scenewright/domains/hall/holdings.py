@@ -12,6 +12,7 @@ from scenewright.core.brief.zones import Demand
 from scenewright.core.catalog import Catalog
 from scenewright.core.scene import Piece, Size
 from scenewright.domains.hall.audience import find_shows, find_tables, may_share_zone
+from scenewright.domains.hall.cash_desks import is_cash_desk, measure_cash_desk
 from scenewright.domains.hall.chairs import out_of_table, seats_around
 from scenewright.domains.hall.demands import ids_of, sizes_of
 from scenewright.domains.hall.patterns import PATTERNS
@@ -79,11 +80,14 @@ def collect_demands(
     for demand, name, show, table in zip(room.demands, ids, shows, tables, strict=True):
         filled = fill_defaults(demand, name)
         filled = filled._replace(facing=filled.facing or show, at=table)
+        if is_cash_desk(demand, room):
+            filled = filled._replace(sizes=(measure_cash_desk(catalog),) * len(filled.sizes))
         sizes = _less(filled.sizes, [piece.size for piece in locked if piece.function == name])
         if sizes:
             asked = {other.category for other in room.demands if may_share_zone(demand, other)}
             own = name not in tables
-            chairs = out_of_table(demand.category, asked, catalog) if own else 0.0
+            tall = max(size.height for size in sizes)
+            chairs = out_of_table(demand.category, asked, catalog, tall) if own else 0.0
             least = filled.least and max(filled.least - len(filled.sizes) + len(sizes), 1)
             filled = filled._replace(sizes=sizes, least=least)
             found.append(with_floor(filled, chairs, seats_around(demand.category, catalog)))

@@ -21,7 +21,7 @@ from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.solution import LeftOut
 from scenewright.domains.hall.audience import MEALS, SHOWS
 from scenewright.domains.hall.build_problem import HallContext
-from scenewright.domains.hall.chairs import company_of, places_at, seats_around
+from scenewright.domains.hall.chairs import HIGH, company_of, count_places, places_at, seats_around
 from scenewright.domains.hall.holdings import SEATWAY, HallDemand, with_floor
 from scenewright.domains.hall.problem import Floats
 from scenewright.geometry.boxes import common_area, make_frame
@@ -52,7 +52,8 @@ def _tables_for(chairs: HallDemand, joined: Mapping[str, HallDemand]) -> list[st
     """The ids of the demands at whose tables chairs stand: that they name, and where it is of
     tables to eat or read at all others of these in the same zones."""
     named = joined[chairs.at]
-    others = (w for w in joined.values() if w.category in MEALS and w.zones == named.zones)
+    low = (wish for wish in joined.values() if max(s.height for s in wish.sizes) < HIGH)
+    others = (w for w in low if w.category in MEALS and w.zones == named.zones)
     alike = [w.id for w in others if w.id != named.id and named.category in MEALS]
     return [named.id, *alike]
 
@@ -81,7 +82,7 @@ def _count_places(category: str, size: Size, catalog: Catalog) -> int:
     company = company_of(category, catalog)
     if category in DESKS or company is None:
         return 1
-    return 4 if company.around else 2 * max(int(size.width / company.pitch), 1)
+    return count_places(size.width, company)
 
 
 def _with_company(

@@ -30,10 +30,12 @@ from scenewright.core.space import Space
 from scenewright.domains.hall.accessories import count_groups
 from scenewright.domains.hall.accessories.pieces import furnish_accessories
 from scenewright.domains.hall.accessories.place import StandingHall
+from scenewright.domains.hall.asked_low_tables import set_low_tables
 from scenewright.domains.hall.assemble import Laid, assemble_solution
 from scenewright.domains.hall.barriers import place_barriers
 from scenewright.domains.hall.build_problem import HallContext, hall_of
 from scenewright.domains.hall.chairs import with_chairs
+from scenewright.domains.hall.compose import compose
 from scenewright.domains.hall.desk_chairs import desk_chairs
 from scenewright.domains.hall.desks import turn_desks
 from scenewright.domains.hall.energy import parts_of
@@ -51,11 +53,9 @@ from scenewright.domains.hall.idle_guides import (
     report_fewer,
     report_idle,
 )
-from scenewright.domains.hall.low_tables import keep_reached, low_tables
 from scenewright.domains.hall.move_borders import move_borders, read_slack, search_with_borders
 from scenewright.domains.hall.on_stage import put_on_stage
 from scenewright.domains.hall.presets import PRESETS, HallPreset, count_steps
-from scenewright.domains.hall.retouch import retouch_layout
 from scenewright.domains.hall.search import HallSearch, may_retry, search_layout
 from scenewright.domains.hall.seating import seat_chairs
 from scenewright.domains.hall.settings import USUAL_ZONING, ZoningSettings
@@ -293,7 +293,8 @@ def _lay(
     missing = left_out(hall, wishes, fitted.units, given_up, crowding)
     best = found.layouts[0]
     if may_retry(search):
-        best = retouch_layout(fitted.problem, best)
+        fitted, best, unseated = compose(search._replace(hall=hall), fitted, best)
+        missing += unseated
     best = turn_desks(hall, wishes, fitted.units, fitted.problem, best)
     search = search._replace(hall=hall, wishes=[*wishes, *small])
     laid = _furnish_guided(search, fitted, best, locked, missing, found.evaluations)
@@ -356,19 +357,20 @@ def furnish_layout(
         *kept_groups(hall, locked),
         *placed_groups(hall, wishes, fitted.units, fitted.problem, best.kept, objects),
     )
-    low = low_tables(groups, (*objects, *chairs), (*hall.fixed, *walls), catalog)
-    low = keep_reached(fitted.problem, best._replace(missed=lost), low)
-    low += _seat_desks(
-        hall, wishes, fitted, best, objects, (*hall.fixed, *walls, *chairs, *low), catalog
+    around = (*hall.fixed, *walls)
+    measured = best._replace(missed=lost)
+    low, seatless = set_low_tables(
+        hall, wishes, groups, (*objects, *chairs), around, fitted.problem, measured, catalog
     )
-    solid = np.array([boxes_of(piece)[0] for piece in (*hall.fixed, *walls, *chairs, *low)])
+    low += _seat_desks(hall, wishes, fitted, best, objects, (*around, *chairs, *low), catalog)
+    solid = np.array([boxes_of(piece)[0] for piece in (*around, *chairs, *low)])
     solid = solid.reshape(-1, 5)
     demands = {group.id: group.demand for group in groups}
     rails = place_barriers(hall.space, fitted.problem, best, solid, demands, catalog)
     parts = parts_of(fitted.problem, p, s, lost)
     known = {wish.id: wish for wish in wishes}
     grown = (grow_to_floor(piece, known[piece.function], catalog) for piece in objects)
-    every = (*hall.fixed, *walls, *grown, *low, *rails)
+    every = (*around, *grown, *low, *rails)
     standing_hall = StandingHall(hall, fitted.problem, best, wishes, every)
     small, more, lost_small = furnish_accessories(standing_hall, catalog)
     groups = (*groups, *more)
@@ -379,7 +381,7 @@ def furnish_layout(
         groups,
         layout.partitions,
         parts,
-        (*missing, *alone, *lost_small),
+        (*missing, *alone, *seatless, *lost_small),
         sum(part.cost for part in parts),
         evaluations,
         way,

@@ -7,6 +7,7 @@ from typing import NamedTuple
 from scenewright.core.catalog import Catalog
 from scenewright.core.scene import Piece
 from scenewright.domains.hall.accessories import split_accessories
+from scenewright.domains.hall.asked_low_tables import split_low_tables
 from scenewright.domains.hall.build_problem import HallContext
 from scenewright.domains.hall.desk_ways import part_desks
 from scenewright.domains.hall.holdings import HallDemand
@@ -35,4 +36,5 @@ def split_demands(
     parted = part_desks(hall, join_chairs(asked, catalog))
     wishes, carried = split_carried(parted, hall.fixed, together)
     rest, small = split_accessories(wishes, together)
-    return SplitDemands(rest, carried, small)
+    rest, low = split_low_tables(rest) if not together else (rest, [])
+    return SplitDemands(rest, carried, [*small, *low])

@@ -22,6 +22,8 @@ INSIDE = 0.5
 ROPES = ("rope_barrier",)
 LANES = ("checkout",)
 """Tills that stand side by side with lanes between them, where there are several."""
+BELT = 0.78
+"""Depth in metres of a till with a belt, at least; lesser ones have no lanes."""
 EXHIBITS = ("exhibit_island", "showcase", "plinth", "interactive_table", "stage", "screen")
 
 
@@ -67,7 +69,9 @@ def _roles(wishes: list[HallDemand], units: list[Unit]) -> Floats:
         if wishes[unit.demand].double:
             continue  # as good from both sides
         if is_till(category, beside):
-            roles[k] = TILL + (LANE if category in LANES and unit.last - unit.first > 1 else 0)
+            belts = min(size.depth for size in wishes[unit.demand].sizes) > BELT
+            lanes = category in LANES and unit.last - unit.first > 1 and belts
+            roles[k] = TILL + (LANE if lanes else 0)
         elif is_first(category, beside):
             roles[k] = FIRST
         elif category in ROPES:

@@ -1,9 +1,10 @@
-"""Small objects that belong to something: planters, totems, baskets, racks for coats.
+"""Small objects that belong to something: planters, totems, baskets, racks for coats, bar stools.
 
 Where they stand follows from what is already there, so they are set once everything else stands:
 planters in pairs beside a way in or a stage, at ends of benches, in corners and at walls; totems
 before those who come in, beside the door and off their way; baskets and racks for coats at the
-wall next to the entrance. Those whose place or pattern a brief states are laid out with the rest.
+wall next to the entrance; bar stools at counters and high tables. Those whose place or pattern a
+brief states are laid out with the rest.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ from scenewright.domains.hall.accessories.baskets import find_basket_spots
 from scenewright.domains.hall.accessories.planters import find_planter_spots
 from scenewright.domains.hall.accessories.setting import Setting
 from scenewright.domains.hall.accessories.spots import Spots
+from scenewright.domains.hall.accessories.stools import find_stool_spots, may_sit_high
 from scenewright.domains.hall.accessories.totems import find_totem_spots
 from scenewright.domains.hall.holdings import HallDemand
 
@@ -25,12 +27,16 @@ MANY = 24
 
 class Accessory(NamedTuple):
     """Where one kind of small object may stand (``spots``), in which ``turn`` it is set, and metres
-    that stay free before it, and ``around`` it where one goes past it on all sides."""
+    that stay free before it, and ``around`` it where one goes past it on all sides. One that is
+    ``used_at`` another stands on the free floor of that; ``belongs`` tells of a demand whether it
+    is set so beside some others."""
 
     spots: Callable[[Setting, Size], Spots]
     turn: int
     free: float
     around: float = 0.0
+    used_at: bool = False
+    belongs: Callable[[HallDemand, list[HallDemand]], bool] | None = None
 
 
 ACCESSORIES: dict[str, Accessory] = {
@@ -38,6 +44,7 @@ ACCESSORIES: dict[str, Accessory] = {
     "basket_stack": Accessory(find_basket_spots, 1, 0.9),
     "coat_rack": Accessory(find_basket_spots, 2, 0.9),
     "planter": Accessory(find_planter_spots, 3, 1.2),
+    "bar_stool": Accessory(find_stool_spots, 4, 0.0, used_at=True, belongs=may_sit_high),
 }
 """By category."""
 
@@ -50,13 +57,21 @@ def split_accessories(
     small = [
         wish
         for wish in wishes
-        if wish.unstated and wish.category in ACCESSORIES and len(wish.sizes) <= MANY
+        if wish.unstated
+        and wish.category in ACCESSORIES
+        and len(wish.sizes) <= MANY
+        and _belongs(wish, wishes)
     ]
     rest = [wish for wish in wishes if wish not in small]
     if together or not rest:
         return wishes, []
     small.sort(key=lambda wish: ACCESSORIES[wish.category].turn)
     return rest, [wish._replace(set_last=True) for wish in small]
+
+
+def _belongs(wish: HallDemand, wishes: list[HallDemand]) -> bool:
+    belongs = ACCESSORIES[wish.category].belongs
+    return belongs is None or belongs(wish, wishes)
 
 
 def count_groups(small: list[HallDemand]) -> int:

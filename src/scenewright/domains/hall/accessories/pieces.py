@@ -10,6 +10,7 @@ import shapely
 from scenewright.core.catalog import Catalog, footprint_of
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.solution import LeftOut
+from scenewright.domains.hall.accessories import ACCESSORIES
 from scenewright.domains.hall.accessories.place import Placed, StandingHall, place_accessories
 from scenewright.domains.hall.hall_layout import Layer, PatternPart, PlacedGroup
 from scenewright.domains.hall.holdings import HallDemand
@@ -34,7 +35,7 @@ class SmallGroup(NamedTuple):
 def furnish_accessories(there: StandingHall, catalog: Catalog) -> Furnished:
     """The demands ``set_last`` in a hall that stands otherwise; the objects of one in one zone are
     a group."""
-    small = [wish for wish in there.wishes if wish.set_last]
+    small = [w for w in there.wishes if w.set_last and w.category in ACCESSORIES]
     if not small:
         return (), (), ()
     placed = place_accessories(there, small)

@@ -137,7 +137,8 @@ def _choose_spots(
     pairs = len(wish.sizes) - len(setting.others) > 1
     for make in (row.spots, partial(spread_spots, free.floor.bounds)):
         spots = make(setting, size)
-        stand = find_free(free, spots.boxes) & ~_overlap(spots.boxes, taken)
+        own = row.used_at and make is row.spots
+        stand = find_free(free, spots.boxes, own) & ~_overlap(spots.boxes, taken)
         narrow = ~lie_open(free, spots.boxes, row.free, row.around)
         narrow |= _overlap(lead_before(spots.boxes, row.free), taken)
         narrow |= _overlap(spots.boxes, lead_before(taken, BEFORE))

@@ -111,11 +111,12 @@ def _grow(piece: Piece, wish: HallDemand) -> list[float]:
     return [piece.pose.x + off * c, piece.pose.y + off * s, piece.pose.heading, wide, deep]
 
 
-def find_free(free: FreeFloor, boxes: Floats) -> Bools:
-    """Which of boxes (k, 5) stand on free floor (k,)."""
+def find_free(free: FreeFloor, boxes: Floats, used: bool = False) -> Bools:
+    """Which of boxes (k, 5) stand on free floor (k,), or where ``used`` also on what is kept free
+    for use."""
     shapes = shapely.polygons(corners(boxes))
     stand = shapely.covers(free.floor, shapes)
-    for tree in (free.bodies, free.kept):
+    for tree in (free.bodies,) if used else (free.bodies, free.kept):
         stand[tree.query(shapes, predicate="intersects")[0]] = False
     return np.asarray(stand, bool)
 

@@ -17,6 +17,7 @@ from scenewright.core.solution import Solution
 from scenewright.domains.hall.check.facing import note_seats_turned_away
 from scenewright.domains.hall.check.figures import HallVerdict, judge_halls
 from scenewright.domains.hall.check.halls import JudgedHall, halls_of
+from scenewright.domains.hall.check.zones import note_zone_sizes
 
 
 def check(solution: Solution, plan: Plan, kinds: Catalog) -> Report:
@@ -44,7 +45,8 @@ def check(solution: Solution, plan: Plan, kinds: Catalog) -> Report:
         *note_unknown_kinds(brief, kinds.kinds),
         *note_cut_openings(brief, plan.spaces),
     )
-    notes = (*read, *doorless, *turned, *shared.notes, *verdict.notes)
+    sized = [note for hall in halls for note in note_zone_sizes(hall, asked)]
+    notes = (*read, *doorless, *turned, *sized, *shared.notes, *verdict.notes)
     figures = {**count_findings(solution.pieces, findings), **shared.figures}
     if halls:
         figures["halls"] = _add_energies(solution, verdict.figures)

@@ -6,18 +6,23 @@ it by 1 cm. A wheelchair turns in a circle of 1.5 m and needs a route of 0.9 m (
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 import shapely
 
 from scenewright.check.bodies import TOLERANCE, Bodies, Shape, Shapes
 from scenewright.check.routes import Walk
-from scenewright.core.report import Finding
+from scenewright.core.brief import Room
+from scenewright.core.report import Finding, Note
 from scenewright.domains.hall.check.halls import JudgedHall
 
 WHEELCHAIR = 0.9
 """Width of the route a wheelchair needs, in metres."""
 
 _BESIDE = 0.2
+OTHER_AREA = 0.1
+"""By what share of the area asked for a zone may be larger or smaller unsaid."""
 
 
 def find_outside_zone(bodies: Bodies, hall: JudgedHall) -> list[Finding]:
@@ -32,6 +37,18 @@ def find_outside_zone(bodies: Bodies, hall: JudgedHall) -> list[Finding]:
         for row in group.rows[outside]:
             found.append(_finding(bodies, hall, group.zone, int(row)))
     return found
+
+
+def note_zone_sizes(hall: JudgedHall, asked: Mapping[str, Room]) -> list[Note]:
+    """A note for each zone whose floor is not the area that the brief asks for."""
+    room, notes = asked.get(hall.space.id), list[Note]()
+    areas = dict(zip(hall.zones, shapely.area(hall.areas), strict=True))
+    for zone in room.zones if room is not None else ():
+        there = float(areas.get(zone.id, 0.0))
+        if zone.area and there and abs(there - zone.area) > OTHER_AREA * zone.area:
+            text = f"{hall.space.id}: {zone.id} has {there:.1f} m², {zone.area:g} m² asked"
+            notes.append(Note(hall.space.id, zone.id, "", text))
+    return notes
 
 
 def _finding(bodies: Bodies, hall: JudgedHall, zone: int, row: int) -> Finding:

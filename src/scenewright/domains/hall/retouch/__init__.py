@@ -24,6 +24,13 @@ from scenewright.domains.hall.retouch.desks import (
     other_desks,
     propose_desks,
 )
+from scenewright.domains.hall.retouch.exhibit import (
+    charge_hiding,
+    find_exhibit,
+    find_placed,
+    propose_places,
+    stand_aside,
+)
 from scenewright.domains.hall.retouch.gates import (
     find_gates,
     forgive_doors,
@@ -51,6 +58,7 @@ RETOUCHES: dict[str, Retouch] = {
     "audience": Retouch(_whole, sit_aside, propose_audiences),
     "seats": Retouch(_whole, sit_too_near, propose_rows),
     "lecterns": Retouch(_whole, lecterns_adrift, propose_lecterns),
+    "exhibit": Retouch(find_exhibit, stand_aside, propose_places, charge_hiding, find_placed),
     "rings": Retouch(_whole, rings_off, propose_rings),
     "gates": Retouch(_whole, gates_adrift, propose_gates, forgive_doors, find_gates),
     "desks": Retouch(first_desks, desks_adrift, propose_desks, mind_order, find_desks),

@@ -16,6 +16,8 @@ from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.retouch.lines import count_objects, find_layers
 from scenewright.domains.hall.retouch.stages import AT_WALL, measure_stage, propose_stages
 from scenewright.domains.hall.terms.state import Kept
+from scenewright.domains.hall.turned_seats import TURNED as TURNED_AWAY
+from scenewright.domains.hall.turned_seats import measure_turns
 
 VIEW, BEFORE = 0.6, 0.5
 """Metres a seat may lie beyond the side of its stage for each metre it lies before it, and the
@@ -28,13 +30,19 @@ PASSED, LONG = 0.5, 0.25
 without has more than between two aisles; metres."""
 FAR, GAPS = (1.3, 2.0, 3.0), (1.1, 0.92, 0.57)
 """Metres between stage and first row, and between rows, that are tried."""
+AWAY = 30.0
+"""What seats count that look past their stage, all of them, in metres."""
+FARTHEST, NEAR_EDGE = 4.0, 0.05
+"""Metres between stage and first row from which on each is a fault, and how far the first row is
+set from the edge of a zone that begins farther off."""
 ROWS, FEWEST, CLOSE, OFF_WALL = 24, 6, 0.05, 0.02
 """Rows at most, seats of an audience at least, and metres between neighbours in close rows
 and from the edge of the zone."""
 LOOSE = (0.25,)
 """Metres between chairs of looser rows that are tried besides."""
-SHORT, UNEVEN = 6, 3
-"""Seats of the longer of uneven rows at least, and how many numbers of such rows are tried."""
+SHORT, UNEVEN, LONGEST = 6, 3, 4
+"""Seats of the longer of uneven rows at least, and how many numbers of such rows are tried: of
+those without aisles, and of the longest that find room."""
 
 
 class Audience(NamedTuple):
@@ -63,7 +71,9 @@ def sit_aside(problem: HallProblem, kept: Kept, boxes: Floats) -> float:
     total = 0.0
     for seats, stage in find_audiences(problem, kept):
         spans = problem.units.spans
-        total += _fault(boxes[slice(*spans[seats])], boxes[spans[stage, 0]], kept.pose[seats, 2])
+        total += measure_audience(
+            boxes[slice(*spans[seats])], boxes[spans[stage, 0]], kept.pose[seats, 2]
+        )
         if kept.pose[seats, 3] == 0.0:
             total += LONG * max(_find_longest(problem, kept, seats) - BLOCK, 0)
         total += measure_stage(problem, boxes, stage)
@@ -88,17 +98,20 @@ def _cut_aisles(problem: HallProblem, kept: Kept, seats: int) -> Kept:
     return kept._replace(pose=pose)
 
 
-def _fault(seats: Floats, stage: Floats, heading: float) -> float:
-    """How far seats (n, 5) lie beside and off the axis of a stage (5,), in metres."""
+def measure_audience(seats: Floats, stage: Floats, heading: float) -> float:
+    """How far seats (n, 5) lie beside and off the axis of a stage (5,) and too far before it, in
+    metres."""
     front = np.array([np.cos(stage[2]), np.sin(stage[2])])
     off = seats[:, :2] - stage[:2]
     ahead = off @ front - 0.5 * stage[4]
+    far = max(float((ahead - 0.5 * seats[:, 4]).min()) - FARTHEST, 0.0)
     aside = off @ (front[1], -front[0])
     beyond = np.abs(aside) - 0.5 * stage[3] - VIEW * np.maximum(ahead, 0.0)
     hidden = np.maximum(beyond, 0.0) + np.maximum(BEFORE - ahead, 0.0)
     turned = 1.0 + float(np.cos(heading - stage[2]))
     total = SIDE * float(hidden.mean()) + OFF_AXIS * abs(float(aside.mean())) + TURNED * turned
-    return min(total, MOST)
+    away = float((measure_turns(seats, stage) > TURNED_AWAY).mean())
+    return min(total + far + AWAY * away, MOST)
 
 
 def propose_audiences(problem: HallProblem, kept: Kept, boxes: Floats) -> Iterator[Kept]:
@@ -137,7 +150,8 @@ def _forms(problem: HallProblem, kept: Kept, seats: int) -> Iterator[Kept]:
     least = problem.route if problem.units.access[first].any() else 0.0
     gaps = sorted({round(gap, 1): gap for gap in (*GAPS, apart, across) if gap >= least}.values())
     besides = sorted({along, min(along, CLOSE), *(gap for gap in LOOSE if gap < along - CLOSE)})
-    for used, gap, beside in product(_rows(number, room), gaps, besides):
+    uses = sorted({*_rows(number, room), *_long_rows(problem, seats, number, room)})
+    for used, gap, beside in product(uses, gaps, besides):
         layers, rows = kept.layers.copy(), kept.rows.copy()
         for k in range(used):
             each = number // used + (1 if k >= used - number % used else 0)
@@ -155,6 +169,20 @@ def _rows(number: int, room: int) -> list[int]:
     return sorted([*(rows for rows in most if number % rows == 0), *fewest])
 
 
+def _long_rows(problem: HallProblem, seats: int, number: int, room: int) -> list[int]:
+    """The fewest rows that so many seats may stand in with aisles, by the longer side of the zone:
+    nearly all as long as its floor allows."""
+    wide = float(problem.units.sizes[slice(*problem.units.spans[seats]), 0].max())
+    low, high = problem.ground.zone_bounds[int(problem.units.zones[seats])].reshape(2, 2)
+    found = []
+    for used in range(2, min(ROWS, room, number // 2) + 1):
+        each = -(-number // used)
+        long = each * wide + (-(-each // BLOCK) - 1) * AISLE
+        if each > BLOCK and long <= float((high - low).max()):
+            found.append(used)
+    return found[:LONGEST]
+
+
 def _before(problem: HallProblem, kept: Kept, seats: int, stage: Floats) -> Iterator[Kept]:
     """Layouts with the seats on the axis of a stage (5,), at some distances from it."""
     row, used = find_layers(problem, seats)[0], int(kept.rows[seats, 1])
@@ -165,11 +193,20 @@ def _before(problem: HallProblem, kept: Kept, seats: int, stage: Floats) -> Iter
         whole = float(kept.layers[row : row + used, ACROSS].max()) if used else deep
     front = np.array([np.cos(stage[2]), np.sin(stage[2])])
     aside = _shift_aside(problem, kept, seats, stage)
-    for far in FAR:
+    for far in (*FAR, *_find_edge(problem, seats, stage)):
         moved = kept._replace(pose=kept.pose.copy())
         moved.pose[seats, :2] = stage[:2] + (0.5 * (stage[4] + whole) + far) * front + aside
         moved.pose[seats, 2] = stage[2] + np.pi
         yield moved
+
+
+def _find_edge(problem: HallProblem, seats: int, stage: Floats) -> tuple[float, ...]:
+    """Metres between a stage (5,) and the zone of its seats, where that begins away from it."""
+    low, high = problem.ground.zone_bounds[int(problem.units.zones[seats])].reshape(2, 2)
+    front = np.array([np.cos(stage[2]), np.sin(stage[2])])
+    ends = np.array([[x, y] for x in (low[0], high[0]) for y in (low[1], high[1])])
+    near = float(((ends - stage[:2]) @ front).min()) - 0.5 * float(stage[4]) + NEAR_EDGE
+    return (near,) if near > FAR[0] else ()
 
 
 def _shift_aside(problem: HallProblem, kept: Kept, seats: int, stage: Floats) -> Floats:

@@ -12,7 +12,7 @@ from scenewright.domains.hall.patterns import ACROSS, ALONG, CHAIN, GRID, WALL
 from scenewright.domains.hall.problem import Floats, HallProblem, Ints
 from scenewright.domains.hall.retouch.lines import find_layers
 from scenewright.domains.hall.terms.state import Kept
-from scenewright.domains.hall.terms.visitors import FIRST, GUIDE, SPEAKER, TILL
+from scenewright.domains.hall.terms.visitors import FIRST, GUIDE, MAIN, SPEAKER, TILL
 from scenewright.geometry.boxes import frames_of
 from scenewright.geometry.empty_circles import find_empty_circles
 from scenewright.geometry.inside import lie_inside
@@ -84,14 +84,14 @@ def _find_allowed(problem: HallProblem) -> Floats:
 
 def _find_movable(problem: HallProblem, kept: Kept) -> list[int]:
     """The units that stand free and are large enough to fill floor, and neither serve, guide nor
-    look at something, nor are looked at."""
+    look at something, nor are looked at or the main exhibit."""
     units, roles = problem.units, problem.visitors.roles.astype(int)
     floor = [float(units.sizes[slice(*span)].prod(1).sum()) for span in units.spans]
     return [
         unit
         for unit in range(len(roles))
         if floor[unit] >= SMALL
-        and not roles[unit] & (FIRST | TILL | GUIDE | SPEAKER)
+        and not roles[unit] & (FIRST | TILL | GUIDE | SPEAKER | MAIN)
         and int(kept.rows[unit, 0]) != WALL
         and units.targets[unit] < 0
         and unit not in units.targets

@@ -62,25 +62,33 @@ def mend(
 ) -> MeasuredLayout:
     """The layout with one of the touches, or as it is. Those before it keep what they placed."""
     chain = begin_chain(problem, layout.kept, streams(0, 1)[0])
-    one, mine, upto = touches[number], touches[number : number + 1], touches[: number + 1]
-    now = _weigh(chain, mine, layout.kept)
-    proposed = one.touch.propose(one.seen, layout.kept, layout.boxes)
-    found = [_weigh(chain, mine, kept) for kept in proposed]
-    least = min((p.fault for p in found if p.cost < now.cost), default=now.fault)
-    firm = _placed(touches[:number], layout.kept)
-    for barred in _barred(found, layout.kept, least - WORTH):
-        made = make_room(chain, layout.kept, barred.kept, firm)
-        found += [_weigh(chain, mine, kept) for kept in made]
+    mine, upto = touches[number : number + 1], touches[: number + 1]
+    now = weigh_layout(chain, mine, layout.kept)
+    found = weigh_proposals(chain, touches[number], layout, _placed(touches[:number], layout.kept))
     better = sorted((p for p in found if p.cost < now.cost - LEAST), key=lambda p: p.cost)
-    whole = _weigh(chain, upto, layout.kept).cost if better else 0.0
-    gaining = (
-        p for p in _differing(better)[:LOOKED] if _weigh(chain, upto, p.kept).cost < whole - LEAST
-    )
+    whole = weigh_layout(chain, upto, layout.kept).cost if better else 0.0
+    looked = _differing(better)[:LOOKED]
+    gaining = (p for p in looked if weigh_layout(chain, upto, p.kept).cost < whole - LEAST)
     for _, proposal in zip(range(WALKED), gaining, strict=False):
         tried = layout_of(chain._replace(best=proposal.kept))
         if tried.missed <= layout.missed and tried.lacking <= layout.lacking + 1e-9:
             return tried
     return layout
+
+
+def weigh_proposals(
+    chain: HallChain, one: SeenTouch, layout: MeasuredLayout, firm: list[int]
+) -> list[Proposal]:
+    """What a touch proposes for a layout, and the same with room made for what runs into others but
+    the ``firm`` ones."""
+    now = weigh_layout(chain, [one], layout.kept)
+    proposed = one.touch.propose(one.seen, layout.kept, layout.boxes)
+    found = [weigh_layout(chain, [one], kept) for kept in proposed]
+    least = min((p.fault for p in found if p.cost < now.cost), default=now.fault)
+    for barred in _barred(found, layout.kept, least - WORTH):
+        made = make_room(chain, layout.kept, barred.kept, firm)
+        found += [weigh_layout(chain, [one], kept) for kept in made]
+    return found
 
 
 def _differing(proposals: list[Proposal]) -> list[Proposal]:
@@ -89,7 +97,7 @@ def _differing(proposals: list[Proposal]) -> list[Proposal]:
     return [one for one, more in zip(proposals, np.diff(costs), strict=True) if more > ALIKE]
 
 
-def _weigh(chain: HallChain, touches: list[SeenTouch], kept: Kept) -> Proposal:
+def weigh_layout(chain: HallChain, touches: list[SeenTouch], kept: Kept) -> Proposal:
     """What a layout costs with the faults that some touches mend; only the last of them may charge
     more than the energy."""
     energy, total = bring_back(chain.p, chain.s, chain.work, kept), 0.0

@@ -1,0 +1,21 @@
+"""What a planner sets right once everything has found a place: seats, the main exhibit, details."""
+
+from __future__ import annotations
+
+from scenewright.core.solution import LeftOut
+from scenewright.domains.hall.fit import Fitted
+from scenewright.domains.hall.place_exhibit import place_exhibit
+from scenewright.domains.hall.retouch import retouch_layout
+from scenewright.domains.hall.search import HallSearch
+from scenewright.domains.hall.seat_audiences import seat_audiences
+from scenewright.domains.hall.solvers.outcome import MeasuredLayout
+
+
+def compose(
+    search: HallSearch, fitted: Fitted, layout: MeasuredLayout
+) -> tuple[Fitted, MeasuredLayout, tuple[LeftOut, ...]]:
+    """The layout with seats before what they look at, its main exhibit in its place and what
+    retouching mends, and the seats that no rows hold."""
+    fitted, layout, unseated = seat_audiences(search, fitted, layout)
+    layout = place_exhibit(search, fitted, layout)
+    return fitted, retouch_layout(fitted.problem, layout), unseated
