@@ -99,7 +99,7 @@ def test_walls_move_or_shorten_or_are_not_built_where_openings_are() -> None:
     (one,) = clear_hosts((host,), window, THICKNESS)
     assert one.most == pytest.approx((2.08, 9.0))
     assert one.span == pytest.approx((2.08, 9.0))
-    assert clear_hosts((host,), window + [0.0, 3.0, 0.0, 0.0, 0.0], THICKNESS) == (host,)
+    assert clear_hosts((host,), window + np.array([0.0, 3.0, 0.0, 0.0, 0.0]), THICKNESS) == (host,)
     assert clear_hosts((host,), np.array([[4.5, 0.0, 0.0, 1.0, 9.0 - SHORTEST]]), THICKNESS) == ()
 
 

@@ -57,7 +57,7 @@ def fit_with_staff(
         whole = fit_one(
             [_in_row(_with_staff((f or [w])[0])) for f, w in zip(forms, wishes, strict=True)]
         )
-        if whole.count == every and not _built_for(whole, wishes):
+        if whole.placed == every and not _built_for(whole, wishes):
             return whole[1:]
     best = _fit_said(wishes, every, fit_one)
     for number, row in enumerate(forms):
@@ -68,7 +68,7 @@ def fit_with_staff(
 class Stand(NamedTuple):
     """How many objects have a place, in what form they are asked for, and their first layout."""
 
-    count: int
+    placed: int
     asked: list[HallDemand]
     fitted: Fitted
 
@@ -81,9 +81,9 @@ def _fit_said(
     found: list[Stand] = []
     for asked in _ways_to_stand(wishes):
         found.append(fit_one(asked))
-        if found[-1].count == every:
+        if found[-1].placed == every:
             break
-    return max(found, key=lambda one: one.count)
+    return max(found, key=lambda one: one.placed)
 
 
 def _line_up(
@@ -94,7 +94,7 @@ def _line_up(
     for form in forms:
         asked = [*best.asked[:number], form, *best.asked[number + 1 :]]
         tried = fit_one(asked)
-        if tried.count >= best.count and not _built_for(tried, best.asked):
+        if tried.count >= best.placed and not _built_for(tried, best.asked):
             return tried
     return best
 
