@@ -28,7 +28,9 @@ from scenewright.domains.home.composing.wet_rooms import _list_forms, _pick_form
 from scenewright.domains.home.composing.widening import widen_groups
 from scenewright.domains.home.furnishing.furnish import FurnishedPatch
 from scenewright.domains.home.groups.fitted_kitchen import width_of
+from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.programme import Wish
+from scenewright.domains.home.settings import MERE_KITCHEN, fit_settings
 from scenewright.domains.home.solving import solve
 from test_kitchen_rooms import NOTHING, Stood, held, kitchen, task_of
 from test_wet_rooms import run, stood
@@ -218,3 +220,12 @@ def test_cupboards_of_bathrooms_are_tried_narrower_too():
     shallow = _list_forms("linen")[0]
     assert [round(f.width, 2) for f in _pick_forms(shallow, 2.0)] == [1.0, 0.8, 0.6]
     assert [round(f.width, 2) for f in _pick_forms(shallow, 0.65)] == [0.65]
+
+
+def test_rooms_people_live_in_as_well_are_not_held_to_what_mere_kitchens_are():
+    usual = PRESETS["default"].settings
+    living = fit_settings(usual, ("living", "kitchen")).composing.costs
+    assert fit_settings(usual, MERE_KITCHEN) == usual
+    assert living.fridge_at_sink == living.abreast_wall == 0.0
+    assert living == usual.composing.costs._replace(fridge_at_sink=0.0, abreast_wall=0.0)
+    assert set(list_further("dining_wall")) < set(list_further("dining_wall", in_kitchen=True))

@@ -255,9 +255,10 @@ class HomeSettings(NamedTuple):
 @lru_cache(maxsize=64)
 def fit_settings(settings: HomeSettings, functions: tuple[str, ...]) -> HomeSettings:
     """The settings for a room for these functions: where people live in a kitchen as well, its run
-    is short, and a fridge at the end of it may stand hard at the sink."""
+    is short, a fridge at the end of it may stand hard at the sink, and a table takes what floor
+    seats and screen leave it."""
     if functions == MERE_KITCHEN:
         return settings
     composing = settings.composing
-    costs = composing.costs._replace(fridge_at_sink=0.0)
+    costs = composing.costs._replace(fridge_at_sink=0.0, abreast_wall=0.0)
     return settings._replace(composing=composing._replace(costs=costs))

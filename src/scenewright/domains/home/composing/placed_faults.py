@@ -32,7 +32,7 @@ Floats = NDArray[np.float64]
 _SEATS = ("sofa", "corner_sofa", "loveseat", "armchair")
 _BEDS = ("single_bed", "double_bed", "bunk_bed")
 _CHESTS = ("chest_of_drawers", "sideboard", "tv_stand", "bookcase", "wardrobe", "shelf_unit")
-_AWAY_FROM_DOORS = frozenset((*_BEDS, "armchair", "bookcase", "storage_shelf"))
+_AWAY_FROM_DOORS = (*_BEDS, "armchair")
 SHADES = frozenset((*_SEATS, *_BEDS, *_CHESTS, "hob_cabinet"))
 """What takes a window's light, or is not to stand in it."""
 DESKS = frozenset(("desk", "kids_desk", "corner_desk"))
