@@ -135,30 +135,33 @@ def measure_places(pieces: Iterable[Piece | Member]) -> float:
 def _list_rooms(
     tasks: Sequence[RoomTask], answers: Sequence[RoomAnswer], served: bool
 ) -> list[DiningPlace]:
-    """The rooms that may have the table, the best first; with a home ``served`` already those one
-    lives or cooks in."""
-    each = enumerate(zip(tasks, answers, strict=True))
-    found = (_find_place(room, task, answer) for room, (task, answer) in each)
-    rooms = [place for place in found if place is not None and not (served and place.tier)]
-    return sorted(rooms, key=lambda place: (place.tier, -place.radius))
+    """The rooms that may have the table, the best first, of those one sleeps in the largest; with a
+    home ``served`` already those one lives or cooks in."""
+    ranks = [(_rank(task), -task.ground.area, room) for room, task in enumerate(tasks)]
+    asleep = sorted(row for row in ranks if row[0] == len(EATEN_IN) - 1)[1:]
+    rooms = [room for rank, _, room in sorted(set(ranks) - set(asleep)) if not (served and rank)]
+    found = (_find_place(room, tasks[room], answers[room]) for room in rooms)
+    places = [place for place in found if place is not None]
+    return sorted(places, key=lambda place: (place.tier, -place.radius))
 
 
 def _find_place(room: int, task: RoomTask, answer: RoomAnswer) -> DiningPlace | None:
     """A room as one that may have the table; None where it may not, or its own is to stay."""
     tier, old = _rank(task), [p for p in answer.placed if p.wish.group in TABLES]
     stays = any(p.wish.required or p.wish.most for p in old) or len(old) > 1
-    if tier is None or stays or not may_take_in(task, "dining_wall"):
+    if tier == len(EATEN_IN) or stays or not may_take_in(task, "dining_wall"):
         return None
     rest = tuple(p for p in answer.placed if p not in old)
     radius = find_void(task, pieces_of(task, rest)).radius
     return DiningPlace(room, rest, old[0].wish if old else None, tier, radius)
 
 
-def _rank(task: RoomTask) -> int | None:
-    """The first row of :data:`EATEN_IN` that a room is of."""
+def _rank(task: RoomTask) -> int:
+    """The first row of :data:`EATEN_IN` that a room is of; their number if it is of none."""
     uses, area = frozenset(task.space.functions), task.ground.area
     rows = enumerate(EATEN_IN)
-    return next((k for k, (names, least) in rows if uses & names and area >= least), None)
+    fit = (k for k, (names, least) in rows if uses & names and area >= least)
+    return next(fit, len(EATEN_IN))
 
 
 def _list_trials(
@@ -172,7 +175,9 @@ def _list_trials(
     fitting rooms first, those for ``most`` before ever fewer, beside all else before something
     welcome gives way to a first one."""
     yields = (False,) if there else (False, True)
-    orders = product(range(len(EATEN_IN)), yields, _list_seats(max(most, USUAL), there))
+    enough = there >= most
+    wanted = [float(USUAL)] if enough else _list_seats(max(most, USUAL), there)
+    orders = product(range(len(EATEN_IN)), yields, wanted)
     for tier, gives, seats in orders:
         for place in rooms:
             wide = seats <= most or place.radius >= WIDE

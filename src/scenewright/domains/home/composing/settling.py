@@ -53,7 +53,7 @@ BACK: Floats = np.array([0.0, 0.0, np.pi, 0.0, 0.0])
 NOWHERE: Floats = np.empty((0, 5))
 HAIR = 1e-9
 APART = 0.3  # places of one form are so many metres from one another
-PLACES = 6  # of one form that are furnished
+PLACES = 5  # of one form that are furnished
 YIELDING = frozenset(("plant", "console"))
 """What makes room for a first table."""
 WET = frozenset(("bathroom", "toilet", "washroom"))

@@ -41,8 +41,8 @@ CHAIRS = (Size(0.78, 0.8, 0.85), Size(0.66, 0.68, 0.8))
 """Armchairs without a lamp, the larger first."""
 SMALL = 1.45
 """No seats wider than this are put in, metres."""
-WALKED = 3
-"""Places of seats that are walked past through the whole home."""
+ROOMS, WALKED = 2, 3
+"""Rooms that are looked at, and places of seats that are walked past through the whole home."""
 
 
 def add_soft_seat(
@@ -66,7 +66,7 @@ def _list_trials(
 ) -> Iterator[tuple[int, RoomAnswer]]:
     """Rooms with a soft seat, each with its number, the most fitting first."""
     ranked = [(_rank(task), -task.ground.area, room) for room, task in enumerate(tasks)]
-    for rank, _, room in sorted(row for row in ranked if row[0] < len(SAT_IN)):
+    for rank, _, room in sorted(row for row in ranked if row[0] < len(SAT_IN))[:ROOMS]:
         for placed in _list_seated(tasks[room], answers[room].placed, list_seats(rank == 0)):
             yield room, answers[room]._replace(placed=placed)
 

@@ -56,6 +56,8 @@ def list_columns(space: Space) -> tuple[Box, ...]:
     >>> [round(v, 2) for v in list_columns(Space("a", "a", (), "0", room, (hole,)))[0]]
     [1.2, 1.2, 0.0, 0.4, 0.4]
     """
+    if not space.holes:
+        return ()
     found = []
     for hole in space.holes:
         (x0, y0), (x1, y1) = hole.min(axis=0).tolist(), hole.max(axis=0).tolist()
@@ -119,9 +121,12 @@ def _measure_hidden(
     sofa: Piece, screen: Piece, groups: Sequence[FurnishedGroup], columns: Sequence[Box]
 ) -> float:
     """Square metres of the sight that others take, and columns with what counts for them."""
+    filled = sum(_fill_sight(sofa, screen, groups).values())
+    if not columns:
+        return filled
     sight = _make_sight(sofa, screen)
     tall = sum(float(common_area(make_frame(*box), sight)) for box in columns)
-    return sum(_fill_sight(sofa, screen, groups).values()) + COLUMN * tall
+    return filled + COLUMN * tall
 
 
 def _make_sight(sofa: Piece, screen: Piece) -> Frame:
