@@ -119,3 +119,26 @@ def test_other_goods_leave_a_row_to_what_fills_a_zone() -> None:
     assert count(found)["clothes_rail"] >= 3
     (note,) = (note for note in found.brief.notes if note.startswith("rails"))
     assert "sale 0." in note
+
+
+@pytest.mark.parametrize("seed", [0, 1, 2])
+def test_the_main_exhibit_stands_amid_its_zone_beside_the_entrance(seed: int) -> None:
+    ship = {"id": "ship", "category": "exhibit_island", "size": [4, 2, 2], "zone": "show"}
+    cases = {"category": "showcase", "count": 8, "zone": "show"}
+    zones = [
+        {"id": "foyer", "outline": [[0, 0], [6, 0], [6, 14], [0, 14]]},
+        {"id": "show", "outline": [[6, 0], [20, 0], [20, 14], [6, 14]]},
+    ]
+    outline, desk = [[0, 0], [20, 0], [20, 14], [0, 14]], {"category": "info_desk", "zone": "foyer"}
+    found = lay_out(ship, cases, desk, seed=seed, outline=outline, zones=zones)
+    (piece,) = (piece for piece in found.pieces if piece.function == "ship")
+    assert math.dist(piece.pose[:2], (13.0, 7.0)) < 2.0
+    assert scenewright.check(found).valid
+
+
+def test_a_zone_smaller_than_asked_is_noted() -> None:
+    zones = [{"id": "a", "area": 30}, {"id": "b", "outline": [[0, 0], [4, 0], [4, 9], [0, 9]]}]
+    report = scenewright.check(lay_out({"category": "bench", "zone": "a"}, zones=zones))
+    assert [n.message for n in report.notes if "asked" in n.message] == [
+        "hall: a has 72.0 m², 30 m² asked"
+    ]

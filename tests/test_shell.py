@@ -303,3 +303,13 @@ def test_a_balcony_by_itself_has_no_walls() -> None:
     brief = brief_of({"id": "out", "function": "balcony", "outline": SQUARE})
     walls, _ = shell(brief, spaces(brief))
     assert all(prism.top < 2.0 for wall in walls for prism in wall.prisms)
+
+
+@pytest.mark.parametrize(("width", "leaves"), [(1.2, 1), (1.8, 2)])
+def test_a_wide_door_that_turns_has_two_leaves(width: float, leaves: int) -> None:
+    door = Opening("d", "door", "0", 0, 0, 1, 0, width, 0.12, 0.0, 2.05, hinge=1, swing=1)
+    wood = [part for part in parts(door) if part.material.name == "door oak"]
+    assert len(wood) == leaves
+    assert all(np.ptp(part.vertices[:, 1]) < width / leaves for part in wood)
+    sides = {float(np.sign(part.vertices[:, 0].mean())) for part in wood}
+    assert len(sides) == leaves

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 from typing import Any
 
 import pytest
 
+import scenewright
 from scenewright import cli
 from scenewright.catalog.assets import shipped
 from scenewright.check.plan_notes import note_unknown_kinds
@@ -34,7 +36,10 @@ def brief(domain: str = "home", **room: Any) -> Brief:
         ("till", "use one of: checkout"),
         ("rope", "use one of: rope_barrier"),
         ("chair", "use dining_chair, reading_chair, auditorium_seat or lounge_seat"),
-        ("vitrine", "use one of: showcase, wall_exhibit, fridge_shelf"),
+        ("vitrine", "use one of: display_cabinet, showcase, wall_exhibit, fridge_shelf"),
+        ("painting", "use wall_exhibit with the name 'painting'"),
+        ("car", "use exhibit_island with the name 'car'"),
+        ("whiteboard", "use screen"),
         ("xyzzy", "see: scenewright list assets"),
     ],
 )
@@ -98,3 +103,27 @@ def test_many_pieces_of_one_group_are_told_together() -> None:
     seats = [Change(f"a/seats/seat_{k}", "", "moved", "a", "by hand") for k in range(7)]
     assert lines(seats) == ["moved: a/seats (7 pieces) (by hand)"]
     assert lines(seats[:2]) == ["moved: a/seats/seat_0, a/seats/seat_1 (by hand)"]
+
+
+@pytest.mark.parametrize(
+    ("word", "offered"),
+    [
+        ("mirror", "use fitting_room, which has one"),
+        ("picture", "use wall_exhibit with the name 'picture'"),
+        ("plant", "use potted_tree or planter"),
+        ("curtain", "use partition"),
+    ],
+)
+def test_a_demand_for_what_does_not_stand_offers_what_does(word: str, offered: str) -> None:
+    hall = brief("hall", demands=[{"category": word}])
+    with pytest.raises(InputError) as caught:
+        check_halls(hall, plan_of(hall))
+    assert str(caught.value).endswith(f"does not stand on the floor; {offered}")
+
+
+def test_how_full_a_zone_is_to_be_is_a_share(tmp_path: Path) -> None:
+    room = {"outline": OUTLINE, "demands": [{"category": "bench", "fill": 50}]}
+    file = tmp_path / "full.json"
+    file.write_text(json.dumps({"domain": "hall", "rooms": [room]}))
+    with pytest.raises(InputError, match=r"a share of the floor, from 0.05 to 0.8"):
+        scenewright.read(file)
