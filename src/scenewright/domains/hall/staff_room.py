@@ -94,7 +94,7 @@ def _line_up(
     for form in forms:
         asked = [*best.asked[:number], form, *best.asked[number + 1 :]]
         tried = fit_one(asked)
-        if tried.count >= best.placed and not _built_for(tried, best.asked):
+        if tried.placed >= best.placed and not _built_for(tried, best.asked):
             return tried
     return best
 
