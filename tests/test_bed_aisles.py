@@ -155,19 +155,6 @@ def test_beds_for_one_are_of_full_width_from_eight_square_metres_on():
     assert cost_of_case(narrow, 8.5, RULE) > RULE.costs.narrow_bed / 2
 
 
-def test_sofa_has_a_table_before_it_in_rooms_of_nine_square_metres_and_more():
-    by_name = {c.name: c for c in (*cases("seating").groups, *list_further("seating"))}
-    side, table = by_name["1.9 m sofa, side table"], by_name["1.9 m sofa, small table"]
-    room, small = (_task(wide, 3.0, function="living") for wide in (4.0, 2.8))
-    for task, cost in ((room, RULE.costs.no_table), (small, 0.0)):
-        there = [_place(task, "seating", c, [1.9, 0.9, np.pi / 2]) for c in (side, table)]
-        costs = [cost_of_group(group, task.ground, RULE) for group in there]
-        assert costs[0] - costs[1] == pytest.approx(cost)
-    two = by_name["1.8 m sofa, small table"]
-    assert cost_of_case(two, 13.9, RULE) == 0.0
-    assert cost_of_case(two, 14.1, RULE) == RULE.costs.seats
-
-
 def test_narrow_living_room_has_a_sofa_for_three():
     task = _task(5.9, 2.27, function="living")
     two = next(c for c in cases("seating").groups if c.name == "1.2 m sofa, side table")

@@ -97,10 +97,9 @@ class CompositionCosts(NamedTuple):
     ``beside_clothes`` in a kitchen one may eat in, one whose chairs all face the wall
     (``abreast_wall``), or with ``stools``, outdoor chairs side by side (``abreast``), a table
     ``crowded`` by seats, something in the way beside a bed for two (``bed_way``), a single bed
-    whose head is off the wall (``head_off``) or that is narrower than 0.9 m (``narrow_bed``), a
-    sofa without a table before it (``no_table``), something before the ``doors`` of a wardrobe,
-    before a window or a wide door, a group small for its room (``modest``), a table by its
-    ``places``; a unit by which the furnished share of a floor is off what was learned (``share``),
+    whose head is off the wall (``head_off``) or that is narrower than 0.9 m (``narrow_bed``),
+    something before the ``doors`` of a wardrobe, before a window or a wide door, a group small for
+    its room (``modest``), a table by its ``places``; a unit by which the furnished share of a floor is off what was learned (``share``),
     and by which the free floor beside a group falls short of it (``floor``)."""
 
     worktop: float = 24.0
@@ -144,7 +143,6 @@ class CompositionCosts(NamedTuple):
     bed_way: float = 9.0
     head_off: float = 4.0
     narrow_bed: float = 3.0
-    no_table: float = 3.0
     doors: float = 8.0
     window: float = 15.0
     opening: float = 10.0

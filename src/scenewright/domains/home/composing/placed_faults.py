@@ -40,7 +40,6 @@ BRIGHT, DAYLIT = 1.05, 2.1
 """Metres from a window up to which a desk is in full daylight, and from which it has hardly any: a
 window lights the floor as deep as its head is high (the primary sidelighted area of ASHRAE 90.1,
 2019, 3.2), by half of that well."""
-TABLE_FROM = 9.0  # from so many square metres on a table stands before a sofa
 ROOMY = 8.0  # from so many square metres on a bed leaves the floor at doors free
 NEAR_DOOR = 0.3  # a bed nearer to where a door opens is in the entrance, metres
 SHELVED = 0.75  # share of the longest wall that shelves of a storage room stand along
@@ -87,16 +86,8 @@ def _cost_of_group(
                 found.append((rule.costs.head_off, min(behind / DEAD, 1.0)))
         if piece.category in DESKS:
             standing += rule.costs.dark * find_darkness(piece, ground)
-    if ground.area >= TABLE_FROM and _lacks_table(group):
-        standing += rule.costs.no_table
     standing += sum(cost * (1.0 + degree) / 2 for cost, degree in found)
     return standing + cost_of_case(list_standing(group), ground.area, rule)
-
-
-def _lacks_table(group: FurnishedGroup) -> bool:
-    """Whether no table stands before the sofa of a group."""
-    kinds = {piece.category for piece in group.pieces}
-    return not kinds.isdisjoint(SOFAS) and "coffee_table" not in kinds
 
 
 @lru_cache(maxsize=64)
