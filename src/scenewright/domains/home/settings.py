@@ -99,8 +99,9 @@ class CompositionCosts(NamedTuple):
     ``crowded`` by seats, something in the way beside a bed for two (``bed_way``), a single bed
     whose head is off the wall (``head_off``) or that is narrower than 0.9 m (``narrow_bed``),
     something before the ``doors`` of a wardrobe, before a window or a wide door, a group small for
-    its room (``modest``), a table by its ``places``; a unit by which the furnished share of a floor is off what was learned (``share``),
-    and by which the free floor beside a group falls short of it (``floor``)."""
+    its room (``modest``), a table by its ``places``; a unit by which the
+    furnished share of a floor is off what was learned (``share``), and by which the free floor
+    beside a group falls short of it (``floor``)."""
 
     worktop: float = 24.0
     hob_at_sink: float = 22.0
