@@ -78,7 +78,8 @@ def _floor(case: Group, member: Member) -> shapely.Polygon:
 def test_chairs_at_a_wall_table_stand_clear_of_each_other(case):
     chairs = [_floor(case, m) for m in case.members if m.category == "dining_chair"]
     assert all(a.intersection(b).area < 1e-9 for a, b in combinations(chairs, 2))
-    assert bool(find_case_faults(case)) == (len(chairs) < 2)
+    faults = {name for name, _ in find_case_faults(case)}
+    assert ("lone" in faults) == (len(chairs) < 2)
 
 
 @pytest.mark.parametrize("case", list(tables_with_stools()), ids=lambda case: case.name)
