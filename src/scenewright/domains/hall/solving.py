@@ -115,8 +115,7 @@ def solve(
     the share done and what is done, ``watch`` the best layouts of objects; when ``cancel`` answers
     true, what was found so far is returned.
     """
-    started = time.perf_counter()
-    chosen = preset_named(PRESETS, preset)
+    started, chosen = time.perf_counter(), preset_named(PRESETS, preset)
     named = solver or chosen.solver
     catalog, rooms = catalog_of(brief.catalogs), (plan or plan_rooms(brief)).spaces
     threads = min(threads or os.cpu_count() or 1, 16)
@@ -293,8 +292,7 @@ def _lay(
     best = turn_desks(hall, wishes, fitted.units, fitted.problem, best)
     search = search._replace(hall=hall, wishes=[*wishes, *small])
     laid = _furnish_guided(search, fitted, best, locked, missing, found.evaluations)
-    pieces = (*hall.fixed, *laid.pieces)
-    on, groups, out = put_on_stage(hall, carried, pieces, catalog)
+    on, groups, out = put_on_stage(hall, carried, (*hall.fixed, *laid.pieces), catalog)
     return laid._replace(
         pieces=(*laid.pieces, *on),
         groups=(*laid.groups, *groups),
