@@ -128,9 +128,57 @@ def test_ropes_with_no_room_before_their_counter_are_left_out_by_name() -> None:
     solution = _solve(demands, (9, 7), 3)
     standing = [p for p in solution.pieces if p.function == "ropes"]
     told = [left for left in solution.left_out if "rope" in left.what]
-    assert bool(standing) != bool(told)
-    assert not standing
-    assert any("before what they guide" in left.reason for left in told)
+    gone = sum(int(left.what.split(" of ")[0]) for left in told)
+    assert gone > 0
+    assert len(standing) + gone == 16
+    assert all("before what they guide" in left.reason for left in told)
+
+
+@pytest.mark.parametrize("seed", [0, 1])
+def test_every_door_people_come_in_by_has_gates(seed: int) -> None:
+    """Three street doors of a lobby and six gates: two before each, none walks in past them."""
+    doors = [
+        {"id": f"street {k}", "at": [x, 0], "width": 1.8, "swing": "slide"}
+        for k, x in enumerate((5, 14, 23))
+    ]
+    zones = [
+        {"id": "lobby", "outline": [[0, 0], [28, 0], [28, 7], [0, 7]]},
+        {"id": "foyer", "outline": [[0, 7], [28, 7], [28, 16], [0, 16]]},
+    ]
+    demands = [
+        {"id": "gates", "category": "ticket_gate", "count": 6, "zone": "lobby"},
+        {"category": "bench", "count": 6, "zone": "foyer"},
+    ]
+    outline = [[0, 0], [28, 0], [28, 16], [0, 16]]
+    room = {"name": "Hall", "outline": outline, "doors": doors, "zones": zones, "demands": demands}
+    found = scenewright.solve(
+        Brief.model_validate({"domain": "hall", "rooms": [room]}), seed=seed, steps=3000
+    )
+    assert scenewright.check(found).valid
+    assert not found.left_out
+    gates = np.array([p.pose[:2] for p in found.pieces if p.function == "gates"])
+    for door in doors:
+        near = np.abs(gates[:, 0] - door["at"][0]) < 3.0
+        assert near.sum() == 2
+        assert (gates[near, 1] < 5.0).all()
+
+
+def test_ropes_go_before_the_longest_row_of_desks_of_their_zone() -> None:
+    """Tellers and a reception in one room: people queue for the tellers."""
+    demands = [
+        {"id": "tellers", "category": "counter", "count": 4},
+        {"id": "reception", "category": "info_desk"},
+        {"id": "ropes", "category": "rope_barrier", "count": 4},
+    ]
+    pieces = _solve(demands, (16, 11), 3).pieces
+    tellers = [p for p in pieces if p.function == "tellers"]
+    heading = tellers[0].pose.heading
+    front = np.array([math.cos(heading), math.sin(heading)])
+    middle = np.mean([p.pose[:2] for p in tellers], axis=0)
+    off = np.array([p.pose[:2] for p in pieces if p.function == "ropes"]) - middle
+    assert len(off) == 4
+    assert (off @ front > 0.9).all()
+    assert np.abs(off @ (front[1], -front[0])).max() < 4.5
 
 
 def test_lanes_of_tills_lead_to_the_way_out() -> None:

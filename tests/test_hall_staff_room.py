@@ -126,16 +126,58 @@ def test_counters_that_may_stand_free_get_no_wall_built_for_them() -> None:
     assert not of(found, "partition")
 
 
-def test_counters_stand_free_where_others_would_be_lost_before_a_wall() -> None:
+@pytest.mark.parametrize("seed", [0, 2])
+def test_counters_stand_free_where_others_would_be_lost_before_a_wall(seed: int) -> None:
     """Ropes and showcases leave too little floor for a row with room for its staff."""
     demands = [
         {"category": "counter", "count": 3},
         {"category": "rope_barrier", "count": 16},
         {"category": "showcase", "count": 8},
     ]
-    found = scenewright.solve(hall(*demands, size=(9.0, 7.0), door=3.0, broad=1.8), seed=1)
+    found = scenewright.solve(hall(*demands, size=(9.0, 7.0), door=3.0, broad=1.8), seed=seed)
+    assert scenewright.check(found).valid
     assert len(of(found, "counter")) == 3
     assert len(of(found, "showcase")) == 8
+
+
+def test_counters_too_many_for_a_wall_stand_back_to_back_with_their_staff_between() -> None:
+    """Eight of two metres in a zone of twelve: two lines of four, no row behind another's back."""
+    brief = hall({"category": "counter", "count": 8, "zone": "food"}, {**TABLES, "zone": "rest"})
+    zones = [
+        {"id": "food", "outline": [[0, 0], [12, 0], [12, 10], [0, 10]]},
+        {"id": "rest", "outline": [[12, 0], [24, 0], [24, 10], [12, 10]]},
+    ]
+    room = brief.rooms[0].model_dump(mode="json", exclude_defaults=True) | {
+        "zones": zones,
+        "outline": [[0, 0], [24, 0], [24, 10], [0, 10]],
+    }
+    found = scenewright.solve(
+        Brief.model_validate({"domain": "hall", "rooms": [room]}), seed=0, steps=2000
+    )
+    assert scenewright.check(found).valid
+    counters = of(found, "counter")
+    assert len(counters) == 8
+    turned = [round(math.cos(p.pose.heading - counters[0].pose.heading), 6) for p in counters]
+    assert sorted(turned) == [-1.0] * 4 + [1.0] * 4
+    back = shapely.union_all([behind(piece, 0.85) for piece in counters])
+    assert back.area == pytest.approx(4 * 2.0 * 0.9, rel=0.06)
+    assert not any(back.buffer(-0.01).intersects(one) for one in polygons_of(found.pieces))
+
+
+def test_counters_too_many_for_any_wall_stand_in_one_line_amid_the_floor() -> None:
+    brief = hall({"category": "counter", "count": 3}, size=(9.0, 9.0))
+    window = {"id": "w", "at": [9, 4.5], "width": 8.0, "sill": 0.3}
+    others = [{"at": at, "width": 4.0, "sill": 0.3} for at in ([4.5, 9], [0, 4.5])]
+    room = brief.rooms[0].model_dump(mode="json", exclude_defaults=True)
+    brief = Brief.model_validate(
+        {"domain": "hall", "rooms": [room | {"windows": [window, *others]}]}
+    )
+    found = scenewright.solve(brief, seed=0, steps=1500)
+    counters = of(found, "counter")
+    assert scenewright.check(found).valid
+    assert len({round(piece.pose.heading, 6) for piece in counters}) == 1
+    assert found.detail is not None
+    assert [group.pattern for group in found.detail.layout.groups] == ["single"]
 
 
 @pytest.mark.parametrize("said", [{"place": "free"}, {"patterns": ["chain"]}])

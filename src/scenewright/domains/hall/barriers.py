@@ -44,6 +44,7 @@ def place_barriers(
             if free and _leads_on(problem, layout, rails):
                 name = problem.names[unit]
                 found = (*found, *_pieces(space, name, demands[name], rails, catalog))
+                solid = np.concatenate([solid, rails])
                 break
     return found
 

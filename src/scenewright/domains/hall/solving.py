@@ -53,6 +53,7 @@ from scenewright.domains.hall.idle_guides import (
     report_fewer,
     report_idle,
 )
+from scenewright.domains.hall.lack import lacks, leaves_open, measure_lack
 from scenewright.domains.hall.move_borders import move_borders, read_slack, search_with_borders
 from scenewright.domains.hall.on_stage import put_on_stage
 from scenewright.domains.hall.presets import PRESETS, HallPreset, count_steps
@@ -62,13 +63,7 @@ from scenewright.domains.hall.settings import USUAL_ZONING, ZoningSettings
 from scenewright.domains.hall.shortfall import left_out
 from scenewright.domains.hall.solvers.outcome import MeasuredLayout, StartedHall, measure_layout
 from scenewright.domains.hall.split_demands import find_locked, split_demands
-from scenewright.domains.hall.staff_room import (
-    fit_with_staff,
-    grow_to_floor,
-    lacks,
-    leaves_open,
-    measure_lack,
-)
+from scenewright.domains.hall.staff_room import fit_with_staff, grow_to_floor
 from scenewright.domains.hall.tour import tour
 from scenewright.domains.hall.unreached import drop_unreached
 from scenewright.domains.hall.zones import HallPlan, borders_of, zones_of
@@ -120,8 +115,7 @@ def solve(
     the share done and what is done, ``watch`` the best layouts of objects; when ``cancel`` answers
     true, what was found so far is returned.
     """
-    started = time.perf_counter()
-    chosen = preset_named(PRESETS, preset)
+    started, chosen = time.perf_counter(), preset_named(PRESETS, preset)
     named = solver or chosen.solver
     catalog, rooms = catalog_of(brief.catalogs), (plan or plan_rooms(brief)).spaces
     threads = min(threads or os.cpu_count() or 1, 16)
@@ -298,8 +292,7 @@ def _lay(
     best = turn_desks(hall, wishes, fitted.units, fitted.problem, best)
     search = search._replace(hall=hall, wishes=[*wishes, *small])
     laid = _furnish_guided(search, fitted, best, locked, missing, found.evaluations)
-    pieces = (*hall.fixed, *laid.pieces)
-    on, groups, out = put_on_stage(hall, carried, pieces, catalog)
+    on, groups, out = put_on_stage(hall, carried, (*hall.fixed, *laid.pieces), catalog)
     return laid._replace(
         pieces=(*laid.pieces, *on),
         groups=(*laid.groups, *groups),

@@ -12,20 +12,16 @@ from dataclasses import replace
 from typing import NamedTuple
 
 from scenewright.catalog.kinds import KINDS
-from scenewright.core.brief.zones import Demand
 from scenewright.core.catalog import Catalog
 from scenewright.core.scene import Piece, Pose, Size
-from scenewright.domains.hall.assemble import Laid
 from scenewright.domains.hall.build_problem import HallContext
 from scenewright.domains.hall.chairs import grow_table
-from scenewright.domains.hall.counter_forms import COUNTER, list_forms
+from scenewright.domains.hall.counter_forms import list_forms
 from scenewright.domains.hall.fit import Fitted, fit
 from scenewright.domains.hall.holdings import HallDemand
 from scenewright.domains.hall.seating import grow_desk
 from scenewright.engine.solve import Cancel
 
-NOTHING = 1e-6
-"""What costs less costs nothing."""
 Place = tuple[Pose, Size]
 
 
@@ -120,25 +116,6 @@ def _ways_to_stand(wishes: list[HallDemand]) -> Iterator[list[HallDemand]]:
     if staffed != wishes:
         yield staffed
     yield wishes
-
-
-def leaves_open(demands: list[Demand]) -> bool:
-    """Whether some demands leave open where several counters stand."""
-    open_ones = (d for d in demands if d.category == COUNTER and d.place is None)
-    return any(not demand.patterns and demand.count != 1 for demand in open_ones)
-
-
-def lacks(laid: Laid) -> bool:
-    """Whether something is left out of a hall, or the route misses some of it or is too narrow."""
-    return any(measure_lack(laid)[:2])
-
-
-def measure_lack(laid: Laid) -> tuple[float, int, int]:
-    """What the route misses of a hall and passages lack, how many demands lack something, and less
-    than none of how many objects stand: the greater, the worse."""
-    missed = sum(part.cost for part in laid.parts if part.term in ("reach", "access"))
-    stand = sum(len(group.objects) for group in laid.groups)
-    return (missed if missed > NOTHING else 0.0), len(laid.left_out), -stand
 
 
 def _with_staff(wish: HallDemand) -> HallDemand:

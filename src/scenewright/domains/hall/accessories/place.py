@@ -26,7 +26,7 @@ from scenewright.domains.hall.accessories.setting import (
     lie_open,
 )
 from scenewright.domains.hall.accessories.spots import NO_PAIR, Spots, spread_spots
-from scenewright.domains.hall.build_problem import SIDES, HallContext
+from scenewright.domains.hall.build_problem import MARGIN, SIDES, HallContext
 from scenewright.domains.hall.holdings import HallDemand
 from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.solvers.outcome import MeasuredLayout, lacking, measure_among
@@ -37,8 +37,8 @@ and one whose other is taken."""
 BEFORE = 0.6
 """Metres before a small object in which others had better not stand."""
 TRIED, SAME = 12, 0.01
-"""How many spots are tried for what bars a way on the first, and metres between two spots that are
-one."""
+"""How many of the best spots, and of the others, are tried for what bars a way on the first, and
+metres between two spots that are one."""
 
 
 class StandingHall(NamedTuple):
@@ -68,9 +68,10 @@ def place_accessories(there: StandingHall, small: list[HallDemand]) -> Placed:
 def _as_open(
     there: StandingHall, small: list[HallDemand], boxes: Placed, least: tuple[float, float]
 ) -> bool:
-    """Whether the route misses no more with some boxes and no passage is narrower."""
+    """Whether the route misses no more with some boxes and no passage is narrower than asked for,
+    if it is not so without."""
     found = _measure_ways(there, small, boxes)
-    return found[0] <= least[0] and found[1] <= least[1] + 1e-9
+    return found[0] <= least[0] and found[1] <= max(least[1], MARGIN) + 1e-9
 
 
 def _measure_ways(
@@ -115,12 +116,19 @@ def _place_all(
             setting = Setting(doorways, walls, there.pieces, _stack(mine))
             choice = _choose_spots(free, setting, wish, size, _stack(*found))
             mine.append(None)
-            for row in choice[:TRIED]:
+            for row in _take_some(choice):
                 mine[-1] = row
                 if accept(found):
                     break
                 mine[-1] = None
     return found
+
+
+def _take_some(choice: Floats) -> Floats:
+    """The first of some spots (k, 5), and as many from among the rest: those side by side bar the
+    same way."""
+    rest = choice[TRIED:]
+    return np.concatenate([choice[:TRIED], rest[:: max(len(rest) // TRIED, 1)][:TRIED]])
 
 
 def _stack(*rows: list[Floats | None]) -> Floats:

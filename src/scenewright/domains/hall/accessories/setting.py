@@ -47,10 +47,10 @@ class Setting(NamedTuple):
 
 
 class FreeFloor(NamedTuple):
-    """The ``floor`` small objects may stand on, what stands there (``bodies``), and what of the
-    floor has to stay free besides (``kept``)."""
+    """The ``floor`` small objects may stand on, zone by zone, what stands there (``bodies``), and
+    what of the floor has to stay free besides (``kept``)."""
 
-    floor: shapely.Polygon
+    floor: shapely.GeometryCollection
     bodies: shapely.STRtree
     kept: shapely.STRtree
 
@@ -80,15 +80,15 @@ def find_floor(
     """The floor of some zones (all if none is named) past ``pieces`` and the free floor these
     need; ``keep_free`` (k, 5) are boxes before doors and windows."""
     rings = [z.outline for z in hall.plan.zones if not zones or z.id in zones]
-    floor = shapely.union_all([shapely.Polygon(ring) for ring in rings])
-    floor = floor & shapely.Polygon(hall.space.outline, hall.space.holes)
+    inside = shapely.Polygon(hall.space.outline, hall.space.holes)
+    floors = [shapely.buffer(shapely.Polygon(ring) & inside, LITTLE) for ring in rings]
     known = {wish.id: wish for wish in wishes}
     used = [_grow(p, known[p.function]) for p in pieces if p.function in known]
     ways = [_lead_in(door) for door in find_doorways(hall.space)]
     kept = np.array([*ways, *used, *keep_free.tolist()]).reshape(-1, 5)
     kept = kept[kept[:, 3:].min(1) > SHORT] if len(kept) else kept
     return FreeFloor(
-        shapely.buffer(floor, LITTLE),
+        shapely.geometrycollections(floors),
         shapely.STRtree(shapely.buffer(polygons_of(pieces), -LITTLE)),
         shapely.STRtree(shapely.buffer(shapely.polygons(corners(kept)), -LITTLE)),
     )
@@ -115,7 +115,8 @@ def find_free(free: FreeFloor, boxes: Floats, used: bool = False) -> Bools:
     """Which of boxes (k, 5) stand on free floor (k,), or where ``used`` also on what is kept free
     for use."""
     shapes = shapely.polygons(corners(boxes))
-    stand = shapely.covers(free.floor, shapes)
+    floors = shapely.get_parts(free.floor)
+    stand = shapely.covers(floors[:, None], shapes).any(0)
     for tree in (free.bodies,) if used else (free.bodies, free.kept):
         stand[tree.query(shapes, predicate="intersects")[0]] = False
     return np.asarray(stand, bool)

@@ -33,7 +33,8 @@ FORGIVEN = 0.97
 """What is forgiven of the free floor of gates that doors need too: farther off is still better."""
 STEPS = (1.72, 2.0, 2.4, 2.8, 3.4)
 SHIFTS = tuple(0.65 * k for k in range(-8, 9))
-"""Metres ahead and aside that are tried."""
+FEWER = SHIFTS[4:-4]
+"""Metres ahead and aside that are tried, and aside where each of several doors has gates."""
 
 
 def find_gates(problem: HallProblem, kept: Kept) -> list[int]:
@@ -105,10 +106,11 @@ def forgive_doors(
     return FORGIVEN * total
 
 
-def propose_gates(problem: HallProblem, kept: Kept, boxes: Floats) -> Iterator[Kept]:  # noqa: ARG001
-    """Layouts with the gates of one unit side by side across the way."""
-    for unit in find_gates(problem, kept):
+def propose_gates(problem: HallProblem, kept: Kept, boxes: Floats) -> Iterator[Kept]:
+    """Layouts with the gates of one unit that are not there side by side across the way."""
+    faults = {unit: _fault(problem, kept, boxes, unit) for unit in find_gates(problem, kept)}
+    for unit in [unit for unit, fault in faults.items() if fault > FREE]:
         start, way = find_way_in(problem, unit)[:2]
-        for ahead, aside in product(STEPS, SHIFTS):
+        for ahead, aside in product(STEPS, SHIFTS if len(faults) == 1 else FEWER):
             at = start + ahead * way + aside * np.array([-way[1], way[0]])
             yield line_up(problem, kept, unit, (*at, np.arctan2(-way[1], -way[0])))

@@ -31,18 +31,21 @@ LANES = (1.0, 1.25)
 TURNED, ALONG, ASIDE, MOST_OFF = 2.0, 0.6, 0.5, 3.0
 """What ropes across what they should stand along count, those along a desk instead of up to it,
 what a metre beside it does, and metres beyond which more count no more."""
-NEARER = 5.0
-"""What a metre counts by which ropes are so near that nobody passes between."""
-ANCHORS, WIDEST = 12, 0.75
-"""How many of what stands at walls are looked at, and the part of the widest row of desks down to
-which people queue at others of the zone too."""
+NEARER, LONG = 5.0, 4.0
+"""What a metre counts by which ropes along a desk, or before one longer than so many metres, are so
+near that nobody passes between."""
+ANCHORS, WIDEST, SECOND = 12, 0.75, 0.6
+"""How many of what stands at walls are looked at, the part of the widest row of desks down to which
+people queue at others of the zone as well, and what ropes before less than that count."""
 
 
 class Anchor(NamedTuple):
-    """What ropes are to stand before: a box (5,), and whether people queue there."""
+    """What ropes are to stand before: a box (5,), whether people queue there, and metres by which
+    ropes elsewhere are better."""
 
     box: Floats
     queue: bool
+    less: float = 0.0
 
 
 def find_ropes(problem: HallProblem, kept: Kept) -> list[int]:
@@ -85,21 +88,35 @@ def find_anchors(problem: HallProblem, kept: Kept, boxes: Floats, unit: int) -> 
     beside = [u for u in range(len(roles)) if units.zones[u] == units.zones[unit] and u != unit]
     desks = find_served(problem, unit)
     mine = [boxes[slice(*span)] for span in units.spans]
+    alone = _find_mains(problem, kept, mine, beside)
     if desks:
         whole = [box_round(mine[u]) for u in desks]
         widest = max(float(box[3]) for box in whole)
-        return [Anchor(box, True) for box in whole if box[3] >= WIDEST * widest]
+        less = [SECOND * (box[3] < WIDEST * widest) for box in whole]
+        queues = [Anchor(box, True, one) for box, one in zip(whole, less, strict=True)]
+        return queues + [one._replace(less=SECOND) for one in alone]
     lanes = [u for u in beside if roles[u] & LANE]
     if lanes:
         return [Anchor(_find_queue_end(problem, mine[u]), True) for u in lanes]
-    mains = [mine[u][0] for u in beside if roles[u] & MAIN and kept.rows[u, 0] != WALL]
-    if mains:
-        turned = mains[0] + [0.0, 0.0, 0.5 * np.pi, 0.0, 0.0]
-        turned[3:] = mains[0][[4, 3]]
-        half = np.array([0.0, 0.0, np.pi, 0.0, 0.0])
-        return [Anchor(box, False) for box in (mains[0], turned, mains[0] + half, turned + half)]
+    if alone:
+        return alone
     walls = [box for u in beside if kept.rows[u, 0] == WALL for box in mine[u]]
     return [Anchor(box, False) for box in walls[:: max(len(walls) // ANCHORS, 1)]]
+
+
+def _find_mains(
+    problem: HallProblem, kept: Kept, mine: list[Floats], beside: list[int]
+) -> list[Anchor]:
+    """The sides of the main exhibit, if it is one of some units and stands free; ``mine`` are the
+    boxes (n, 5) of each unit."""
+    roles = problem.visitors.roles.astype(int)
+    mains = [mine[u][0] for u in beside if roles[u] & MAIN and kept.rows[u, 0] != WALL]
+    if not mains:
+        return []
+    turned = mains[0] + [0.0, 0.0, 0.5 * np.pi, 0.0, 0.0]
+    turned[3:] = mains[0][[4, 3]]
+    half = np.array([0.0, 0.0, np.pi, 0.0, 0.0])
+    return [Anchor(box, False) for box in (mains[0], turned, mains[0] + half, turned + half)]
 
 
 def _find_queue_end(problem: HallProblem, tills: Floats) -> Floats:
@@ -140,10 +157,12 @@ def _fault(ropes: Floats, anchor: Anchor) -> float:
     off = seen[:2] - box[:2]
     gap = float(off @ front) - 0.5 * (box[4] + seen[4])
     aside = abs(float(off @ (front[1], -front[0]))) - 0.5 * max(box[3] - seen[3], 0.0)
-    near = NEARER * max(GAPS[0] - 0.1 - gap, 0.0)
-    far = max(near, gap - GAPS[1] - 0.3, 0.0)
+    near = max(GAPS[0] - 0.3 - gap, 0.0)
+    if along < 0.7 or box[3] > LONG:
+        near = NEARER * max(GAPS[0] - 0.1 - gap, 0.0)
+    far = max(near, gap - GAPS[1] - 0.3)
     turned = ALONG * (1.0 - along) if anchor.queue else TURNED * along
-    return turned + min(far, MOST_OFF) + ASIDE * min(max(aside, 0.0), MOST_OFF)
+    return anchor.less + turned + min(far, MOST_OFF) + ASIDE * min(max(aside, 0.0), MOST_OFF)
 
 
 def propose_ropes(problem: HallProblem, kept: Kept, boxes: Floats) -> Iterator[Kept]:
