@@ -52,12 +52,22 @@ Placed = list[list[Floats | None]]
 
 
 def place_accessories(there: StandingHall, small: list[HallDemand]) -> Placed:
-    """Where the objects of some demands stand, each demand after those before it."""
-    boxes = _place_all(there, small, lambda _: True)
-    least = _measure_ways(there, np.zeros((0, 5)))
-    if _as_open(there, boxes, least):
+    """Where the objects of some demands stand, each demand after those before it; those used at
+    another once all the rest stands."""
+    found: Placed = []
+    for used in (False, True):
+        mine = [wish for wish in small if ACCESSORIES[wish.category].used_at == used]
+        found = [*found, *_place_some(there, mine, found)] if mine else found
+    return found
+
+
+def _place_some(there: StandingHall, small: list[HallDemand], before: Placed) -> Placed:
+    """Where the objects of some demands stand beside those set ``before``."""
+    boxes = _place_all(there, small, before, lambda _: True)
+    least = _measure_ways(there, _stack(*before))
+    if _as_open(there, [*before, *boxes], least):
         return boxes
-    return _place_all(there, small, lambda placed: _as_open(there, placed, least))
+    return _place_all(there, small, before, lambda placed: _as_open(there, placed, least))
 
 
 def _as_open(there: StandingHall, boxes: Placed, least: tuple[float, float]) -> bool:
@@ -78,9 +88,9 @@ def _measure_ways(there: StandingHall, boxes: Floats) -> tuple[float, float]:
 
 
 def _place_all(
-    there: StandingHall, small: list[HallDemand], accept: Callable[[Placed], bool]
+    there: StandingHall, small: list[HallDemand], before: Placed, accept: Callable[[Placed], bool]
 ) -> Placed:
-    """A box for each object of some demands, one after another."""
+    """A box for each object of some demands, one after another, beside those set ``before``."""
     doorways, walls = find_doorways(there.hall.space), find_walls(there.hall)
     keep_free, found = there.problem.ground.keep_free, list[list[Floats | None]]()
     for wish in small:
@@ -89,11 +99,11 @@ def _place_all(
         found.append(mine)
         for size in wish.sizes:
             setting = Setting(doorways, walls, there.pieces, _stack(mine))
-            choice = _choose_spots(free, setting, wish, size, _stack(*found))
+            choice = _choose_spots(free, setting, wish, size, _stack(*before, *found))
             mine.append(None)
             for row in choice[:TRIED]:
                 mine[-1] = row
-                if accept(found):
+                if accept([*before, *found]):
                     break
                 mine[-1] = None
     return found
