@@ -14,7 +14,7 @@ from scenewright.core.brief import Brief
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
 from scenewright.domains import plan_of
-from scenewright.domains.hall import solving
+from scenewright.domains.hall import compose
 from scenewright.domains.hall.zones import zones_of
 
 
@@ -148,5 +148,5 @@ def _across(seed: int) -> bool:
 
 def test_gates_stand_in_one_row_across_the_way_in(monkeypatch: pytest.MonkeyPatch) -> None:
     assert all(_across(seed) for seed in range(4))
-    monkeypatch.setattr(solving, "retouch_layout", lambda _, layout: layout)
+    monkeypatch.setattr(compose, "retouch_layout", lambda _, layout: layout)
     assert not all(_across(seed) for seed in range(4))

@@ -56,8 +56,15 @@ Placed = list[list[Floats | None]]
 
 
 def place_accessories(there: StandingHall, small: list[HallDemand]) -> Placed:
-    """Where the objects of some demands stand, each demand after those before it; none where it
-    bars a way, or where no route would lead to it or to one set before it."""
+    """Where the objects of some demands stand, each demand after those before it, those used at
+    another once all the rest stands; none where it bars a way, or where no route would lead to it
+    or to one set before it."""
+    order = sorted(range(len(small)), key=lambda k: ACCESSORIES[small[k].category].used_at)
+    boxes = _place_in_order(there, [small[k] for k in order])
+    return [boxes[order.index(k)] for k in range(len(small))]
+
+
+def _place_in_order(there: StandingHall, small: list[HallDemand]) -> Placed:
     boxes = _place_all(there, small, lambda _: True)
     least = _measure_ways(there, small, [])
     if _as_open(there, small, boxes, least):
