@@ -14,6 +14,8 @@ THREE: tuple[Side, ...] = ("front", "left", "right")
 BOTH: tuple[Side, ...] = ("front", "back")
 
 TABLES = ("dining_table", "round_table", "outdoor_table")
+HIGH = 0.95
+"""Height of a table in metres from which on one stands at it, or sits at it on a bar stool."""
 DESKS = ("desk", "corner_desk", "kids_desk", "vanity")
 
 LEAD = Service("power", 1.5, "lead")

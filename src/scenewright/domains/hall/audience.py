@@ -5,9 +5,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from scenewright.catalog.kinds.usual import DESKS, TABLES
+from scenewright.catalog.kinds.usual import DESKS, HIGH, TABLES
 from scenewright.core.brief.zones import Demand
-from scenewright.domains.hall.chairs import HIGH
 from scenewright.domains.hall.demands import usual_size
 
 SHOWS = ("stage", "screen", "lectern")

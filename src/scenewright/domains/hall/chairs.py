@@ -8,14 +8,13 @@ from dataclasses import replace
 
 import numpy as np
 
+from scenewright.catalog.kinds.usual import HIGH
 from scenewright.core.catalog import Catalog
 from scenewright.core.kind import TableChairs
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.geometry.boxes import Frame, common_area, make_frame
 
 TOUCH, NEARLY = 1e-4, 1e-9
-HIGH = 0.95
-"""Height in metres from which on one stands at a table, or sits at it on a bar stool."""
 FEWEST_AROUND = 4
 """Chairs round a table that is small, at least."""
 CHAIRS = "/chairs"

@@ -14,14 +14,14 @@ from itertools import cycle, pairwise, zip_longest
 
 import numpy as np
 
-from scenewright.catalog.kinds.usual import DESKS
+from scenewright.catalog.kinds.usual import DESKS, HIGH
 from scenewright.core.catalog import Catalog, footprint_of
 from scenewright.core.kind import TableChairs
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.solution import LeftOut
 from scenewright.domains.hall.audience import MEALS, SHOWS
 from scenewright.domains.hall.build_problem import HallContext
-from scenewright.domains.hall.chairs import HIGH, company_of, count_places, places_at, seats_around
+from scenewright.domains.hall.chairs import company_of, count_places, places_at, seats_around
 from scenewright.domains.hall.holdings import SEATWAY, HallDemand, with_floor
 from scenewright.domains.hall.problem import Floats
 from scenewright.geometry.boxes import common_area, make_frame

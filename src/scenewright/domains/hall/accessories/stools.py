@@ -7,11 +7,10 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from scenewright.catalog.kinds.usual import TABLES
+from scenewright.catalog.kinds.usual import HIGH, TABLES
 from scenewright.core.scene import Piece, Size
 from scenewright.domains.hall.accessories.setting import Setting
 from scenewright.domains.hall.accessories.spots import Spots, face, join_spots, make_spots
-from scenewright.domains.hall.chairs import HIGH
 from scenewright.domains.hall.holdings import HallDemand
 from scenewright.domains.hall.problem import Floats
 
