@@ -12,10 +12,10 @@ from scenewright.domains.hall.solvers.outcome import MeasuredLayout
 
 
 def compose(
-    search: HallSearch, fitted: Fitted, layout: MeasuredLayout
+    search: HallSearch, fitted: Fitted, layout: MeasuredLayout, missing: tuple[LeftOut, ...]
 ) -> tuple[Fitted, MeasuredLayout, tuple[LeftOut, ...]]:
     """The layout with seats before what they look at, its main exhibit in its place and what
-    retouching mends, and the seats that no rows hold."""
+    retouching mends, and what is ``missing`` with the seats that no rows hold."""
     fitted, layout, unseated = seat_audiences(search, fitted, layout)
     layout = place_exhibit(search, fitted, layout)
-    return fitted, retouch_layout(fitted.problem, layout), unseated
+    return fitted, retouch_layout(fitted.problem, layout), (*missing, *unseated)

@@ -287,8 +287,7 @@ def _lay(
     missing = left_out(hall, wishes, fitted.units, given_up, crowding)
     best = found.layouts[0]
     if may_retry(search):
-        fitted, best, unseated = compose(search._replace(hall=hall), fitted, best)
-        missing += unseated
+        fitted, best, missing = compose(search._replace(hall=hall), fitted, best, missing)
     best = turn_desks(hall, wishes, fitted.units, fitted.problem, best)
     search = search._replace(hall=hall, wishes=[*wishes, *small])
     laid = _furnish_guided(search, fitted, best, locked, missing, found.evaluations)
