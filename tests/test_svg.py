@@ -73,11 +73,18 @@ def test_the_cut_passes_doors_and_windows(scene: Scene) -> None:
         assert walls.distance(Point(opening.x, opening.y)) > 0.3
 
 
+@pytest.mark.parametrize(("width", "leaves"), [(1.29, 1), (1.3, 2), (2.4, 2)])
+def test_wide_doors_have_two_leaves(width: float, leaves: int) -> None:
+    door = Opening("d", "door", "0", 3.0, 2.0, 1.0, 0.0, width, 0.12, 0, 2.05, 1, 1)
+    radii = re.findall(r"A([\d.]+),", mark_text(openings_mark(UNIT, [door])))
+    assert [float(r) for r in radii] == pytest.approx([width / leaves * UNIT.scale] * leaves)
+
+
 @given(
     st.sampled_from([-1, 1]),
     st.sampled_from([-1, 1]),
     st.floats(0, 6.3),
-    st.floats(0.5, 1.5),
+    st.floats(0.5, 1.29),
     st.floats(0.05, 0.4),
 )
 def test_the_door_arc_turns_around_the_hinge(

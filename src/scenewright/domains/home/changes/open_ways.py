@@ -12,6 +12,7 @@ from scenewright.core.space import Space
 from scenewright.domains.home.attempt import RoomAnswer
 from scenewright.domains.home.changes.least_change import Rest
 from scenewright.domains.home.changes.revised import NOTHING, Revised
+from scenewright.domains.home.composing.alignment.homes import align_rooms
 from scenewright.domains.home.home_floor import HomeFloor
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.remove_blockers import remove_blockers
@@ -63,7 +64,7 @@ def _whole_answer(rest: Rest) -> RoomAnswer:
 def _try_anew(
     touched: Sequence[Revised | None], answers: Answers, opened: Opened
 ) -> list[RoomAnswer]:
-    """The answers for all rooms, with further tries for those furnished again."""
+    """The answers for all rooms, with further tries for those furnished again, on their axes."""
     anew = {i: revised for i, revised in enumerate(touched) if revised and revised.anew}
 
     def together(some: Answers) -> list[RoomAnswer]:
@@ -74,11 +75,12 @@ def _try_anew(
         after = opened(together(some))
         return [after[i] for i in anew]
 
+    tasks = [revised.task for revised in anew.values()]
     again = tried_again(
-        [revised.task for revised in anew.values()],
+        tasks,
         [revised.anew for revised in anew.values()],
         [revised.budget for revised in anew.values()],
         [answers[i] for i in anew],
         opened_anew,
     )
-    return together(again)
+    return together(align_rooms(tasks, again, opened_anew))

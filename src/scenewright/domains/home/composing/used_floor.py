@@ -34,7 +34,7 @@ def measure_taken(added: Iterable[Piece], others: Iterable[Piece]) -> float:
     >>> bed = Piece("b", "double_bed", "", "a", Pose(0, 0, 0, 0), Size(1.6, 2.0, 0.5))
     >>> chair = Piece("c", "armchair", "", "a", Pose(0.6, 1.1, 0, 0), Size(0.8, 0.8, 0.8))
     >>> round(measure_taken([chair], [bed]), 2)
-    0.32
+    0.4
     """
     low = [p for p in added if p.pose.z < ON_FLOOR and p.category != "rug"]
     frames = [

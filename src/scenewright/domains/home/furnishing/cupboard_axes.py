@@ -26,7 +26,8 @@ def find_cupboard_axis(rug: Floats, pieces: Sequence[Piece]) -> Floats | None:
 
     >>> from scenewright.core.scene import Pose, Size
     >>> case = Piece("c", "bookcase", "", "a", Pose(0.5, 0.9, 0.0, -1.5708), Size(1.0, 0.3, 2.0))
-    >>> find_cupboard_axis(np.array([0.2, 0.0, np.pi / 2, 2.0, 0.8]), [case])[:2].round(2).tolist()
+    >>> moved = find_cupboard_axis(np.array([0.2, 0.0, np.pi / 2, 2.0, 0.8]), [case])
+    >>> (moved[:2].round(2) + 0.0).tolist()
     [0.5, 0.0]
     """
     x, y, heading, width, depth = rug.tolist()
