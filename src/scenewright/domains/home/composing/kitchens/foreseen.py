@@ -55,39 +55,59 @@ class LineFacts(NamedTuple):
 def foresee_cost(kitchen: FittedKitchen, area: float, rule: ComposingSettings) -> float:
     """What its case will cost in a room of ``area`` square metres, nearly: faults of worktop, of
     the triangle, and what it is short of for its room."""
-    facts = [_facts_of(line.units) for line in kitchen.lines]
-    cooks, costs = facts[0], rule.costs
-    beside = min(cooks.before, cooks.after)
-    longest = max(f.longest for f in facts)
-    if kitchen.corners:
-        beside, longest = max(cooks.before, cooks.after), inf
-    found = [
-        (costs.worktop, 1.0 - longest / AMPLE),
-        (costs.hob_at_end, 1.0 - beside / BESIDE),
-        (costs.hob_at_sink, 1.0 - cooks.between / BESIDE),
-    ]
-    rinsed = BESIDE if kitchen.corners else max(f.rinsed for f in facts)
-    sink = max(f.sink for f in facts)
-    lone, split = float(_has_lone_fridge(kitchen)), _tell_split(kitchen)
-    cold_sink = float(any(_has_cold_sink(line.units) for line in kitchen.lines))
-    low = float(any(name == LOW for line in kitchen.lines for name, _ in line.units))
-    found += [
-        (costs.few_rings * share_in(area, "few_rings"), 1.0 - cooks.hob / FOUR_RINGS),
-        (costs.small_sink * share_in(area, "small_sink"), 1.0 - sink / FULL_SINK),
-        (costs.sink_alone * share_in(area, "sink_alone"), 1.0 - rinsed / BESIDE),
-        (costs.fridge_at_sink * share_in(area, "fridge_at_sink"), cold_sink),
-        (costs.fridge_alone * share_in(area, "fridge_alone"), lone),
-        (costs.low_fridge * share_in(area, "low_fridge"), low),
-        (getattr(costs, split, 0.0) * share_in(area, split), 1.0),
-    ]
-    fronts = sum(chain.from_iterable(f.widths for f in facts))
-    fronts += CORNER_RUN * len(kitchen.corners)
-    least = _least_front(area)
-    short = max(0.0, 1.0 - fronts / least) if least else 0.0
-    faults = sum(cost * (1.0 + degree) / 2 for cost, degree in found if degree > 1e-6)
+    costs, lines = rule.costs, tuple(line.units for line in kitchen.lines)
+    units = _measure_units(lines, len(kitchen.corners), area)
+    faults = 0.0
+    for name, share, degree in units.faults:
+        faults += getattr(costs, name) * share * (1.0 + degree) / 2
+    if _has_lone_fridge(kitchen):
+        faults += costs.fridge_alone * share_in(area, "fridge_alone")
+    if units.low:
+        faults += costs.low_fridge * share_in(area, "low_fridge")
+    split = _tell_split(kitchen)
+    if split:
+        faults += getattr(costs, split) * share_in(area, split)
     if area >= WHOLE_FROM:
         faults += costs.triangle * _off_triangle(kitchen)
-    return faults + costs.short_run * short
+    return faults + costs.short_run * units.short
+
+
+class UnitFaults(NamedTuple):
+    """What the units of a kitchen have wrong wherever they stand: each fault with its share in a
+    room of that size and its degree; whether a fridge is under the worktop; and which share of
+    the front that the room asks for is missing."""
+
+    faults: tuple[tuple[str, float, float], ...]
+    low: bool
+    short: float
+
+
+@lru_cache(maxsize=16384)
+def _measure_units(lines: tuple[tuple[Unit, ...], ...], corners: int, area: float) -> UnitFaults:
+    """The same of units by their lines, the one with the hob first."""
+    facts = [_facts_of(units) for units in lines]
+    cooks = facts[0]
+    beside = min(cooks.before, cooks.after)
+    longest = max(f.longest for f in facts)
+    if corners:
+        beside, longest = max(cooks.before, cooks.after), inf
+    rinsed = BESIDE if corners else max(f.rinsed for f in facts)
+    sink = max(f.sink for f in facts)
+    cold_sink = float(any(_has_cold_sink(units) for units in lines))
+    found = (
+        ("worktop", 1.0, 1.0 - longest / AMPLE),
+        ("hob_at_end", 1.0, 1.0 - beside / BESIDE),
+        ("hob_at_sink", 1.0, 1.0 - cooks.between / BESIDE),
+        ("few_rings", share_in(area, "few_rings"), 1.0 - cooks.hob / FOUR_RINGS),
+        ("small_sink", share_in(area, "small_sink"), 1.0 - sink / FULL_SINK),
+        ("sink_alone", share_in(area, "sink_alone"), 1.0 - rinsed / BESIDE),
+        ("fridge_at_sink", share_in(area, "fridge_at_sink"), cold_sink),
+    )
+    fronts = sum(chain.from_iterable(f.widths for f in facts)) + CORNER_RUN * corners
+    least = _least_front(area)
+    short = max(0.0, 1.0 - fronts / least) if least else 0.0
+    low = any(name == LOW for units in lines for name, _ in units)
+    return UnitFaults(tuple(row for row in found if row[2] > 1e-6), low, short)
 
 
 @lru_cache(maxsize=256)
@@ -121,7 +141,11 @@ def _worktop(units: tuple[Unit, ...]) -> float:
 
 
 def _line_of(kitchen: FittedKitchen, name: str) -> UnitLine:
-    return next(line for line in kitchen.lines if any(unit[0] == name for unit in line.units))
+    for line in kitchen.lines:
+        for unit in line.units:
+            if unit[0] == name:
+                return line
+    raise ValueError(name)
 
 
 @lru_cache(maxsize=4096)
@@ -132,7 +156,11 @@ def _has_cold_sink(units: tuple[Unit, ...]) -> bool:
 
 def _has_lone_fridge(kitchen: FittedKitchen) -> bool:
     """Whether a fridge is a line of its own that continues no other."""
-    lone = next((a for a in kitchen.lines if [n for n, _ in a.units] in (["fridge"], [LOW])), None)
+    lone = None
+    for line in kitchen.lines:
+        if len(line.units) == 1 and line.units[0][0] in ("fridge", LOW):
+            lone = line
+            break
     if lone is None:
         return False
     end, ends = lone.start + width_of(lone.units), [CORNER] * (lone.wall in kitchen.corners)
@@ -145,8 +173,10 @@ def _has_lone_fridge(kitchen: FittedKitchen) -> bool:
 def _tell_split(kitchen: FittedKitchen) -> str:
     """The fault of hob and sink in lines that do not meet in a corner: they face each other or do
     not even that; empty where there is none."""
+    if kitchen.corners:
+        return ""
     cooking, washing = _line_of(kitchen, "hob_cabinet"), _line_of(kitchen, "sink_cabinet")
-    if kitchen.corners or cooking is washing:
+    if cooking is washing:
         return ""
     one, other = middle_of(cooking, "hob_cabinet"), middle_of(washing, "sink_cabinet")
     across = cooking.wall.ux * washing.wall.ux + cooking.wall.uy * washing.wall.uy < FACING
