@@ -12,10 +12,12 @@ from scenewright.catalog.assets import shipped
 from scenewright.core.brief import Brief
 from scenewright.core.scene import Piece, Pose, Scene, Size
 from scenewright.domains import plan_of
-from scenewright.formats.png import INDOORS
+from scenewright.formats.png import INDOORS, TALLEST, WIDTH
 from scenewright.render.near_walls import KERB
 from scenewright.render.stage import blocks_of
 from scenewright.render.viewing_side import choose_turn
+
+SHAPE = TALLEST / WIDTH
 
 
 def scene(width: float, depth: float, *pieces: Piece) -> Scene:
@@ -32,17 +34,17 @@ def wardrobe(x: float, y: float, heading: float) -> Piece:
 
 
 def test_a_scene_as_wide_as_the_picture_is_seen_from_the_south():
-    assert choose_turn(scene(8.0, 6.0), INDOORS.towards) == 0.0
+    assert choose_turn(scene(8.0, 6.0), INDOORS.towards, SHAPE) == 0.0
 
 
 def test_a_narrow_scene_is_turned_on_its_side():
-    assert abs(choose_turn(scene(4.0, 12.0), INDOORS.towards)) == pytest.approx(np.pi / 2)
+    assert abs(choose_turn(scene(4.0, 12.0), INDOORS.towards, SHAPE)) == pytest.approx(np.pi / 2)
 
 
 def test_wardrobes_are_seen_from_the_front():
     north, south = wardrobe(3.0, 0.4, np.pi / 2), wardrobe(3.0, 5.6, -np.pi / 2)
-    assert choose_turn(scene(8.0, 6.0, south), INDOORS.towards) == 0.0
-    assert choose_turn(scene(8.0, 6.0, north), INDOORS.towards) == pytest.approx(np.pi)
+    assert choose_turn(scene(8.0, 6.0, south), INDOORS.towards, SHAPE) == 0.0
+    assert choose_turn(scene(8.0, 6.0, north), INDOORS.towards, SHAPE) == pytest.approx(np.pi)
 
 
 @pytest.mark.parametrize("turn", [0.0, np.pi / 2, -np.pi / 2, np.pi])

@@ -77,7 +77,7 @@ def picture(scene: Scene, catalog: Catalog, width: int = WIDTH) -> Pixels:
 
 def _stage_scene(scene: Scene, catalog: Catalog, look: Look) -> tuple[RenderStage, Camera, float]:
     """The triangles, and a camera that sees them with the shape of its picture."""
-    turn = choose_turn(scene, look.towards) if look.cut is not None else 0.0
+    turn = choose_turn(scene, look.towards, TALLEST / WIDTH) if look.cut is not None else 0.0
     blocks = blocks_of(scene, catalog, look.cut, look.towards, turn)
     corners = [block.vertices for block in blocks] or [np.zeros((1, 3))]
     bounds = np.vstack(corners)

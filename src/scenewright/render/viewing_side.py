@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.core.scene import Scene
+from scenewright.render.stage import APART
 
 Floats = NDArray[np.float64]
 
@@ -20,22 +21,19 @@ TALL, WIDE = 1.2, 0.6
 """Height and width, metres, from which on a piece seen from behind is a blank board."""
 QUARTER = 0.12
 """What a quarter turn costs; half a turn twice as much."""
-SHAPE = 1026 / 1440
-"""Height by width of the largest picture."""
-APART = 2.0
-"""Metres between levels that stand side by side."""
 
 
-def choose_turn(scene: Scene, towards: tuple[float, float, float]) -> float:
-    """The turn of the scene about z, radians, for an eye that looks ``towards`` a direction."""
+def choose_turn(scene: Scene, towards: tuple[float, float, float], shape: float) -> float:
+    """The turn of the scene about z, radians, for an eye that looks ``towards`` a direction, in a
+    picture whose largest height by width is ``shape``."""
     turns = np.array([0.0, 0.5, -0.5, 1.0]) * np.pi
     unlike = QUARTER * np.array([0.0, 1.0, 1.0, 2.0])
-    fills = np.array([_fill(scene, turn, towards) for turn in turns])
+    fills = np.array([_fill(scene, turn, towards, shape) for turn in turns])
     backs = np.array([_share_of_backs(scene, turn, towards) for turn in turns])
     return float(turns[np.argmin(1.0 - fills + backs + unlike)])
 
 
-def _fill(scene: Scene, turn: float, towards: tuple[float, float, float]) -> float:
+def _fill(scene: Scene, turn: float, towards: tuple[float, float, float], shape: float) -> float:
     """The share of the picture that the boxes of the levels, side by side, fill."""
     levels = [
         np.vstack([space.outline for space in scene.spaces if space.level == level.id])
@@ -47,7 +45,7 @@ def _fill(scene: Scene, turn: float, towards: tuple[float, float, float]) -> flo
     extents = np.array([np.ptp(_turned(points, turn), axis=0) for points in levels])
     wide = float(extents[:, 0].sum()) + APART * (len(levels) - 1)
     deep = float(extents[:, 1].max()) * -towards[2] / float(np.linalg.norm(towards))
-    return min(1.0, SHAPE * wide / deep, deep / (SHAPE * wide))
+    return min(1.0, shape * wide / deep, deep / (shape * wide))
 
 
 def _turned(points: Floats, turn: float) -> Floats:
