@@ -5,7 +5,8 @@ counted by simple geometry. Beside them stands what an improvement could have be
 that are valid, kitchens that are whole, beds, sofas, seats, tables, metres of worktop and storage.
 The baseline is what was counted before any of it was worked on (:data:`BEFORE`, seed 0). With
 ``--full`` as many flats that nobody looked at while it was worked on are counted instead
-(:data:`BEFORE_ASIDE`).
+(:data:`BEFORE_ASIDE`). With ``--rescaled`` flats drawn too small are enlarged first
+(:mod:`benchmarks.rescaled_r2v`); the first version was given the same (:data:`BEFORE_RESCALED`).
 """
 
 from __future__ import annotations
@@ -20,7 +21,12 @@ import numpy as np
 import shapely
 
 from benchmarks import stages
-from benchmarks.composition_before import BEFORE, BEFORE_ASIDE
+from benchmarks.composition_before import (
+    BEFORE,
+    BEFORE_ASIDE,
+    BEFORE_ASIDE_RESCALED,
+    BEFORE_RESCALED,
+)
 from benchmarks.composition_faults import (
     FAULTS,
     SOFAS,
@@ -33,6 +39,7 @@ from benchmarks.composition_faults import (
 from benchmarks.composition_kitchen import is_under
 from benchmarks.plans_r2v import PLANS, adapt, raw_plans
 from benchmarks.real_data import data_set
+from benchmarks.rescaled_r2v import rescale
 from benchmarks.spread import spread
 
 Record = dict[str, Any]
@@ -46,6 +53,13 @@ WORKTOP = ("base_cabinet", "drawer_cabinet", "corner_cabinet", "dishwasher")
 REFERENCE = 400
 """Rounds of the reference work."""
 PACE = "flats a reference work"
+BASELINES = {
+    (False, False): BEFORE,
+    (True, False): BEFORE_ASIDE,
+    (False, True): BEFORE_RESCALED,
+    (True, True): BEFORE_ASIDE_RESCALED,
+}
+"""What was counted before, by whether of flats kept aside and whether of rescaled ones."""
 
 
 class Seen(NamedTuple):
@@ -59,34 +73,40 @@ class Seen(NamedTuple):
 
 
 def records(
-    quick: bool = False, progress: stages.Progress | None = None, full: bool = False
+    quick: bool = False,
+    progress: stages.Progress | None = None,
+    full: bool = False,
+    rescaled: bool = False,
 ) -> Iterator[Record]:
     """A record a fault and a record for each thing held; of an interrupted run those of the flats
-    that are done. ``full``: of the flats kept aside."""
+    that are done. ``full``: of the flats kept aside; ``rescaled``: of flats at their true scale."""
     data_set(PLANS)
-    flats = furnish_flats(QUICK if quick else USUAL, progress, ASIDE if full else 0)
-    yield from stages.tally(flats, partial(tally_flats, before=BEFORE_ASIDE if full else BEFORE))
+    first, step = ASIDE if full else 0, QUICK if quick else USUAL
+    flats = furnish_flats(step, progress, first, rescaled)
+    yield from stages.tally(flats, partial(tally_flats, before=BASELINES[full, rescaled]))
 
 
 def furnish_flats(
-    step: int, progress: stages.Progress | None = None, first: int = 0
+    step: int, progress: stages.Progress | None = None, first: int = 0, rescaled: bool = False
 ) -> Iterator[Seen]:
     """Every ``step``-th flat from the ``first`` on, furnished with seed 0."""
     numbers = range(first, len(raw_plans()), step)
-    for done, seen in enumerate(spread([partial(furnish_flat, n) for n in numbers])):
+    jobs = [partial(furnish_flat, n, rescaled) for n in numbers]
+    for done, seen in enumerate(spread(jobs)):
         if progress:
             progress((done + 1) / len(numbers), f"{done + 1} of {len(numbers)} flats")
         if seen is not None:
             yield seen
 
 
-def furnish_flat(number: int) -> Seen | None:
+def furnish_flat(number: int, rescaled: bool = False) -> Seen | None:
     """Furnish one flat and count; None where no brief could be made of the plan."""
     from scenewright.building import plan
     from scenewright.domains import check
     from scenewright.domains.home.solving import solve
 
-    brief = adapt(raw_plans()[number]).brief
+    raw = raw_plans()[number]
+    brief = adapt(rescale(raw) if rescaled else raw).brief
     if brief is None:
         return None
     reference, begun = time_reference(), time.process_time()

@@ -14,6 +14,7 @@ import tempfile
 import time
 from collections import Counter
 from collections.abc import Callable, Iterator
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -21,6 +22,7 @@ from benchmarks import stages
 from benchmarks.counters_r2v import name_kitchens
 from benchmarks.plans_r2v import PLANS, adapt, raw_plans
 from benchmarks.real_data import data_folder, data_set
+from benchmarks.rescaled_r2v import rescale
 
 Record = dict[str, Any]
 Progress = Callable[[float, str], None]
@@ -44,10 +46,12 @@ AIM = 1_000_000 / 24 / 60
 """A million flats a day, in flats per minute."""
 
 
-def records(quick: bool = False, progress: Progress | None = None) -> Iterator[Record]:
+def records(
+    quick: bool = False, progress: Progress | None = None, rescaled: bool = False
+) -> Iterator[Record]:
     """Furnish and check every flat (the first 40 if ``quick``) and tally, those done if
-    interrupted."""
-    return stages.tally(finished(QUICK if quick else None, progress), tally)
+    interrupted; ``rescaled``: flats at their true scale (:mod:`benchmarks.rescaled_r2v`)."""
+    return stages.tally(finished(QUICK if quick else None, progress, rescaled=rescaled), tally)
 
 
 def run(
@@ -58,7 +62,10 @@ def run(
 
 
 def finished(
-    most: int | None = None, progress: Progress | None = None, folder: Path | None = None
+    most: int | None = None,
+    progress: Progress | None = None,
+    folder: Path | None = None,
+    rescaled: bool = False,
 ) -> Iterator[Record]:
     """As :func:`run`; of an interrupted run the flats that are done."""
     data_set(PLANS)
@@ -66,14 +73,15 @@ def finished(
     with tempfile.TemporaryDirectory() as spare:
         files = [(folder or Path(spare)) / f"r2v-{k}.jsonl" for k in range(WORKERS)]
         workers: list[subprocess.Popen[bytes] | None]
-        workers = [_start(file, k, most) for k, file in enumerate(files)]
+        start = partial(_start, most=most, rescaled=rescaled)
+        workers = [start(file, k) for k, file in enumerate(files)]
         try:
             while any(worker is not None for worker in workers):
                 time.sleep(0.2)
                 for k, worker in enumerate(workers):
                     if worker is not None and worker.poll() is not None:
                         died = worker.returncode != 0 and _bury(files[k])
-                        workers[k] = _start(files[k], k, most) if died else None
+                        workers[k] = start(files[k], k) if died else None
                 _tell(files, progress)
         except KeyboardInterrupt as caught:
             interruption = caught
@@ -95,8 +103,9 @@ def _end(workers: list[subprocess.Popen[bytes] | None]) -> None:
             worker.wait()
 
 
-def _start(file: Path, worker: int, most: int | None) -> subprocess.Popen[bytes]:
+def _start(file: Path, worker: int, most: int | None, rescaled: bool) -> subprocess.Popen[bytes]:
     command = [sys.executable, "-m", "benchmarks.r2v", str(file), str(worker), str(most or 0)]
+    command += ["rescaled"] * rescaled
     root = Path(__file__).resolve().parent.parent
     environment = os.environ | {"SCENEWRIGHT_DATA": str(data_folder().resolve())}
     return subprocess.Popen(  # Ctrl-C is for this process, which ends its workers
@@ -135,7 +144,7 @@ def _tell(files: list[Path], progress: Progress | None) -> None:
         progress(len(rows) / rows[0]["of"], f"{len(rows)} of {rows[0]['of']} flats")
 
 
-def work(file: Path, worker: int, most: int) -> None:
+def work(file: Path, worker: int, most: int, rescaled: bool = False) -> None:
     """Furnish and check this worker's share of the flats, a line begun and a line done for each."""
     from scenewright.domains import check
     from scenewright.domains.home.solving import solve
@@ -147,7 +156,8 @@ def work(file: Path, worker: int, most: int) -> None:
         if index not in before:
             begun = {"index": index, "id": plans[index]["id"], "of": len(plans)}
             _append(file, begun)
-            _append(file, begun | {"done": True} | _one(adapt(plans[index]).brief))
+            raw = rescale(plans[index]) if rescaled else plans[index]
+            _append(file, begun | {"done": True} | _one(adapt(raw).brief))
 
 
 def _one(brief: Any) -> Record:
@@ -276,4 +286,4 @@ def _record(case: str, metric: str, unit: str, ours: float, aim: float, runs: in
 
 
 if __name__ == "__main__":
-    work(Path(sys.argv[1]), int(sys.argv[2]), int(sys.argv[3]))
+    work(Path(sys.argv[1]), int(sys.argv[2]), int(sys.argv[3]), sys.argv[4:] == ["rescaled"])

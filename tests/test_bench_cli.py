@@ -54,7 +54,7 @@ def _in_a_checkout(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[
         sys.modules.pop(name, None)
 
 
-def save_benchmark(count: int = 2, waits: bool = False, more: str = "") -> None:
+def save_benchmark(count: int | str = 2, waits: bool = False, more: str = "") -> None:
     text = TINY
     for name, value in {"RECORD": RECORD, "COUNT": count, "WAITS": waits, "MORE": more}.items():
         text = text.replace(name, str(value))
@@ -127,6 +127,17 @@ def test_full_measures_more_where_there_is_more(capsys: pytest.CaptureFixture[st
     assert "always measures everything" in capsys.readouterr().err
     assert cli.run(["bench", "tiny", "--full", "--quick"]) == 2
     assert "exclude each other" in capsys.readouterr().err
+
+
+def test_only_benchmarks_of_real_plans_are_rescaled(capsys: pytest.CaptureFixture[str]) -> None:
+    save_benchmark(more=", rescaled=False, full=False", count="int(rescaled) + 2 * int(full)")
+    for words, count in (([], 0), (["--rescaled"], 1), (["--rescaled", "--full"], 3)):
+        assert cli.run(["bench", "tiny", "--json", *words]) == 0
+        assert len(json.loads(capsys.readouterr().out)) == count
+    save_benchmark()
+    sys.modules.pop("benchmarks.tiny")
+    assert cli.run(["bench", "tiny", "--rescaled"]) == 2
+    assert "benchmark 'tiny' has no plans to rescale" in capsys.readouterr().err
 
 
 def test_benchmarks_are_the_modules_that_can_be_run(root: Path) -> None:

@@ -12,6 +12,7 @@ from pydantic import ValidationError
 import scenewright as sw
 from scenewright import formats
 from scenewright.building.plan import spaces
+from scenewright.check.drawn_scale import DrawnScale, estimate_scale
 from scenewright.cli.commands import run
 from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
@@ -38,19 +39,105 @@ def judged(document: dict[str, Any]) -> Report:
 
 @pytest.mark.parametrize(
     ("widths", "noted"),
-    [((0.55, 0.6, 0.8), True), ((0.6, 0.85), False), ((0.5,), False), ((0.7, 0.7, 0.6), False)],
+    [((0.5, 0.55, 0.8), True), ((0.6, 0.85), False), ((0.5,), False), ((0.7, 0.7, 0.6), False)],
 )
 def test_a_plan_of_narrow_doors_is_noted_with_the_factor(
     widths: tuple[float, ...], noted: bool
 ) -> None:
     notes = [n for n in judged(plan(*widths)).notes if n.missing == "scale"]
     assert len(notes) == noted
-    assert not noted or "2 of 3 doors" in notes[0].message
-    assert not noted or "--scale 1.3" in notes[0].message
+    assert not noted or "hinged doors measure 0.55 m (median of 3)" in notes[0].message
+    assert not noted or "1.4 times too small; arrange it with --scale 1.4" in notes[0].message
+
+
+@pytest.mark.parametrize(
+    ("widths", "factor"),
+    [
+        ((0.35, 0.35, 0.4), 0.75 / 0.35),
+        ((1.6, 1.8, 2.0), 0.5),
+        ((0.75, 0.9), 1.0),
+        ((0.5, 0.6), 1.25),
+        ((), None),
+    ],
+)
+def test_the_factor_brings_the_middle_door_to_a_usual_width(
+    widths: tuple[float, ...], factor: float | None
+) -> None:
+    doors = [{"at": [2.0 + 2.5 * k, 3], "width": w} for k, w in enumerate(widths)]
+    rooms = [
+        {"name": "Hall", "outline": [[0, 0], [9, 0], [9, 3], [0, 3]], "doors": doors},
+        {"name": "Bedroom", "outline": [[0, 3.1], [9, 3.1], [9, 6], [0, 6]]},
+    ]
+    brief = Brief.model_validate({"rooms": rooms})
+    found = estimate_scale(brief, spaces(brief))
+    assert (found and found.factor) == pytest.approx(factor)
+
+
+def test_toilets_and_bathtubs_speak_for_a_scale_or_against_it() -> None:
+    toilet = {"name": "WC", "outline": [[4, 0], [4.4, 0], [4.4, 1], [4, 1]]}
+    tub = {"category": "bathtub", "at": [2, 2.6], "size": [0.8, 0.5, 0.5]}
+    document = plan(0.5)
+    document["rooms"].append(toilet | {"function": "toilet"})
+    document["rooms"][0] |= {"fixed": [tub, tub | {"size": [1.6, 0.7, 0.5]}]}
+    brief = Brief.model_validate(document)
+    found = estimate_scale(brief, spaces(brief))
+    assert found is not None
+    assert found.factor == pytest.approx(1.25)  # of 1.5, 0.75 / 0.4, 1 / 0.8 and 1
+    assert (found.doors, found.is_doubtful) == (1, False)
+
+
+def test_two_leaves_to_the_outside_say_nothing() -> None:
+    document = plan()
+    document["rooms"][0]["doors"] = [{"at": [1, 0], "width": 1.5}, {"at": [3, 0], "width": 0.8}]
+    brief = Brief.model_validate(document)
+    assert estimate_scale(brief, spaces(brief)) == DrawnScale(1.0, 1, 0.8)
+
+
+@pytest.mark.parametrize("sample", [name for name in formats.samples() if "home" in name])
+def test_no_sample_is_doubted(sample: str) -> None:
+    brief, found = formats.read_planned(sample)
+    scale = estimate_scale(brief, found.spaces)
+    assert scale is not None
+    assert not scale.is_doubtful
+
+
+def test_a_sample_drawn_half_as_large_is_doubted() -> None:
+    brief, found = formats.read_planned("sample:home-flat", scale=0.5)
+    scale = estimate_scale(brief, found.spaces)
+    assert scale is not None
+    assert scale.is_doubtful
+    assert 1.6 < scale.factor < 2.0
 
 
 def test_the_note_goes_with_the_scale_it_names() -> None:
     assert not [n for n in judged(plan(0.55, 0.6, 0.65, scale=1.33)).notes if n.missing == "scale"]
+
+
+def test_every_command_says_so_once_on_the_standard_error(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path, saved = tmp_path / "flat.json", str(tmp_path / "solved.json")
+    path.write_text(json.dumps(plan(0.35, 0.35, 0.4)))
+    text = "hinged doors measure 0.35 m (median of 3): the plan seems drawn 2.1 times too small"
+    commands = (
+        ["arrange", str(path), "-o", saved, "--steps", "50"],
+        ["arrange", str(path), "--alternatives", "2", "--steps", "50"],
+        ["check", saved],
+        ["explain", saved],
+        ["explain", saved, "--json"],
+    )
+    for command in commands:
+        assert run(command) in (0, 1)
+        out, err = capsys.readouterr()
+        assert f"{command[1]}: {text}; arrange it with --scale 2.1\n" in err
+        assert "hinged doors" not in out
+    for command in (["arrange", str(path), "-q", "--steps", "50"], ["check", saved, "-q"]):
+        run(command)
+        assert capsys.readouterr().err == ""
+    run(["arrange", str(path), "--scale", "1.5", "--steps", "50"])
+    assert "1.4 times too small; arrange it with --scale 2.1\n" in capsys.readouterr().err
+    run(["arrange", str(path), "--scale", "2.1", "--steps", "50"])
+    assert "hinged" not in capsys.readouterr().err
 
 
 def test_a_scale_is_applied_once_to_what_is_drawn_in_plan() -> None:
@@ -107,7 +194,7 @@ def test_a_plan_is_not_scaled_out_of_reach(tmp_path: Path) -> None:
 def test_the_scale_of_the_command_line_and_of_a_batch(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    (tmp_path / "small.json").write_text(json.dumps(plan(0.55, 0.6)))
+    (tmp_path / "small.json").write_text(json.dumps(plan(0.55, 0.54)))
     small, words = str(tmp_path / "small.json"), ["--steps", "50"]
     assert run(["arrange", small, "--json", *words]) in (0, 1)
     first = json.loads(capsys.readouterr().out)

@@ -6,6 +6,7 @@ import pytest
 from benchmarks.counters_r2v import name_kitchens
 from benchmarks.plans_r2v import adapt, raw_plans
 from benchmarks.r2v import tally
+from benchmarks.rescaled_r2v import enlarge, find_factor, list_leaves, rescale
 
 from scenewright.building import plan
 
@@ -112,3 +113,23 @@ def test_real_flats_become_briefs_that_build():
         assert found.brief is not None, (found.id, found.words)
         kept = len(found.brief.rooms)
         assert kept >= 0.6 * len(raw["rooms"])
+
+
+SMALL = enlarge(FLAT | {"px_per_m": 50.0, "area_m2": 20.0, "icons": []}, 0.5)
+
+
+def test_a_flat_drawn_too_small_is_enlarged_until_its_hinged_doors_are_usual():
+    assert list_leaves(SMALL) == pytest.approx([0.4])
+    grown = rescale(SMALL)
+    assert list_leaves(grown) == pytest.approx([0.75, 0.84], abs=0.1)
+    assert 1.5 < find_factor(SMALL) <= 2.2
+    assert rescale(SMALL) == grown
+    assert rescale(grown)["px_per_m"] == pytest.approx(grown["px_per_m"], rel=0.02)
+
+
+def test_no_flat_is_made_smaller_or_enlarged_beyond_the_limit():
+    large = enlarge(SMALL, 2.4)
+    assert rescale(large) is large
+    assert find_factor(enlarge(SMALL, 0.6)) in (1.0, 2.2)
+    bare = SMALL | {"openings": []}
+    assert rescale(bare) is bare

@@ -4,22 +4,16 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from statistics import median
 
 import shapely
 
 from scenewright.catalog.suggestions import offer_kinds, suggest_kinds
+from scenewright.check.drawn_scale import estimate_scale
 from scenewright.core.brief import Brief, Room
 from scenewright.core.kind import Kind
 from scenewright.core.report import Note
 from scenewright.core.space import Space
 
-NARROW = 0.65
-"""Doors that hang on hinges are hardly ever narrower, in metres: the least leaf in general use in
-homes is about 0.61 to 0.63 m, for toilets and cupboards."""
-USUAL = 0.8
-"""A usual width of such doors, in metres; it gives the factor."""
-LEAST_DOORS = 2
 CUT = 0.1
 """Metres an opening may reach above the ceiling without a note: a usual height in a low room."""
 VAST = 1000.0
@@ -50,28 +44,20 @@ def note_unknown_kinds(brief: Brief, kinds: Mapping[str, Kind]) -> list[Note]:
     return notes
 
 
-def note_small_doors(spaces: Sequence[Space]) -> list[Note]:
-    """A note if more than half of the hinged doors, of at least two, are narrower than
-    :data:`NARROW`: with the factor that gives their median the width :data:`USUAL`.
+def note_scale(brief: Brief, spaces: Sequence[Space]) -> list[Note]:
+    """A note if the plan seems drawn too small or too large, with the factor that helps.
 
     >>> from scenewright.building.plan import spaces
     >>> doors = [{"at": [1, 0], "width": 0.55}, {"at": [3, 0], "width": 0.6}]
     >>> room = {"outline": [[0, 0], [4, 0], [4, 3], [0, 3]], "doors": doors}
-    >>> note_small_doors(spaces(Brief.model_validate({"rooms": [room]})))[0].message[:60]
-    '2 of 2 doors are narrower than 0.65 m: the plan is probably '
+    >>> brief = Brief.model_validate({"rooms": [room]})
+    >>> note_scale(brief, spaces(brief))[0].message[:41]
+    'hinged doors measure 0.57 m (median of 2)'
     """
-    openings = {opening.id: opening for space in spaces for opening in space.openings}
-    widths = [o.width for o in openings.values() if o.kind == "door" and o.hinge]
-    narrow = sum(width < NARROW for width in widths)
-    if len(widths) < LEAST_DOORS or 2 * narrow <= len(widths):
+    found = estimate_scale(brief, spaces)
+    if found is None or not found.is_doubtful:
         return []
-    factor = f"{USUAL / median(widths):.2g}"
-    text = (
-        f"{narrow} of {len(widths)} doors are narrower than {NARROW:g} m: the plan is probably "
-        f"drawn too small, by a factor of about {factor}; "
-        f'if so, add --scale {factor} or "scale": {factor} to the brief'
-    )
-    return [Note("", "plan", "scale", text)]
+    return [Note("", "plan", "scale", found.describe())]
 
 
 def note_cut_openings(brief: Brief, spaces: Sequence[Space]) -> list[Note]:
@@ -124,4 +110,4 @@ def note_vast_rooms(spaces: Sequence[Space]) -> list[Note]:
         return []
     area, name = max(vast)
     text = f"{name} has {area:.0f} m²: lengths are metres; add --scale 0.01 if they are centimetres"
-    return [Note("", "plan", "scale", text)]
+    return [Note("", "plan", "unit", text)]

@@ -77,13 +77,15 @@ def markdown(name: str, records: Sequence[Record]) -> Iterable[str]:
     return [f"| {' | '.join(row)} |" for row in cells]
 
 
-def measure(name: str, extent: Extent, progress: Callable[[float, str], None]) -> Measured:
+def measure(
+    name: str, extent: Extent, progress: Callable[[float, str], None], rescaled: bool = False
+) -> Measured:
     """Run one benchmark to its end or until Ctrl-C or SIGTERM; whatever it prints goes to the
-    standard error."""
+    standard error. ``rescaled``: with its real plans brought to their true scale."""
     records: list[Record] = []
     try:
         with _termination_interrupts(), redirect_stdout(sys.stderr):
-            for record in _run(name, extent, progress):
+            for record in _run(name, extent, progress, rescaled):
                 missing = [key for key in KEYS if key not in record]
                 if missing:
                     raise RuntimeError(f"bench {name}: a record lacks {', '.join(missing)}")
@@ -93,18 +95,25 @@ def measure(name: str, extent: Extent, progress: Callable[[float, str], None]) -
     return Measured(tuple(records), False)
 
 
-def _run(name: str, extent: Extent, progress: Callable[[float, str], None]) -> Iterable[Record]:
+def _run(
+    name: str, extent: Extent, progress: Callable[[float, str], None], rescaled: bool
+) -> Iterable[Record]:
     folder = find_folder()
     check_name("benchmark", name, names(folder))
     root = str(folder.parent)
     if root not in sys.path:
         sys.path.insert(0, root)
     function = import_module(f"benchmarks.{name}").records
-    if extent != "full":
-        return function(extent == "quick", progress)
-    if "full" not in inspect.signature(function).parameters:
-        raise InputError(f"benchmark '{name}' always measures everything", "leave --full out")
-    return function(False, progress, full=True)
+    known, more = inspect.signature(function).parameters, dict[str, bool]()
+    if extent == "full":
+        if "full" not in known:
+            raise InputError(f"benchmark '{name}' always measures everything", "leave --full out")
+        more["full"] = True
+    if rescaled:
+        if "rescaled" not in known:
+            raise InputError(f"benchmark '{name}' has no plans to rescale", "leave --rescaled out")
+        more["rescaled"] = True
+    return function(extent == "quick", progress, **more)
 
 
 @contextmanager

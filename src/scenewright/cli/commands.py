@@ -235,11 +235,12 @@ def check(
     from scenewright.formats import solution_json
 
     solution, plan = solution_json.read_planned(file)
+    show.print_scale(terminal.console(stderr=True, quiet=quiet), file, solution.brief, plan)
     report = judge(solution, plan=plan)
     if as_json:
         tables.print_json({"file": str(file), **report.to_dict()})
     elif not quiet:
-        show.print_report(tables.output_console(), report)
+        show.print_report(tables.output_console(), report, show.SCALE)
     return 0 if report.valid else 1
 
 
@@ -252,6 +253,7 @@ def explain(
     from scenewright.formats import solution_json
 
     solution, plan = solution_json.read_planned(file)
+    show.print_scale(terminal.console(stderr=True), file, solution.brief, plan)
     if as_json:
         tables.print_json(show.explained_document(solution, plan))
     else:
@@ -265,6 +267,12 @@ def bench(
     quick: Annotated[bool, typer.Option("--quick", help="Fewer runs.")] = False,
     full: Annotated[
         bool, typer.Option("--full", help="All measurements, however long they take.")
+    ] = False,
+    rescaled: Annotated[
+        bool,
+        typer.Option(
+            "--rescaled", help="Real flats with hinged doors of 0.75 m (composition, r2v)."
+        ),
     ] = False,
     outputs: Annotated[
         list[Path] | None,
@@ -280,7 +288,7 @@ def bench(
     extent = cli_bench.extent_of(quick, full)
     cli_bench.check_outputs(outputs or ())
     with show_progress(terminal.console(stderr=True), quiet) as progress:
-        measured = cli_bench.measure(name, extent, progress)
+        measured = cli_bench.measure(name, extent, progress, rescaled)
     cli_bench.write(outputs or (), name, measured.records)
     if as_json:
         tables.print_json(list(measured.records))

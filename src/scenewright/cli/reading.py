@@ -11,7 +11,12 @@ KeepOption = Annotated[
 ]
 ScaleOption = Annotated[
     float,
-    typer.Option(min=0.01, max=20, help="Multiply all lengths in plan; 0.01 reads centimetres."),
+    typer.Option(
+        min=0.01,
+        max=20,
+        help="Multiply all lengths in plan (2: drawn half as large as it is); heights, of sills, "
+        "doors and ceilings too, and sizes of furniture stay as they are.",
+    ),
 ]
 HiddenOption = Annotated[
     bool, typer.Option("--hidden-levels", help="Include the hidden levels of a .sh3d.")

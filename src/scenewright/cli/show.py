@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -13,6 +13,7 @@ from scenewright.cli.tables import print_line, table
 from scenewright.core.registry import domain_of
 
 if TYPE_CHECKING:
+    from scenewright.core.brief import Brief
     from scenewright.core.plan import Plan
     from scenewright.core.report import Finding, Report
     from scenewright.core.solution import Solution
@@ -23,6 +24,8 @@ MEASURED = (
     "widths are twice the distance from the tour to the nearest object; plans show whole gaps"
 )
 BETTER = "aesthetic: more is better; uniformity, circulation and excess: less is better"
+SCALE = ("scale",)
+"""What notes are about that stand on the standard error already."""
 LEAST_COST = 0.005
 """Costs below this round to 0.00."""
 
@@ -46,7 +49,7 @@ def print_arranged(
     print_line(console, _work(solution, len(plan.names)))
     if appearance := _appearance(solution):
         print_line(console, appearance, "dim")
-    print_report(console, report)
+    print_report(console, report, SCALE)
     for path in outputs:
         print_line(console, f"wrote {path}", "dim", whole=True)
 
@@ -95,15 +98,23 @@ def _left_out(console: Console, solution: Solution, names: Mapping[str, str]) ->
         print_line(console, line, "yellow" if entry.required else "dim")
 
 
-def print_report(console: Console, report: Report) -> None:
-    """The verdict, then every finding on a line."""
+def print_scale(console: Console, file: Path, brief: Brief, plan: Plan) -> None:
+    """A line if the plan in a file seems drawn too small or too large."""
+    from scenewright.workflow.request import note_scale
+
+    for notice in note_scale(str(file), brief, plan):
+        print_line(console, notice.text, "dim")
+
+
+def print_report(console: Console, report: Report, known: Collection[str] = ()) -> None:
+    """The verdict, then every finding on a line, and the notes but those on what is ``known``."""
     print_line(console, str(report), "green" if report.valid else "red")
     for found in report.findings[:MOST_FINDINGS]:
         text = f"  {found.kind.replace('_', ' ')}: {found.message}"
         print_line(console, text + _excuse(found))
     if len(report.findings) > MOST_FINDINGS:
         print_line(console, f"  and {len(report.findings) - MOST_FINDINGS} more")
-    for note in report.notes:
+    for note in (note for note in report.notes if note.missing not in known or note.space):
         print_line(console, f"  note: {note.message}", "dim")
     _wishes(console, report)
     shares = report.figures.get("navigable_share", {})

@@ -47,6 +47,7 @@ Verb = Literal[
     "learn_style",
     "refuse_style",
     "floors",
+    "drawn_scale",
     "programme",
     "appearance",
     "detail_document",
@@ -57,7 +58,8 @@ Verb = Literal[
 """What can be asked of a domain. :data:`NEEDED` are those without which nothing can be arranged; of
 the others ``validate``, ``refuse_style`` (a style named on the command line that it does not know),
 ``alternatives``, ``compare``, ``describe``, ``locked``, ``groups``, ``styles`` (rows to list),
-``floors`` (the least the energy of each space could be), ``programme`` (what was decided for the
+``floors`` (the least the energy of each space could be), ``drawn_scale`` (how much too small or too
+large the plan is drawn, of a brief and its spaces), ``programme`` (what was decided for the
 whole, in words), ``appearance`` (its style, and what chose it), ``features``, ``breeder`` and the
 two of the detail are passed over where a domain has none, the rest refused by name."""
 Table = Literal["presets", "solvers", "terms", "meanings", "patterns", "labels", "reasons"]

@@ -14,7 +14,13 @@ from scenewright.core.plan import Plan
 from scenewright.core.report import Report
 from scenewright.core.solution import Solution
 from scenewright.workflow.events import Event, Hear, Judged, Progress, Solved, run_to_end
-from scenewright.workflow.request import ArrangeRequest, note_heavy, note_ineffective, plan_request
+from scenewright.workflow.request import (
+    ArrangeRequest,
+    note_heavy,
+    note_ineffective,
+    note_scale,
+    plan_request,
+)
 from scenewright.workflow.stream import Cancel, stream_progress
 from scenewright.workflow.writing import write_all
 
@@ -48,6 +54,7 @@ def arrange_file(
     yield planned
     brief, plan = planned
     yield from note_ineffective(request, brief)
+    yield from note_scale(request.source, brief, plan, request.scale)
     try:
         solution = yield from stream_progress(
             lambda tell, cancelled: domains.solve(

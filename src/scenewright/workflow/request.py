@@ -11,6 +11,7 @@ from scenewright.core.atomic_file import check_targets
 from scenewright.core.brief import Brief
 from scenewright.core.catalog import OWN
 from scenewright.core.errors import InputError
+from scenewright.core.plan import Plan
 from scenewright.core.solution import Solution
 from scenewright.domains import domain_of, presets, solvers
 from scenewright.formats import SWEET_HOME, brief_json, check_output, read_planned, writer
@@ -89,6 +90,14 @@ def note_ineffective(request: ArrangeRequest, brief: Brief) -> Iterator[Notice]:
         yield Notice(
             "--seconds ends by the clock: only with --steps is a seed the same layout again"
         )
+
+
+def note_scale(source: str, brief: Brief, plan: Plan, given: float = 1.0) -> Iterator[Notice]:
+    """That the plan of a file, read with a scale ``given``, seems drawn too small or too large."""
+    domain = domain_of(brief.domain)
+    found = domain.verb("drawn_scale")(brief, plan.spaces) if domain.has("drawn_scale") else None
+    if found is not None and found.is_doubtful:
+        yield Notice(f"{source}: {found.describe(given)}")
 
 
 def note_heavy(solution: Solution) -> Iterator[Notice]:

@@ -28,6 +28,7 @@ DOMAIN = Domain(
         "styles": ".cases.listing:list_styles",
         "refuse_style": ".furnishing.look:refuse_style",
         "learn": ".learned.from_homes:learn_from_homes",
+        "drawn_scale": "scenewright.check.drawn_scale:estimate_scale",
         "programme": ".household:tell_programme",
         "appearance": ".furnishing.look:tell_palette",
         "features": ".features:measure_features",

@@ -7,7 +7,7 @@ from scenewright.check.bodies import bodies_of
 from scenewright.check.plan_notes import (
     note_cut_openings,
     note_reading,
-    note_small_doors,
+    note_scale,
     note_unknown_kinds,
     note_vast_rooms,
 )
@@ -42,7 +42,7 @@ def check(solution: Solution, plan: Plan, kinds: Catalog) -> Report:
     notes = (
         *note_reading(brief),
         *note_unknown_kinds(brief, kinds.kinds),
-        *note_small_doors(rooms.spaces),
+        *note_scale(brief, plan.spaces),
         *note_cut_openings(brief, plan.spaces),
         *note_vast_rooms(rooms.spaces),
         *note_styles(brief, kinds),
