@@ -168,6 +168,36 @@ def test_a_scale_is_applied_once_to_what_is_drawn_in_plan() -> None:
     assert spaces(again)[0].outline.max() == 6.0
 
 
+def test_a_plan_in_centimetres_is_read_with_its_scale(tmp_path: Path) -> None:
+    document = json.loads(json.dumps(plan(), default=list))
+    room = document["rooms"][0]
+    room["outline"] = [[100 * x, 100 * y] for x, y in room["outline"]]
+    room["doors"] = [{"at": [60, 0], "width": 85}, {"at": [200, 0]}]
+    room["windows"] = [{"at": [200, 300], "width": 120}]
+    document["walls"] = [{"start": [0, 0], "end": [400, 0], "thickness": 12}]
+    path = tmp_path / "centimetres.json"
+    path.write_text(json.dumps(document))
+    with pytest.raises(InputError, match="at most 20"):
+        formats.read(path)
+    brief = formats.read(path, scale=0.01)
+    assert brief == Brief.model_validate(document | {"scale": 0.01})
+    assert [door.width for door in brief.rooms[0].doors] == pytest.approx([0.85, 0.85])
+    assert brief.rooms[0].outline[2] == (4.0, 3.0)
+    assert brief.rooms[0].windows[0].width == pytest.approx(1.2)
+    assert brief.walls[0].thickness == pytest.approx(0.12)
+    path.write_text(json.dumps(document | {"scale": 0.02}))
+    again = formats.read(path, scale=0.5).rooms[0]
+    assert (again.outline, again.doors[0]) == (brief.rooms[0].outline, brief.rooms[0].doors[0])
+
+
+def test_models_are_scaled_as_documents_are() -> None:
+    document = plan(0.6, walls=[{"start": [0, 0], "end": [4, 0], "thickness": 0.1}])
+    brief = Brief.model_validate(document)
+    made = Brief(rooms=brief.rooms, walls=brief.walls, scale=1.5)
+    assert made == Brief.model_validate(document | {"scale": 1.5})
+    assert brief.rooms[0].doors[0].width == 0.6
+
+
 @pytest.mark.parametrize(
     ("more", "told"),
     [

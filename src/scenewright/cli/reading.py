@@ -15,7 +15,7 @@ ScaleOption = Annotated[
         min=0.01,
         max=20,
         help="Multiply all lengths in plan (2: drawn half as large as it is); heights, of sills, "
-        "doors and ceilings too, and sizes of furniture stay as they are.",
+        "doors and ceilings too, and sizes of furniture stay. 0.01 reads centimetres.",
     ),
 ]
 HiddenOption = Annotated[

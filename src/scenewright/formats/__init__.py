@@ -86,8 +86,7 @@ def read_planned(
     for path in (source, *catalogs, *groups):
         check_text(os.fspath(path), "the name of a file")
     try:
-        brief = with_more(_read(source, keep, hidden_levels), catalogs, groups, style)
-        brief = _to_scale(brief, scale)
+        brief = with_more(_read(source, keep, hidden_levels, scale), catalogs, groups, style)
         plan, domain = plan_of(brief), domain_of(brief.domain)
         if style and domain.has("refuse_style"):
             domain.verb("refuse_style")(brief)
@@ -208,15 +207,11 @@ def _read_row(suffix: str, module: str) -> Format:
     return Format(suffix, module, module * reads, module * writes)
 
 
-def _to_scale(brief: Brief, scale: float) -> Brief:
-    if scale == 1.0:
-        return brief
-    return type(brief).model_validate(brief.model_dump() | {"scale": scale})
+def _read(source: str | os.PathLike[str], keep: bool, hidden_levels: bool, scale: float) -> Brief:
+    from scenewright.formats.brief_json import apply_scale
 
-
-def _read(source: str | os.PathLike[str], keep: bool, hidden_levels: bool) -> Brief:
     if str(source).startswith(SAMPLE):
-        return _sample(str(source))
+        return apply_scale(_sample(str(source)), scale)
     if f"{SAMPLE}{source}" in samples() and not Path(source).exists():
         raise InputError("is the name of a sample", f"say {SAMPLE}{source}")
     path = Path(source)
@@ -229,14 +224,16 @@ def _read(source: str | os.PathLike[str], keep: bool, hidden_levels: bool) -> Br
         remedy = "add --batch for all in it" if path.is_dir() else "give the file itself"
         raise InputError("is a folder" if path.is_dir() else "is not a file", remedy)
     note_read(path)
-    more = {"hidden_levels": hidden_levels} if row.suffix in SWEET_HOME else {}
+    more: dict[str, Any] = {"hidden_levels": hidden_levels} if row.suffix in SWEET_HOME else {}
+    reading = _function(row.reader, "read", source)
+    scales = "scale" in signature(reading).parameters
     try:
-        brief: Brief = _function(row.reader, "read", source)(path, keep=keep, **more)
+        brief: Brief = reading(path, keep=keep, **more, **({"scale": scale} if scales else {}))
     except OSError as error:
         raise InputError(
             f"cannot be read: {error.strerror or error}", "check file permissions"
         ) from None
-    return brief
+    return brief if scales else apply_scale(brief, scale)
 
 
 def _sample(name: str) -> Brief:

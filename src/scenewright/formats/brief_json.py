@@ -22,17 +22,24 @@ from scenewright.formats.json_document import check_size, parse_document
 SOLUTION = "scenewright/solution"
 
 
-def read(path: Path, keep: bool = False) -> Brief:
-    """The brief in a JSON file, or that of a city model (CityJSON). Its fixed items always stay,
-    whatever ``keep`` says."""
+def read(path: Path, keep: bool = False, scale: float = 1.0) -> Brief:
+    """The brief in a JSON file, or that of a city model (CityJSON), with its lengths in plan times
+    ``scale``. Its fixed items always stay, whatever ``keep`` says."""
     del keep
     check_size(path, "split it into several briefs")
     document = _document(path.read_bytes())
     for kind in map(domain_of, domain_names()):
         if document.get("type") in kind.documents:
             brief: Brief = kind.load(kind.documents[document["type"]])(document, path)
-            return brief
-    return _brief(document, path.parent)
+            return apply_scale(brief, scale)
+    return _brief(document, path.parent, scale)
+
+
+def apply_scale(brief: Brief, scale: float) -> Brief:
+    """A brief with its lengths in plan times ``scale``."""
+    if scale == 1.0:
+        return brief
+    return Brief.model_validate(brief.model_dump() | {"scale": scale})
 
 
 def loads(text: str | bytes, folder: Path | None = None) -> Brief:
@@ -45,15 +52,17 @@ def loads(text: str | bytes, folder: Path | None = None) -> Brief:
     return _brief(_document(text), folder or Path())
 
 
-def _brief(raw: dict[str, Any], folder: Path) -> Brief:
+def _brief(raw: dict[str, Any], folder: Path, scale: float = 1.0) -> Brief:
     document = resolve_paths(raw, folder)
     if document.get("format") == SOLUTION:
         from scenewright.formats import solution_json
 
-        return solution_json.brief_of(document)
+        return apply_scale(solution_json.brief_of(document), scale)
     check_parts(document)
     try:
-        return Brief.model_validate(document)
+        if scale != 1.0 and "scale" not in document:
+            return Brief.model_validate(document | {"scale": scale})
+        return apply_scale(Brief.model_validate(document), scale)
     except ValidationError as error:
         raise to_input_error(error, brief_schema) from None
 

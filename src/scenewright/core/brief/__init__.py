@@ -40,6 +40,7 @@ from scenewright.core.brief.fields import (
     Words,
     is_left_out,
 )
+from scenewright.core.brief.scaling import LEAST, MOST, scale_plan, scale_widths
 from scenewright.core.brief.services import OutletBrief, RadiatorBrief
 from scenewright.core.brief.slope import SlopeBrief
 from scenewright.core.brief.stairs import StairsBrief
@@ -230,7 +231,7 @@ class Brief(StrictModel):
     route_width: Annotated[Number, Field(ge=0.3, le=3)] = 0.6
     passage_width: Annotated[Number, Field(ge=0.3, le=20)] = 1.2
     accessible: Switch = False
-    scale: Annotated[Number, Field(ge=0.01, le=20)] = 1.0
+    scale: Annotated[Number, Field(ge=LEAST, le=MOST)] = 1.0
     notes: Annotated[list[Annotated[str, Field(max_length=400)]], Field(max_length=100)] = []
     sheet: Annotated[str, Field(max_length=20, exclude_if=not_)] = ""
     date: Annotated[Day, Field(exclude_if=not_)] = ""
@@ -250,7 +251,7 @@ class Brief(StrictModel):
         if name not in domain_names():
             return document
         domain = domain_of(name)
-        return _gather(domain, {**_defaults(domain, document), **document})
+        return _gather(domain, {**_defaults(domain, document), **scale_widths(document)})
 
     @field_validator("domain")
     @classmethod
@@ -292,8 +293,6 @@ class Brief(StrictModel):
         """A brief never holds another scale than 1: it is applied in place while the model is made,
         because a validator may not return another instance."""
         if self.scale != 1.0:
-            from scenewright.core.brief.scaling import scale_plan
-
             self.__dict__.update(scale_plan(self, self.scale), scale=1.0)
         return self
 

@@ -6,6 +6,7 @@ What is bought is not: furniture, radiators and stairs keep their size, and so d
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -15,19 +16,65 @@ from pydantic_core import PydanticCustomError
 from scenewright.core.layout import corners
 
 if TYPE_CHECKING:
-    from scenewright.core.brief import Brief, Door, FixedItem, Room, WallBrief, Window
+    from scenewright.core.brief import Brief, FixedItem, Room, WallBrief
 
 FARTHEST = 1e4
 """Greatest coordinate of a brief, in metres."""
-WIDTHS = {"Door": (0.3, 20.0), "Window": (0.1, 30.0)}
+LEAST, MOST = 0.01, 20.0
+"""Limits of a scale."""
+WIDTHS = {"doors": (0.3, 20.0), "windows": (0.1, 30.0)}
 """Least and greatest width of an opening, in metres."""
 THICKEST = 5.0
 
 Spot = tuple[float, float]
 
 
+def scale_widths(document: Mapping[str, Any]) -> dict[str, Any]:
+    """A document of a brief, not yet checked, with the stated widths of its openings and walls
+    times its scale, so that limits hold for what is built: 85 centimetres are a door. Whatever is
+    no number, or no possible scale, is left for the check.
+
+    >>> doors = [{"at": [60, 0], "width": 85}]
+    >>> scale_widths({"scale": 0.01, "rooms": [{"doors": doors}]})["rooms"]
+    [{'doors': [{'at': [60, 0], 'width': 0.85}]}]
+    """
+    factor = document.get("scale", 1.0)
+    if not _is_number(factor) or factor == 1.0 or not LEAST <= factor <= MOST:
+        return dict(document)
+    given = {
+        key: document[key] for key in ("rooms", "walls") if isinstance(document.get(key), Sequence)
+    }
+    return {
+        **document,
+        **{key: [_widen(item, key, factor) for item in items] for key, items in given.items()},
+    }
+
+
+def _widen(item: Any, key: str, factor: float) -> Any:
+    """A room, wall or opening, given as keys or as a model, with its widths times ``factor``."""
+    stated = item if isinstance(item, Mapping) else getattr(item, "__dict__", {})
+    changed: dict[str, Any] = {}
+    if key == "rooms":
+        for kind in WIDTHS:
+            if isinstance(stated.get(kind), list):
+                changed[kind] = [_widen(opening, kind, factor) for opening in stated[kind]]
+    else:
+        name = "thickness" if key == "walls" else "width"
+        least, most = WIDTHS.get(key, (0.0, THICKEST))
+        if _is_number(stated.get(name)):
+            changed[name] = min(max(stated[name] * factor, least), most)
+    if not changed:
+        return item
+    return {**item, **changed} if isinstance(item, Mapping) else item.model_copy(update=changed)
+
+
+def _is_number(value: Any) -> bool:
+    return isinstance(value, int | float) and not isinstance(value, bool)
+
+
 def scale_plan(brief: Brief, factor: float) -> dict[str, Any]:
-    """The rooms, walls and stairs of a brief with every length in plan times ``factor``.
+    """The rooms, walls and stairs of a brief with every place in plan times ``factor``; widths of
+    openings and walls are scaled already (:func:`scale_widths`).
 
     >>> from scenewright.core.brief import Brief
     >>> small = {"outline": [[0, 0], [4, 0], [4, 3]], "doors": [{"at": [2, 0], "width": 0.6}]}
@@ -55,8 +102,8 @@ def _scale_room(room: Room, factor: float) -> Room:
         update={
             "outline": [_scale_point(at, factor) for at in room.outline],
             "holes": [[_scale_point(at, factor) for at in hole] for hole in room.holes],
-            "doors": [_scale_opening(door, factor) for door in room.doors],
-            "windows": [_scale_opening(window, factor) for window in room.windows],
+            "doors": [_scale_place(door, factor) for door in room.doors],
+            "windows": [_scale_place(window, factor) for window in room.windows],
             "outlets": [_scale_place(outlet, factor) for outlet in room.outlets],
             "radiators": [_scale_place(radiator, factor) for radiator in room.radiators],
             "zones": [
@@ -73,23 +120,13 @@ def _scale_room(room: Room, factor: float) -> Room:
 
 
 def _scale_place(thing: Any, factor: float) -> Any:
-    """An outlet or a radiator at its scaled place."""
+    """An opening, an outlet or a radiator at its scaled place."""
     return thing.model_copy(update={"at": _scale_point(thing.at, factor)})
-
-
-def _scale_opening(opening: Door | Window, factor: float) -> Door | Window:
-    least, most = WIDTHS[type(opening).__name__]
-    width = min(max(opening.width * factor, least), most)
-    return opening.model_copy(update={"at": _scale_point(opening.at, factor), "width": width})
 
 
 def _scale_wall(wall: WallBrief, factor: float) -> WallBrief:
     return wall.model_copy(
-        update={
-            "start": _scale_point(wall.start, factor),
-            "end": _scale_point(wall.end, factor),
-            "thickness": min(wall.thickness * factor, THICKEST),
-        }
+        update={"start": _scale_point(wall.start, factor), "end": _scale_point(wall.end, factor)}
     )
 
 
