@@ -66,8 +66,8 @@ class TrySettings(NamedTuple):
     """How a room is tried: shares of its work for the ``first`` try, each ``again`` and to ``fill``
     it up; layouts furnished of a try (``layouts``) and when filling up (``fills``); further tries
     while a wish for a place is not met (``unmet``); the placed groups that make another try worth
-    its time (``roomy``); the items from which on each takes more steps, being in one another's way
-    (``crowded``); the share of its preferred footprint that an essential group has at least when
+    its time (``roomy``); how many items each take the stated steps (``crowded``): of more each takes
+    more, being in one another's way, of fewer each takes fewer, being composed anew in any case; the share of its preferred footprint that an essential group has at least when
     tried again (``modest``)."""
 
     first: float = 0.5
@@ -175,10 +175,10 @@ class ComposingSettings(NamedTuple):
     anew: int = 2
     starts: int = 4
     other_forms: int = 3
-    pair_forms: int = 8
-    pair_places: int = 80
-    pairs: int = 100
-    pair_starts: int = 12
+    pair_forms: int = 6
+    pair_places: int = 50
+    pairs: int = 50
+    pair_starts: int = 8
     lacking: float = 60.0
     addition: float = 8.0
     costs: CompositionCosts = CompositionCosts()

@@ -68,6 +68,8 @@ Cancel = Callable[[], bool]
 __all__ = ["PRESETS", "problems", "solve"]
 
 MOST_THREADS = 16
+LEAST_SHARE = 1 / 3
+"""Of the stated steps for an item, those it takes in a room with few."""
 LAST = 0.02
 """Share of the progress of all rooms that is left for the routes of the whole home."""
 
@@ -307,8 +309,8 @@ def _budget(
     each = steps or (preset.steps if solver == preset.solver else None)
     if each is None:
         return least
-    crowded = max(items / preset.settings.tries.crowded, 1.0)
-    return least._replace(steps=int(each * max(items, 1) * crowded))
+    share = max(items / preset.settings.tries.crowded, LEAST_SHARE)
+    return least._replace(steps=int(each * max(items, 1) * share))
 
 
 def assemble_solution(
