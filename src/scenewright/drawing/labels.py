@@ -10,9 +10,10 @@ from numpy.typing import NDArray
 from shapely import Geometry, Point, Polygon, contains_xy, prepare
 from shapely.ops import polylabel
 
+from scenewright.building.shafts import is_shaft
 from scenewright.core.space import Space
 from scenewright.drawing.marks import GREY, INK, NOTHING, Mark, PaperView, group, text, to_paper
-from scenewright.drawing.shafts import is_shaft, printed_name
+from scenewright.drawing.shafts import printed_name
 from scenewright.drawing.wordings import CLOSET, HALO, Label, extent, wordings
 
 CLEAR, ROOMY, GRID = 0.6, 2.5, 48
