@@ -6,8 +6,8 @@ from scenewright.core.catalog import Material
 from scenewright.core.space import Space
 
 PLASTER = Material("wall plaster", (0.955, 0.945, 0.925), roughness=0.95)
-SECTION = Material("wall top", (0.48, 0.47, 0.455), roughness=0.95)
-LID = Material("shaft lid", (0.62, 0.61, 0.595), roughness=0.95)
+SECTION = Material("wall top", (0.56, 0.55, 0.535), roughness=0.95)
+LID = Material("shaft lid", (0.70, 0.69, 0.675), roughness=0.95)
 CONCRETE = Material("slab concrete", (0.74, 0.73, 0.71), roughness=0.95)
 UNKNOWN = Material("plain", (0.75, 0.74, 0.72), roughness=0.9)
 WOOD_FLOOR = Material("oak floor", (0.73, 0.62, 0.50), roughness=0.55)
