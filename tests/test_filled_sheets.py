@@ -19,6 +19,7 @@ from scenewright.domains.home.drawing.plan import list_outlets
 from scenewright.domains.home.drawing.short_names import LETTERS, short_names_mark
 from scenewright.drawing import legend as svg_legend
 from scenewright.drawing.dimensions import readable
+from scenewright.drawing.doors import heights_mark
 from scenewright.drawing.filled_sheet import NARROW, arrange_filled
 from scenewright.drawing.labels import Floor, labels_mark, place
 from scenewright.drawing.legend import LegendRow
@@ -61,6 +62,7 @@ def room(name: str, wide: float, deep: float, *openings: Opening) -> Space:
         ((3.7, 8.0), (297, 420), 25),
         ((5.4, 2.9), (297, 210), 25),
         ((40.0, 15.0), (594, 420), 100),
+        ((6.6, 11.0), (420, 297), 50),
     ],
 )
 def test_a_home_is_drawn_at_a_usual_scale_on_the_smallest_sheet_it_fills(
@@ -102,6 +104,32 @@ def test_a_long_name_is_whole_and_horizontal_where_its_lines_find_room() -> None
     assert label.turn == 0
     assert label.names > 1
     assert " ".join(words for words, _ in label.lines[: label.names]) == name
+
+
+def test_names_are_larger_on_larger_sheets_where_there_is_room() -> None:
+    for wide, larger in ((4.0, True), (0.9, False)):
+        usual = labels_mark(VIEW, [room("Bedroom", wide, 4.0)], Floor(Polygon()), ["#fff"])
+        large = labels_mark(VIEW, [room("Bedroom", wide, 4.0)], Floor(Polygon()), ["#fff"], 1.4)
+        sizes = [sizes_of(mark_text(mark)) for mark in (usual, large)]
+        assert (sizes[1] == pytest.approx(1.4 * sizes[0])) == larger
+        assert sizes[1] >= sizes[0]
+
+
+def sizes_of(text: str) -> float:
+    """The height of the largest letters."""
+    return max(map(float, re.findall(r'font-size="([\d.]+)"', text)))
+
+
+def test_heights_of_a_bow_window_stand_outside_its_wall() -> None:
+    window = Opening("w", "window", "0", 2.0, 0.0, 1.0, 0.0, 1.5, 0.3, 0.5, 2.3, spaces=("r",))
+    bow = Polygon([(1.0, 0.0), (2.0, -0.35), (3.0, 0.0)])
+
+    def away(*low: Polygon) -> float:
+        mark = mark_text(heights_mark(VIEW, [window], *low))
+        return float(re.findall(r'y="([-\d.]+)"', mark)[0])
+
+    assert away(bow) - away() == pytest.approx((0.35 - 0.15) * VIEW.scale, abs=0.02)
+    assert away(box(0, 1, 4, 2)) == away()
 
 
 def test_a_closet_full_of_shelves_has_no_name() -> None:

@@ -135,8 +135,6 @@ def _choose_boxes(
     for bed in sorted(beds, key=lambda p: -p.size.width):
         boxes, others = list_bed_rugs(bed), standing_of(_without(solid, bed), frozenset())
         yield from boxes[_lie_free(boxes, ground, join_standing(others, fronts), BESIDE)]
-    if beds and BUSY.isdisjoint(space.functions):
-        yield from _amid(ground, join_standing(standing, fronts), Margin(ROOM, BESIDE))
 
 
 def _fit_beside(rug: Margin, here: Sequence[Piece]) -> Margin:
