@@ -55,7 +55,8 @@ def test_no_home_is_shown_upright_whatever_its_fronts(
     width: float, depth: float, heading: float
 ) -> None:
     """However its wardrobes stand, the long side lies across a picture a thousand pixels wide."""
-    home = scene(width, depth, wardrobe(1.5, 2.0, heading))
+    both = (wardrobe(1.5, 2.0, heading), wardrobe(1.5, 3.0, heading + np.pi))
+    home = scene(width, depth, *both)
     shape = _stage_scene(home, shipped(), INDOORS)[2]
     assert min(WIDTH, round(TALLEST / shape)) >= 1000
 
