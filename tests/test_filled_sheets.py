@@ -11,6 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from shapely import Polygon, box
 
+from scenewright.building.shafts import is_shaft
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.solution import Solution
 from scenewright.core.space import Opening, Space
@@ -150,6 +151,12 @@ def test_other_is_no_name_and_what_has_no_door_is_a_shaft() -> None:
         told.append((set(words_of(names)), HATCH in mark_text(shafts_mark(VIEW, [space]))))
     sizes = {"2.0 m²", "2.00 × 1.00"}
     assert told == [({"shaft"} | sizes, True), (set(), True), (sizes, False)]
+
+
+def test_a_window_makes_no_room_of_a_shaft_but_a_large_one() -> None:
+    window = Opening("w", "window", "0", 0.5, 0.0, 1.0, 0.0, 0.6, 0.1, 0.9, 2, spaces=("r",))
+    rooms = [room("other", wide, 1.0, *given) for wide in (1.3, 3.0) for given in ((), (window,))]
+    assert [is_shaft(space) for space in rooms] == [True, True, True, False]
 
 
 def test_all_words_of_a_home_can_be_read(drawn: str) -> None:
