@@ -56,7 +56,9 @@ def flight_parts(stairs: Stairs, above: float = 0.0) -> tuple[Part, ...]:
         post = _post(stairs)
         low = max(above - stairs.rise, 0.0)
         white.append(rod((*post, low), (*post, stairs.rises * stairs.rise + RAIL), EYE, sides=12))
-    edges = [_wall(*t.outline[:2], t.height - PLATE, t.height + HAIR, NOSING) for t in treads]
+    edges = [
+        _wall(t.outline[0], t.outline[1], t.height - PLATE, t.height + HAIR, NOSING) for t in treads
+    ]
     rails, bars = _rails(stairs, above)
     return (
         Part(OAK, *merge([*plates, *rails])),
