@@ -15,8 +15,7 @@ import shapely
 
 from scenewright import formats
 from scenewright.building.plan import levels, spaces
-from scenewright.building.stair_parts import HAIR, flight_parts, railing_lines, well_of
-from scenewright.catalog.assets.materials import OAK, WALNUT
+from scenewright.building.stair_parts import flight_parts, railing_lines, well_of
 from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief
 from scenewright.core.brief.stairs import StairsBrief
@@ -363,16 +362,6 @@ def test_the_mesh_stays_over_the_floor_that_is_taken(shape: str) -> None:
             assert shapely.contains_xy(room, *part.vertices[:, :2].T).all()
             assert part.vertices[:, 2].min() > -1e-9
             assert part.vertices[:, 2].max() < HEIGHT + 1.0
-
-
-@pytest.mark.parametrize("shape", SHAPES)
-def test_every_tread_has_a_dark_edge(shape: str) -> None:
-    """Seen from above, treads of one wood would be a ramp."""
-    stairs = made(shape, "left", 1.0, (3.0, 3.0))
-    parts = {part.material: part for part in flight_parts(stairs)}
-    tops = {round(float(z), 3) for z in parts[WALNUT].vertices[:, 2]}
-    assert {round(t.height + HAIR, 3) for t in stairs.treads} <= tops
-    assert max(WALNUT.color) < 0.8 * max(OAK.color)
 
 
 def test_the_upper_floor_is_open_over_the_stairs_and_railed(furnished: Solution) -> None:
