@@ -126,11 +126,21 @@ def test_what_hangs_over_a_worktop_is_drawn_whole_or_not_at_all():
     assert kitchen(0.3, np.pi / 2) == ["hob_cabinet"]
 
 
+def floor_in(home: Scene, *functions: str) -> str:
+    """The floor of its only room, if that is for so much."""
+    used = replace(home, spaces=tuple(replace(s, functions=functions) for s in home.spaces))
+    (room,) = (b for b in blocks_of(used, shipped()) if b.category == "space")
+    return room.material.name
+
+
 def test_oak_lies_where_a_bed_stands():
     pose, size = Pose(2.0, 1.5, 0.0, 0.0), Size(1.6, 2.0, 0.5)
     bed = Piece("bed", "double_bed", "", "room", pose, size)
-    for pieces, floor in (((), "tile floor"), ((bed,), "oak floor")):
-        wet = replace(scene(5.0, 3.0), pieces=pieces)
-        wet = replace(wet, spaces=tuple(replace(s, functions=("bathroom",)) for s in wet.spaces))
-        (room,) = (b for b in blocks_of(wet, shipped()) if b.category == "space")
-        assert room.material.name == floor
+    assert floor_in(scene(5.0, 3.0), "bathroom") == "tile floor"
+    assert floor_in(scene(5.0, 3.0, bed), "bathroom") == "oak floor"
+    assert floor_in(scene(5.0, 3.0), "kitchen", "bedroom", "hall") == "oak floor"
+
+
+def test_a_cubby_of_unknown_use_has_a_plain_floor_and_a_hall_has_not():
+    assert floor_in(scene(1.5, 1.4), "other") == "screed floor"
+    assert floor_in(scene(30.0, 20.0), "other") == "oak floor"

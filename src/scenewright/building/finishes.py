@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from shapely import Polygon
+
 from scenewright.core.catalog import Material
 from scenewright.core.space import Space
 
@@ -47,7 +49,6 @@ FLOORS: dict[str, Material] = {
     "washroom": TILE_FLOOR,
     "balcony": DECK_FLOOR,
     "storage": PLAIN_FLOOR,
-    "other": PLAIN_FLOOR,
     "site": GRASS,
     "village": GRASS,
     "extend": GRASS,
@@ -57,6 +58,8 @@ WARM = frozenset(
     ("living", "bedroom", "double_bedroom", "single_bedroom", "child_bedroom", "study")
 )
 """Functions for which a room has oak whatever else it is for."""
+CUBBY = 6.0
+"""A room of use unknown up to so many square metres has a plain floor."""
 
 
 def floor_of(space: Space, slept_in: bool = False) -> Material:
@@ -71,4 +74,6 @@ def floor_of(space: Space, slept_in: bool = False) -> Material:
     """
     if slept_in or WARM & set(space.functions):
         return WOOD_FLOOR
+    if "other" in space.functions and Polygon(space.outline).area < CUBBY:
+        return PLAIN_FLOOR
     return FLOORS.get(space.functions[0] if space.functions else "", WOOD_FLOOR)
