@@ -64,6 +64,7 @@ def room(name: str, wide: float, deep: float, *openings: Opening) -> Space:
         ((5.4, 2.9), (297, 210), 25),
         ((40.0, 15.0), (594, 420), 100),
         ((6.6, 11.0), (420, 297), 50),
+        ((11.4, 8.3), (420, 297), 50),
     ],
 )
 def test_a_home_is_drawn_at_a_usual_scale_on_the_smallest_sheet_it_fills(
