@@ -11,6 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from shapely import Polygon, box
 
+from scenewright.building.shafts import is_shaft
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.solution import Solution
 from scenewright.core.space import Opening, Space
@@ -19,6 +20,7 @@ from scenewright.domains.home.drawing.plan import list_outlets
 from scenewright.domains.home.drawing.short_names import LETTERS, short_names_mark
 from scenewright.drawing import legend as svg_legend
 from scenewright.drawing.dimensions import readable
+from scenewright.drawing.doors import heights_mark
 from scenewright.drawing.filled_sheet import NARROW, arrange_filled
 from scenewright.drawing.labels import Floor, labels_mark, place
 from scenewright.drawing.legend import LegendRow
@@ -61,6 +63,8 @@ def room(name: str, wide: float, deep: float, *openings: Opening) -> Space:
         ((3.7, 8.0), (297, 420), 25),
         ((5.4, 2.9), (297, 210), 25),
         ((40.0, 15.0), (594, 420), 100),
+        ((6.6, 11.0), (420, 297), 50),
+        ((11.4, 8.3), (420, 297), 50),
     ],
 )
 def test_a_home_is_drawn_at_a_usual_scale_on_the_smallest_sheet_it_fills(
@@ -104,6 +108,32 @@ def test_a_long_name_is_whole_and_horizontal_where_its_lines_find_room() -> None
     assert " ".join(words for words, _ in label.lines[: label.names]) == name
 
 
+def test_names_are_larger_on_larger_sheets_where_there_is_room() -> None:
+    for wide, larger in ((4.0, True), (0.9, False)):
+        usual = labels_mark(VIEW, [room("Bedroom", wide, 4.0)], Floor(Polygon()), ["#fff"])
+        large = labels_mark(VIEW, [room("Bedroom", wide, 4.0)], Floor(Polygon()), ["#fff"], 1.4)
+        sizes = [sizes_of(mark_text(mark)) for mark in (usual, large)]
+        assert (sizes[1] == pytest.approx(1.4 * sizes[0])) == larger
+        assert sizes[1] >= sizes[0]
+
+
+def sizes_of(text: str) -> float:
+    """The height of the largest letters."""
+    return max(map(float, re.findall(r'font-size="([\d.]+)"', text)))
+
+
+def test_heights_of_a_bow_window_stand_outside_its_wall() -> None:
+    window = Opening("w", "window", "0", 2.0, 0.0, 1.0, 0.0, 1.5, 0.3, 0.5, 2.3, spaces=("r",))
+    bow = Polygon([(1.0, 0.0), (2.0, -0.35), (3.0, 0.0)])
+
+    def away(*low: Polygon) -> float:
+        mark = mark_text(heights_mark(VIEW, [window], *low))
+        return float(re.findall(r'y="([-\d.]+)"', mark)[0])
+
+    assert away(bow) - away() == pytest.approx((0.35 - 0.15) * VIEW.scale, abs=0.02)
+    assert away(box(0, 1, 4, 2)) == away()
+
+
 def test_a_closet_full_of_shelves_has_no_name() -> None:
     closet = room("storage", 1.0, 0.6)
     shelves = box(0, 0, 1, 0.6)
@@ -122,6 +152,12 @@ def test_other_is_no_name_and_what_has_no_door_is_a_shaft() -> None:
         told.append((set(words_of(names)), HATCH in mark_text(shafts_mark(VIEW, [space]))))
     sizes = {"2.0 m²", "2.00 × 1.00"}
     assert told == [({"shaft"} | sizes, True), (set(), True), (sizes, False)]
+
+
+def test_a_window_makes_no_room_of_a_shaft_but_a_large_one() -> None:
+    window = Opening("w", "window", "0", 0.5, 0.0, 1.0, 0.0, 0.6, 0.1, 0.9, 2, spaces=("r",))
+    rooms = [room("other", wide, 1.0, *given) for wide in (1.3, 3.0) for given in ((), (window,))]
+    assert [is_shaft(space) for space in rooms] == [True, True, True, False]
 
 
 def test_all_words_of_a_home_can_be_read(drawn: str) -> None:

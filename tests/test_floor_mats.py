@@ -14,10 +14,12 @@ from scenewright.catalog.assets import shipped
 from scenewright.core.brief import Brief, Room
 from scenewright.core.piece_outlines import outline_of
 from scenewright.core.scene import Piece, Pose, Size
+from scenewright.core.space import Space
 from scenewright.domains import check
 from scenewright.domains.home.furnishing.bed_rugs import BEDS
 from scenewright.domains.home.furnishing.floor_mats import SOFAS, lay_mats
 from scenewright.domains.home.ground import ground_of
+from scenewright.domains.home.problem import Ground
 from scenewright.domains.home.solving import solve
 from scenewright.formats import read
 
@@ -136,3 +138,37 @@ def test_a_rug_before_a_sofa_without_a_table_reaches_under_its_middle():
     (rug,) = _rug_of(living, sofa, table)
     assert rug.pose.x == pytest.approx(2.2)
     assert _floor(rug).bounds[1] == pytest.approx(0.6)
+
+
+def _open_plan(*functions: str) -> tuple[Space, Ground]:
+    room = {"id": "a", "function": list(functions), "outline": [[0, 0], [6, 0], [6, 4], [0, 4]]}
+    (space,) = spaces(Brief(rooms=[Room.model_validate(room)]))
+    return space, ground_of(space, (), 24.0)
+
+
+@pytest.mark.parametrize(("ahead", "share"), [(0.85, 1), (1.4, 1), (1.8, 0), (2.4, 0)])
+def test_a_low_table_stands_on_the_rug_with_all_its_legs_or_with_none(ahead, share):
+    space, ground = _open_plan("living")
+    sofa = Piece("s", "sofa", "", "a", Pose(0.5, 2.0, 0.0, 0.0), Size(2.0, 0.9, 0.8))
+    table = Piece("t", "coffee_table", "", "a", Pose(0.5 + ahead, 2.0, 0, 0), Size(0.9, 0.5, 0.4))
+    (mat,) = lay_mats(space, ground, (sofa, table), shipped())
+    on = _floor(mat).intersection(_floor(table)).area / _floor(table).area
+    assert on == pytest.approx(share, abs=1e-6)
+
+
+def test_a_bed_in_a_kitchen_has_a_rug_off_the_floor_where_one_cooks():
+    space, ground = _open_plan("kitchen", "bedroom")
+    bed = Piece("b", "single_bed", "", "a", Pose(1.05, 2.0, 0.0, 0.0), Size(0.9, 2.0, 0.5))
+    unit = Piece(
+        "u",
+        "hob_cabinet",
+        "",
+        "a",
+        Pose(1.0, 0.3, 0, pi / 2),
+        Size(1.8, 0.6, 0.9),
+        "a/k",
+        "kitchen",
+    )
+    (mat,) = lay_mats(space, ground, (bed, unit), shipped())
+    assert _floor(mat).distance(shapely.box(0.1, 0.0, 1.9, 1.2)) > 0
+    assert _floor(mat).intersects(_floor(bed))

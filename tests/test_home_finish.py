@@ -16,6 +16,7 @@ from scenewright.core.piece_outlines import outline_of
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains import check
 from scenewright.domains.home.furnishing.enlarge import enlarge_pieces
+from scenewright.domains.home.furnishing.wall_art import fill_walls
 from scenewright.domains.home.ground import ground_of
 from scenewright.domains.home.groups.kitchen import kitchen
 from scenewright.domains.home.problem import Ground
@@ -83,6 +84,21 @@ def test_what_a_room_has_it_is_not_given_again(living):
     hung = [p for p in living.pieces if p.category in ("picture", "wall_lamp", "curtain", "blind")]
     assert len(hung) == len({p.id for p in hung})
     assert sum(p.category in ("curtain", "blind") for p in hung) == 1
+
+
+@pytest.mark.parametrize("wide", [2.4, 5.0])
+def test_a_mirror_or_a_kitchen_makes_no_picture_needless(wide):
+    """One picture hangs in every room that is lived in, small ones too."""
+    room = {"id": "a", "function": "bedroom", "outline": [[0, 0], [wide, 0], [wide, 3], [0, 3]]}
+    (space,) = spaces(Brief(rooms=[Room.model_validate(room)]))
+    ground, size = ground_of(space, (), 3 * wide), Size(0.6, 0.03, 0.9)
+    mirror = Piece("m", "mirror", "", "a", Pose(0.8, 0.02, 1.0, pi / 2), size)
+    unit = replace(mirror, id="u", category="wall_cabinet")
+    for there in ((), (mirror,), (mirror, unit)):
+        hung = fill_walls(space, ground, there, shipped())
+        assert [p.category for p in hung if p.category != "wall_lamp"] == ["picture"]
+    art = replace(mirror, category="picture")
+    assert "picture" not in {p.category for p in fill_walls(space, ground, (art,), shipped())}
 
 
 @pytest.mark.parametrize("case", [c for c in kitchen() if c.width >= 2.3], ids=lambda c: c.name)

@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 import shapely
 
+from scenewright.building.finishes import LID
 from scenewright.building.shell import shell
 from scenewright.catalog.assets import shipped
 from scenewright.core.brief import Brief
-from scenewright.core.scene import Scene
+from scenewright.core.scene import Piece, Pose, Scene, Size
+from scenewright.core.space import Opening
 from scenewright.domains import plan_of
 from scenewright.formats.png import INDOORS, frame_points
 from scenewright.render.items import things
-from scenewright.render.near_walls import KERB, RAIL, find_near_walls
+from scenewright.render.near_walls import KERB, RAIL, NearWalls, cut_of_opening, find_near_walls
 from scenewright.render.picture import view_of
 
 BRIEF = Brief.model_validate(
@@ -80,3 +84,53 @@ def test_tall_homes_fill_a_narrow_picture() -> None:
     assert 1.2 < shape < 2.5
     assert 0.85 < np.abs(x).max() < 1.0
     assert 0.85 * shape < np.abs(y).max() < shape
+
+
+def shower_at(scene: Scene, y: float, heading: float) -> float:
+    """The highest point of a shower in a picture."""
+    pose, size = Pose(2.5, y, 0.0, heading), Size(0.9, 0.9, 2.0)
+    stall = Piece("stall", "shower", "shower", "south", pose, size)
+    shown = things(replace(scene, pieces=(stall,)), shipped(), 2.0, INDOORS.towards)
+    return max(p.vertices[:, 2].max() for t in shown if t.name == "stall" for p in t.parts)
+
+
+def test_a_shower_is_cut_with_the_lowest_wall_it_stands_at(scene: Scene) -> None:
+    assert shower_at(scene, 2.55, -np.pi / 2) == pytest.approx(RAIL, abs=0.02)
+    assert shower_at(scene, 0.45, np.pi / 2) == pytest.approx(KERB, abs=0.02)
+    assert shower_at(scene, 0.45, 0.0) == pytest.approx(KERB, abs=0.02)
+    assert shower_at(scene, 1.5, np.pi / 2) > 1.5
+
+
+@pytest.fixture(scope="module")
+def shafted() -> Scene:
+    """A room with a shaft before its south-west and one behind its north-west corner."""
+    boxes = [("a", 0, 0, 5, 4), ("b", 0, -1.12, 1.5, -0.12), ("c", 0, 4.12, 1.5, 5.12)]
+    rooms = [
+        {"id": i, "name": "" if i == "a" else "shaft", "outline": [[x, y], [u, y], [u, v], [x, v]]}
+        for i, x, y, u, v in boxes
+    ]
+    brief = Brief.model_validate({"rooms": rooms})
+    plan = plan_of(brief)
+    walls, openings = shell(brief, plan.spaces)
+    return Scene("home", plan.levels, plan.spaces, walls, openings, ())
+
+
+def test_shafts_are_closed_at_the_height_of_their_walls(shafted: Scene) -> None:
+    shown = {t.name: t for t in things(shafted, shipped(), 2.0, INDOORS.towards)}
+    (near,), (far,), (room,) = shown["b"].parts, shown["c"].parts, shown["a"].parts
+    assert near.vertices[:, 2].max() == pytest.approx(RAIL)
+    assert far.vertices[:, 2].max() == pytest.approx(2.0)
+    assert near.material == far.material == LID != room.material
+    high = np.concatenate([p.vertices for t in shown.values() if t.kind == "wall" for p in t.parts])
+    round_near = high[(high[:, 0] < 1.6) & (high[:, 0] > -0.2) & (high[:, 1] < -0.2)]
+    assert round_near[:, 2].max() <= RAIL + 1e-9, "the shaft is low all round"
+    whole = {t.name: t for t in things(shafted, shipped())}
+    assert whole["b"].parts[0].vertices[:, 2].max() == 0.0, "no lid in a model"
+
+
+def test_an_opening_is_no_higher_than_the_wall_on_both_its_sides() -> None:
+    low = NearWalls(((shapely.box(0, 0, 0.5, 1), KERB), (shapely.box(1.5, 0, 2, 1), RAIL)))
+    door = Opening("d", "door", "0", 1.0, 0.5, 1, 0, 1.0, 0.1, 0, 2.05)
+    assert cut_of_opening(door, low, 2.0) == RAIL
+    assert cut_of_opening(replace(door, width=0.6), low, 2.0) == 2.0
+    assert cut_of_opening(replace(door, x=0.75), low, 2.0) == 2.0, "one side is high"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -12,12 +13,13 @@ from scenewright.catalog.assets import shipped
 from scenewright.core.brief import Brief
 from scenewright.core.scene import Piece, Pose, Scene, Size
 from scenewright.domains import plan_of
-from scenewright.formats.png import INDOORS, TALLEST, WIDTH
+from scenewright.formats.png import INDOORS, TALLEST, WIDTH, _stage_scene
 from scenewright.render.near_walls import KERB
 from scenewright.render.stage import blocks_of
 from scenewright.render.viewing_side import choose_turn
 
 SHAPE = TALLEST / WIDTH
+HOB, OVER = Size(0.6, 0.6, 0.9), Size(0.6, 0.35, 0.6)
 
 
 def scene(width: float, depth: float, *pieces: Piece) -> Scene:
@@ -45,6 +47,18 @@ def test_wardrobes_are_seen_from_the_front():
     north, south = wardrobe(3.0, 0.4, np.pi / 2), wardrobe(3.0, 5.6, -np.pi / 2)
     assert choose_turn(scene(8.0, 6.0, south), INDOORS.towards, SHAPE) == 0.0
     assert choose_turn(scene(8.0, 6.0, north), INDOORS.towards, SHAPE) == pytest.approx(np.pi)
+
+
+@pytest.mark.parametrize(("width", "depth"), [(3.3, 9.0), (3.0, 4.2), (9.0, 3.3)])
+@pytest.mark.parametrize("heading", [0.0, np.pi / 2, np.pi, -np.pi / 2])
+def test_no_home_is_shown_upright_whatever_its_fronts(
+    width: float, depth: float, heading: float
+) -> None:
+    """However its wardrobes stand, the long side lies across a picture a thousand pixels wide."""
+    both = (wardrobe(1.5, 2.0, heading), wardrobe(1.5, 3.0, heading + np.pi))
+    home = scene(width, depth, *both)
+    shape = _stage_scene(home, shipped(), INDOORS)[2]
+    assert min(WIDTH, round(TALLEST / shape)) >= 1000
 
 
 @pytest.mark.parametrize("turn", [0.0, np.pi / 2, -np.pi / 2, np.pi])
@@ -96,3 +110,37 @@ def test_the_wall_before_the_eye_is_low_from_every_side(turn: float):
     far = points[points[:, 1] > points[:, 1].max() - 0.05]
     assert np.isclose(near[:, 2], KERB).any()
     assert not np.isclose(far[:, 2], KERB).any()
+
+
+def test_what_hangs_over_a_worktop_is_drawn_whole_or_not_at_all():
+    """Wall units that are seen from above only would hide the hob below them."""
+
+    def kitchen(y: float, heading: float) -> list[str]:
+        low = Piece("u", "hob_cabinet", "hob_cabinet", "room", Pose(3, y, 0.0, heading), HOB)
+        high = Piece("o", "wall_cabinet", "wall_cabinet", "room", Pose(3, y, 1.4, heading), OVER)
+        blocks = blocks_of(scene(6.0, 3.0, low, high), shipped(), 2.0, INDOORS.towards)
+        assert all(b.material.opacity == 1.0 for b in blocks if b.category == "wall_cabinet")
+        return sorted({b.category for b in blocks} & {"hob_cabinet", "wall_cabinet"})
+
+    assert kitchen(2.7, -np.pi / 2) == ["hob_cabinet", "wall_cabinet"]
+    assert kitchen(0.3, np.pi / 2) == ["hob_cabinet"]
+
+
+def floor_in(home: Scene, *functions: str) -> str:
+    """The floor of its only room, if that is for so much."""
+    used = replace(home, spaces=tuple(replace(s, functions=functions) for s in home.spaces))
+    (room,) = (b for b in blocks_of(used, shipped()) if b.category == "space")
+    return room.material.name
+
+
+def test_oak_lies_where_a_bed_stands():
+    pose, size = Pose(2.0, 1.5, 0.0, 0.0), Size(1.6, 2.0, 0.5)
+    bed = Piece("bed", "double_bed", "", "room", pose, size)
+    assert floor_in(scene(5.0, 3.0), "bathroom") == "tile floor"
+    assert floor_in(scene(5.0, 3.0, bed), "bathroom") == "oak floor"
+    assert floor_in(scene(5.0, 3.0), "kitchen", "bedroom", "hall") == "oak floor"
+
+
+def test_a_cubby_of_unknown_use_has_a_plain_floor_and_a_hall_has_not():
+    assert floor_in(scene(1.5, 1.4), "other") == "screed floor"
+    assert floor_in(scene(30.0, 20.0), "other") == "oak floor"

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from shapely import Polygon
+
 from scenewright.core.catalog import Material
 from scenewright.core.space import Space
 
 PLASTER = Material("wall plaster", (0.955, 0.945, 0.925), roughness=0.95)
-SECTION = Material("wall top", (0.48, 0.47, 0.455), roughness=0.95)
+SECTION = Material("wall top", (0.56, 0.55, 0.535), roughness=0.95)
+LID = Material("shaft lid", (0.70, 0.69, 0.675), roughness=0.95)
 CONCRETE = Material("slab concrete", (0.74, 0.73, 0.71), roughness=0.95)
 UNKNOWN = Material("plain", (0.75, 0.74, 0.72), roughness=0.9)
 WOOD_FLOOR = Material("oak floor", (0.73, 0.62, 0.50), roughness=0.55)
@@ -51,13 +54,26 @@ FLOORS: dict[str, Material] = {
     "extend": GRASS,
 }
 """Floor finish by a room's first function; all others are oak."""
+WARM = frozenset(
+    ("living", "bedroom", "double_bedroom", "single_bedroom", "child_bedroom", "study")
+)
+"""Functions for which a room has oak whatever else it is for."""
+CUBBY = 6.0
+"""A room of use unknown up to so many square metres has a plain floor."""
 
 
-def floor_of(space: Space) -> Material:
-    """The floor finish of a space by its functions.
+def floor_of(space: Space, slept_in: bool = False) -> Material:
+    """The floor finish of a space by its functions: oak where one of them is lived or slept in, or
+    where a bed stands.
 
     >>> import numpy as np
     >>> floor_of(Space("a", "", ("kitchen",), "0", np.zeros((3, 2)))).name
     'stone floor'
+    >>> floor_of(Space("a", "", ("kitchen", "living"), "0", np.zeros((3, 2)))).name
+    'oak floor'
     """
+    if slept_in or WARM & set(space.functions):
+        return WOOD_FLOOR
+    if "other" in space.functions and Polygon(space.outline).area < CUBBY:
+        return PLAIN_FLOOR
     return FLOORS.get(space.functions[0] if space.functions else "", WOOD_FLOOR)

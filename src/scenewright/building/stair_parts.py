@@ -8,7 +8,7 @@ from itertools import pairwise
 import numpy as np
 import shapely
 
-from scenewright.catalog.assets.materials import BLACK, OAK, WHITE
+from scenewright.catalog.assets.materials import BLACK, OAK, WALNUT, WHITE
 from scenewright.core.catalog import Part
 from scenewright.core.layout import corners
 from scenewright.core.stairs import EYE, Stairs
@@ -19,6 +19,8 @@ from scenewright.geometry.solids import rod
 PLATE = 0.04
 """Thickness of a tread, metres."""
 BOARD = 0.02
+NOSING = 0.035
+"""Depth of the dark edge of a tread, by which steps are told apart from above, metres."""
 STRING = 0.28
 """Height of the strings at the sides, metres."""
 RAIL = 0.9
@@ -54,9 +56,13 @@ def flight_parts(stairs: Stairs, above: float = 0.0) -> tuple[Part, ...]:
         post = _post(stairs)
         low = max(above - stairs.rise, 0.0)
         white.append(rod((*post, low), (*post, stairs.rises * stairs.rise + RAIL), EYE, sides=12))
+    edges = [
+        _wall(t.outline[0], t.outline[1], t.height - PLATE, t.height + HAIR, NOSING) for t in treads
+    ]
     rails, bars = _rails(stairs, above)
     return (
         Part(OAK, *merge([*plates, *rails])),
+        Part(WALNUT, *merge(edges)),
         Part(WHITE, *merge(white)),
         Part(BLACK, *merge(bars)),
     )
@@ -78,10 +84,10 @@ def _below(outline: Floats, height: float, stairs: Stairs) -> Iterator[Mesh]:
             yield _wall(start, end, low, height - 1e-3)
 
 
-def _wall(start: Floats, end: Floats, low: float, high: float) -> Mesh:
+def _wall(start: Floats, end: Floats, low: float, high: float, deep: float = BOARD) -> Mesh:
     """A thin board on an edge, on its left."""
     along = (end - start) / max(float(np.hypot(*(end - start))), 1e-9)
-    inward = BOARD * np.array([-along[1], along[0]])
+    inward = deep * np.array([-along[1], along[0]])
     return prism(np.array([start, end, end + inward, start + inward]), low, high)
 
 

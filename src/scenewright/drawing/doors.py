@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from shapely import Point, Polygon
+from shapely import Geometry, Point, Polygon, get_coordinates
 
 from scenewright.core.space import Opening
 from scenewright.drawing.marks import (
@@ -36,6 +36,9 @@ figure."""
 HEIGHTS = 1.5
 """Text height in millimetres of sill and head heights."""
 
+BULGE, NO_WALLS = 0.5, Polygon()
+"""Metres before a window in which low walls are looked for; none of them."""
+
 WORDS = {"entrance": "Entrance", "exit": "Exit", "both": "In and out"}
 
 Vector = NDArray[np.float64]
@@ -58,13 +61,26 @@ def doors_mark(
     return group(marks)
 
 
-def heights_mark(view: PaperView, openings: Sequence[Opening]) -> Mark:
-    """Heights of the sill and the head of each window above the floor, in metres, outside it."""
+def heights_mark(view: PaperView, openings: Sequence[Opening], low: Geometry = NO_WALLS) -> Mark:
+    """Heights of the sill and the head of each window above the floor, in metres, outside it and
+    the ``low`` walls below windows, which bulge in a bow front."""
     windows = [o for o in openings if o.kind == "window" and o.roof is None]
-    return group([_heights(view, window) for window in windows], fill=GREY, stroke="none")
+    return group([_heights(view, window, low) for window in windows], fill=GREY, stroke="none")
 
 
-def _heights(view: PaperView, window: Opening) -> Mark:
+def _bulge(window: Opening, low: Geometry) -> float:
+    """How far low walls stand out of the face of a window's wall before it, in metres."""
+    middle, along, _ = frame_of(window)
+    half, out = along * window.width / 2, outwards(window)
+    near = middle + out * window.thickness / 2
+    far = near + out * BULGE
+    there = Polygon([near - half, near + half, far + half, far - half]).intersection(low)
+    if there.is_empty:
+        return 0.0
+    return float(((get_coordinates(there) - near) @ out).max())
+
+
+def _heights(view: PaperView, window: Opening, low: Geometry) -> Mark:
     """Both heights in words if the window is wide enough, else as two figures."""
     figures = f"{window.sill:.2f}", f"{window.head:.2f}"
     room = window.width * view.scale
@@ -74,7 +90,8 @@ def _heights(view: PaperView, window: Opening) -> Mark:
         return NOTHING
     middle, along, _ = frame_of(window)
     out = _paper(outwards(window))
-    at = to_paper(view, middle) + out * (window.thickness / 2 * view.scale + 0.9 * HEIGHTS)
+    face = window.thickness / 2 + _bulge(window, low)
+    at = to_paper(view, middle) + out * (face * view.scale + 0.9 * HEIGHTS)
     return text(words, at, HEIGHTS, _turn(along))
 
 

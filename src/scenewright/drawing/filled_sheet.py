@@ -16,6 +16,11 @@ FORMATS = ((297.0, 210.0), (420.0, 297.0), (594.0, 420.0), (841.0, 594.0))
 ENOUGH, NARROW = 0.7, 51.0
 """The share of its field a plan should fill; millimetres of a column of the schedule."""
 
+LYING = 1.2
+"""A lying sheet is preferred until a plan fills so many times as much of a standing one."""
+LARGEST = 1.4
+"""Names of rooms grow with the sheet up to so many times their usual height."""
+
 Need = tuple[float, float]
 
 
@@ -43,12 +48,13 @@ def arrange_filled(need: Need, extra: Need, rows: Sequence[LegendRow]) -> Arrang
 def _best_sheets(
     need: Need, extra: Need, rows: Sequence[LegendRow], scale: int, formats: int
 ) -> Iterator[Arrangement]:
-    """Of each of so many formats that holds plan and schedule, the fullest way to use it."""
+    """Of each of so many formats that holds plan and schedule, the way to use it that suits the
+    plan: a tall one lies high on a lying sheet rather than in the middle of a standing one."""
     for long, short in FORMATS[:formats]:
         papers = [PaperSheet(*paper, scale) for paper in ((long, short), (short, long))]
         found = [way for paper in papers for way in _ways(paper, need, extra, rows)]
         if found:
-            yield max(found, key=lambda arranged: _share(need, extra, arranged))
+            yield max(found, key=lambda arranged: _suit(need, extra, arranged))
 
 
 def _ways(
@@ -67,7 +73,23 @@ def _share(need: Need, extra: Need, arranged: Arrangement) -> float:
     return wide * high / (arranged.room[0] * arranged.room[1])
 
 
+def _suit(need: Need, extra: Need, arranged: Arrangement) -> float:
+    """How well a plan lies on its field: the share it fills, a little more on a lying sheet."""
+    lying = arranged.sheet.width > arranged.sheet.height
+    return _share(need, extra, arranged) * (LYING if lying else 1.0)
+
+
 def _on_paper(need: Need, extra: Need, sheet: PaperSheet) -> Need:
     """Width and height of the drawing in millimetres."""
     wide, high = (n * 1000 / sheet.scale + more for n, more in zip(need, extra, strict=True))
     return wide, high
+
+
+def enlarge_names(sheet: PaperSheet) -> float:
+    """How many times as large as on A4 the names of rooms are at best: a larger sheet is looked at
+    from farther away, or smaller on a screen.
+
+    >>> [round(enlarge_names(PaperSheet(*paper, 50)), 2) for paper in FORMATS]
+    [1.0, 1.19, 1.4, 1.4]
+    """
+    return float(min(LARGEST, (max(sheet.width, sheet.height) / FORMATS[0][0]) ** 0.5))

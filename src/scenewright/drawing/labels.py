@@ -10,9 +10,10 @@ from numpy.typing import NDArray
 from shapely import Geometry, Point, Polygon, contains_xy, prepare
 from shapely.ops import polylabel
 
+from scenewright.building.shafts import is_shaft
 from scenewright.core.space import Space
 from scenewright.drawing.marks import GREY, INK, NOTHING, Mark, PaperView, group, text, to_paper
-from scenewright.drawing.shafts import is_shaft, printed_name
+from scenewright.drawing.shafts import printed_name
 from scenewright.drawing.wordings import CLOSET, HALO, Label, extent, wordings
 
 CLEAR, ROOMY, GRID = 0.6, 2.5, 48
@@ -34,14 +35,19 @@ class Floor(NamedTuple):
 
 
 def labels_mark(
-    view: PaperView, spaces: Sequence[Space], floor: Floor, halos: Sequence[str]
+    view: PaperView,
+    spaces: Sequence[Space],
+    floor: Floor,
+    halos: Sequence[str],
+    enlarge: float = 1.0,
 ) -> Mark:
     """Names of all rooms off the ``floor`` that is taken; ``halos[i]`` is the colour around the
-    letters of label i. A closet or shaft full to the door is left without a name."""
+    letters of label i, which are ``enlarge`` times as high as usual where there is room. A closet
+    or shaft full to the door is left without a name."""
     rows = [(s, halo) for s, halo in zip(spaces, halos, strict=True) if _is_named(s)]
     marks = []
     for space, halo in rows:
-        label, at, cost = _find(view, space, floor)
+        label, at, cost = _find(view, space, floor, enlarge)
         full = cost > COVERING and polygon_of(space).area < CLOSET
         marks.append(NOTHING if full else _label_mark(view, label, at, halo))
     return group(marks, stroke="none", fill=INK)
@@ -75,13 +81,15 @@ def place(
     return _find(view, space, Floor(taken, Polygon() if crossed is None else crossed))[:2]
 
 
-def _find(view: PaperView, space: Space, floor: Floor) -> tuple[Label, NDArray[np.float64], float]:
+def _find(
+    view: PaperView, space: Space, floor: Floor, enlarge: float = 1.0
+) -> tuple[Label, NDArray[np.float64], float]:
     """The best label, its position and what it costs; wordings come cheapest first."""
     room = polygon_of(space)
     raster, at = _raster(room, floor), _candidates(room)
     away = np.hypot(*(at - np.array(_middle(room).coords[0])).T) / np.sqrt(room.area)
     found = None
-    for label in wordings(space, room.area):
+    for label in wordings(space, room.area, enlarge):
         if found is not None and found[2] <= label.cost:
             break
         cost = label.cost + _costs(view, label, raster, at, away)

@@ -36,6 +36,7 @@ from scenewright.drawing.shell import (
     FLOOR,
     cut_walls,
     floors,
+    low_walls,
     openings_mark,
     partition_walls,
     roof_windows,
@@ -79,6 +80,11 @@ def _plain_labels(storey: Storey) -> list[tuple[Space, str]]:
     return [(space, FLOOR) for space in storey.scene.spaces]
 
 
+def _as_usual(sheet: sheets.PaperSheet) -> float:
+    del sheet
+    return 1.0
+
+
 def _no_rows(scene: Scene, storeys: Sequence[Storey]) -> Sequence[LegendRow]:
     del scene, storeys
     return ()
@@ -96,7 +102,8 @@ class Overlay(NamedTuple):
     ``floor`` are layers under the furniture, ``over`` above it, ``ways`` above walls and doors,
     each of a storey; ``keep_off`` are shapes that names of rooms do not cover; ``labels`` what is
     named, with the colour around the words; ``legend`` the rows of the legend; ``summary`` the line
-    below the title; ``arrange`` chooses the sheet; ``inward`` whether the triangles at doors point
+    below the title; ``arrange`` chooses the sheet, ``enlarge`` how large
+    names of rooms are on it at best; ``inward`` whether the triangles at doors point
     to the middle of the storey; ``title`` the number of the sheet and its date.
     """
 
@@ -108,6 +115,7 @@ class Overlay(NamedTuple):
     legend: Callable[[Scene, Sequence[Storey]], Sequence[LegendRow]] = _no_rows
     summary: Callable[[Scene], str] = furnished_summary
     arrange: Arrange = arrange
+    enlarge: Callable[[sheets.PaperSheet], float] = _as_usual
     inward: bool = False
     title: sheets.TitleBlock = sheets.UNDATED
 
@@ -204,7 +212,7 @@ def _storey_layers(
         PlanLayer("Sloped ceilings", slopes_mark(view, part.spaces, union_all(busy))),
         PlanLayer("Walls", walls_mark(view, walls)),
         PlanLayer("Windows and doors", openings_mark(view, part.openings)),
-        PlanLayer("Sills and heads", heights_mark(view, part.openings)),
+        PlanLayer("Sills and heads", heights_mark(view, part.openings, low_walls(walls))),
         PlanLayer("Outlets", outlets_mark(view, part.spaces)),
         PlanLayer("Ways in", doors_mark(view, part.openings, middle if overlay.inward else None)),
         *overlay.ways(view, storey),
@@ -229,7 +237,8 @@ def _labels(view: PaperView, storey: Storey, paper: Paper) -> Mark:
     crossed += [s for opening in part.openings if (s := swing_square(opening)) is not None]
     named = overlay.labels(storey)
     spaces, halos = zip(*named, strict=True) if named else ((), ())
-    return labels_mark(view, spaces, Floor(union_all(taken), union_all(crossed)), halos)
+    floor = Floor(union_all(taken), union_all(crossed))
+    return labels_mark(view, spaces, floor, halos, overlay.enlarge(paper.sheet))
 
 
 def _list_footprints(pieces: Sequence[Piece], catalog: Catalog) -> list[Geometry]:

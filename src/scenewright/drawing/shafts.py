@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from shapely import Polygon
 
+from scenewright.building.shafts import is_shaft
 from scenewright.core.space import Space
 from scenewright.drawing.marks import (
     FINE,
@@ -19,20 +20,11 @@ from scenewright.drawing.marks import (
     to_paper,
 )
 
-NAMELESS = frozenset(("other", "shaft", "duct", "void"))
-"""Names that tell no use of a room."""
-
-LARGEST, NAMED = 4.0, 1.0
-"""Square metres: the largest shaft, and from which size on it is named."""
+NAMED = 1.0
+"""Square metres from which on a shaft is named."""
 
 HATCH, PITCH = "url(#shaft)", 1.6
 """The fill of shafts, its lines so many millimetres apart."""
-
-
-def is_shaft(space: Space) -> bool:
-    """Whether a room that tells no use has neither door nor window."""
-    nameless = space.name.strip().lower() in NAMELESS
-    return nameless and not space.openings and Polygon(space.outline, space.holes).area < LARGEST
 
 
 def printed_name(space: Space) -> str:

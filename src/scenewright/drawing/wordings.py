@@ -23,6 +23,9 @@ HALO, BOLD = 0.9, 1.2
 SCALES = ((1.0, 0.0), (0.8, 0.25), (READABLE / NAME, 0.5))
 """How large the words are, and what we mind; a small room starts with the second."""
 
+USUAL = 0.06
+"""What we mind about usual letters where larger ones are wanted."""
+
 CLOSET, LONGEST, MOST_LINES = 1.5, 60, 4
 """Square metres up to which a room is named in small type; letters and lines of a name."""
 
@@ -43,9 +46,9 @@ class Label(NamedTuple):
     cost: float
 
 
-def wordings(space: Space, square_metres: float) -> list[Label]:
+def wordings(space: Space, square_metres: float, enlarge: float = 1.0) -> list[Label]:
     """The labels of a room, the ones we like best first: the name in ever more lines, with ever
-    less below it, smaller, and all of that turned.
+    less below it, smaller, and all of that turned. The first are ``enlarge`` times as large.
 
     A name is turned only where no horizontal one that tells the area finds room.
     """
@@ -55,9 +58,11 @@ def wordings(space: Space, square_metres: float) -> list[Label]:
         short = SHORT[name.lower()]
         names.append(((short if name.islower() else short[:1].upper() + short[1:],), SHORT_COST))
     small = square_metres < CLOSET
+    scales = [(scale, cost + USUAL * (enlarge > 1.0)) for scale, cost in SCALES]
+    scales = [(enlarge, 0.0), *scales] if enlarge > 1.0 else scales
     found = [
         Label(_lines(lines, rest, scale), len(lines), turn, sum(costs))
-        for scale, size_cost in SCALES[small:]
+        for scale, size_cost in scales[small:]
         for lines, name_cost in names
         for rest, rest_cost in _rests(space, square_metres, scale, bool(name))
         for turn, turn_cost in ((0.0, 0.0), (90.0, TURNED))
@@ -72,7 +77,7 @@ def _rests(
     """What stands below a name: area and inner dimensions, the area, nothing."""
     area, size = area_words(square_metres), inner_dimensions(space)
     rests: list[tuple[tuple[str, ...], float]] = [((area,), 0.12), ((), 0.45)]
-    return ([((area, size), 0.0)] if size and scale == 1.0 else []) + rests[: 1 + named]
+    return ([((area, size), 0.0)] if size and scale >= 1.0 else []) + rests[: 1 + named]
 
 
 def broken(name: str) -> list[tuple[str, ...]]:

@@ -24,24 +24,28 @@ from scenewright.render.stage import SHADOW, blocks_of, stage_of
 from scenewright.render.viewing_side import choose_turn
 
 WIDTH, TALLEST = 1440, 1026
-ANGLE = np.deg2rad(26.0)
+INSIDE, OUTSIDE = float(np.deg2rad(17.0)), float(np.deg2rad(26.0))
+"""Width of the view, radians: narrow indoors, where walls at its sides would hide what is behind
+them."""
 Direction = tuple[float, float, float]
 
 
 class Look(NamedTuple):
     """How a kind of scene is shown: direction of view and to the sun, height in metres above each
-    floor at which walls are cut, and how far things darken each other, in metres."""
+    floor at which walls are cut, how far things darken each other, in metres, and the width of
+    the view."""
 
     towards: Direction
     sun: Direction
     cut: float | None
     reach: float
     shadow: float
+    angle: float
 
 
-INDOORS = Look((0.05, 0.42, -1.0), (-0.40, -0.20, 1.0), 2.0, REACH, SHADOW)
+INDOORS = Look((0.05, 0.42, -1.0), (-0.30, -0.16, 1.0), 2.0, REACH, SHADOW, INSIDE)
 """Mostly down, a little to the north and east."""
-OUTDOORS = Look((0.22, 0.80, -0.86), (-0.62, -0.48, 0.80), None, 14.0, 120.0)
+OUTDOORS = Look((0.22, 0.80, -0.86), (-0.62, -0.48, 0.80), None, 14.0, 120.0, OUTSIDE)
 """From the south, as a bird sees it, on an afternoon."""
 OPEN = {"site", "village", "extend"}
 """Functions of spaces that are open ground."""
@@ -81,21 +85,24 @@ def _stage_scene(scene: Scene, catalog: Catalog, look: Look) -> tuple[RenderStag
     blocks = blocks_of(scene, catalog, look.cut, look.towards, turn)
     corners = [block.vertices for block in blocks] or [np.zeros((1, 3))]
     bounds = np.vstack(corners)
-    camera, shape = frame_points(bounds, look.towards)
+    camera, shape = frame_points(bounds, look.towards, look.angle)
     stage = stage_of(blocks, bounds, PAGE, look.shadow)
     return stage._replace(reach=look.reach), camera, shape
 
 
-def frame_points(points: Floats, towards: Direction = INDOORS.towards) -> tuple[Camera, float]:
+def frame_points(
+    points: Floats, towards: Direction = INDOORS.towards, wide: float = INSIDE
+) -> tuple[Camera, float]:
     """A camera that sees all points with a margin, and height by width of the picture.
 
-    ``points`` (n, 3) in metres.
+    ``points`` (n, 3) in metres; ``wide`` is the width of the view, radians, of a picture of the
+    usual shape.
     """
     ahead = np.array(towards) / np.linalg.norm(towards)
     target = (points.min(0) + points.max(0)) / 2
     away, shape, half, across = 10.0, 0.7, 1.0, 1.0
     for _ in range(16):
-        view = view_of(Camera(tuple(target - ahead), tuple(target), ANGLE), 1, 1)
+        view = view_of(Camera(tuple(target - ahead), tuple(target), wide), 1, 1)
         local = (points - target) @ view.axes.T.astype(float)
         deep = local[:, 2] + away
         x, y = local[:, 0] / deep, local[:, 1] / deep
@@ -105,5 +112,5 @@ def frame_points(points: Floats, towards: Direction = INDOORS.towards) -> tuple[
         across = max((x.max() - x.min()) / 2 * MARGIN, NARROWEST * half)
         shape = (y.max() - y.min() + 2 * (MARGIN - 1) * half) / (2 * across)
         away *= half / view.across
-    angle = float(2 * np.arctan(np.tan(ANGLE / 2) * across / half))
+    angle = float(2 * np.arctan(np.tan(wide / 2) * across / half))
     return Camera(tuple(target - away * ahead), tuple(target), angle), float(shape)

@@ -21,7 +21,7 @@ ground that grows, uneven ground that does not, crowns of trees."""
 
 SUN = (1.24, 1.18, 1.08)
 SKY = (0.62, 0.65, 0.70)
-BOUNCE = (0.36, 0.345, 0.325)
+BOUNCE = (0.52, 0.51, 0.495)
 """Light from the sun, the open sky, and surroundings that hide the sky."""
 
 

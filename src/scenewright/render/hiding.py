@@ -30,8 +30,6 @@ WIDE = 0.8
 """So do only those as wide as this, metres: one looks past a plant."""
 CLEAR = 0.6
 """How opaque what hides others is drawn."""
-CLEARER = 0.25
-"""How opaque is drawn what hangs over others."""
 WALL = "partition"
 
 
@@ -95,6 +93,7 @@ def find_hanging_over(
 ) -> frozenset[str]:
     """The ids of the cabinets and hoods that hang over a worktop and are seen from above only, by
     an eye that looks ``towards`` a direction: on walls that run along the view or stand before it.
+    They are left out of pictures, so that the worktop is seen.
 
     >>> from scenewright.core.scene import Pose, Size
     >>> def piece(name, heading):

@@ -13,10 +13,20 @@ import numpy as np
 import shapely
 
 from scenewright.building import joinery
-from scenewright.building.finishes import CONCRETE, PLASTER, SECTION, SURFACES, UNKNOWN, floor_of
+from scenewright.building.door_uses import DoorUse, classify_doors
+from scenewright.building.finishes import (
+    CONCRETE,
+    LID,
+    PLASTER,
+    SECTION,
+    SURFACES,
+    UNKNOWN,
+    floor_of,
+)
 from scenewright.building.gables import cut_off, height_at
 from scenewright.building.masonry import polygons
 from scenewright.building.palettes import paint
+from scenewright.building.shafts import is_shaft
 from scenewright.building.stair_parts import flight_parts, railing_parts, wells
 from scenewright.catalog.assets.extruded import extrude_model
 from scenewright.catalog.assets.tints import apply_tint, tint_of
@@ -26,11 +36,15 @@ from scenewright.core.scene import STAIRS, GroundSurface, Piece, Prism, Scene, S
 from scenewright.core.space import Level, Opening, Space
 from scenewright.geometry.mesh import Floats, Mesh, merge
 from scenewright.geometry.prisms import box, face_normals, prism, sheet
-from scenewright.render.hiding import CLEAR, CLEARER, find_hanging_over, find_hiding, make_clear
+from scenewright.render.cut_part import cut_part
+from scenewright.render.hiding import find_hanging_over, find_hiding, make_clear
 from scenewright.render.near_walls import (
+    ENCLOSED,
     NearWalls,
+    cut_of_enclosure,
     cut_of_opening,
     cut_of_piece,
+    find_lid_height,
     find_near_walls,
     split_prism,
 )
@@ -73,10 +87,13 @@ def things(
     ``cut`` (metres above each floor) leaves out what walls, openings and pieces that hang on
     them have above it, and all that hangs from the ceiling; of walls that stand before a room for
     an eye that looks ``towards`` a direction, more (:mod:`scenewright.render.near_walls`), and what
-    hides other pieces from it is as if of glass (:mod:`scenewright.render.hiding`).
+    hides other pieces from it is as if of glass or left out (:mod:`scenewright.render.hiding`).
+    Shafts are closed there.
     """
     level_of = {space.id: space.level for space in scene.spaces}
     first = scene.levels[0].id if scene.levels else ""
+    uses = classify_doors(scene.openings, scene.spaces)
+    slept_in = {piece.space for piece in scene.pieces if _is_bed(piece, catalog)}
     found: list[RenderItem] = []
     for level in scene.levels:
         near = NearWalls()
@@ -84,7 +101,11 @@ def things(
             near = find_near_walls(scene, level.id, towards)
         found += _slab(scene, level)
         well = wells(scene.stairs, level.id)
-        rooms = (_floor(space, well) for space in scene.spaces if space.level == level.id)
+        rooms = (
+            _floor(space, well, _lid_of(space, near, cut), space.id in slept_in)
+            for space in scene.spaces
+            if space.level == level.id
+        )
         found += [floor for floor in rooms if floor.parts]
         found += [
             _surface(s, level.id)
@@ -94,7 +115,7 @@ def things(
         walls = (_wall(wall, cut, near) for wall in scene.walls if wall.level == level.id)
         found += [wall for wall in walls if wall.parts]
         found += [
-            _opening(o, cut and cut_of_opening(o, near, cut))
+            _opening(o, uses.get(o.id, "inner"), cut and cut_of_opening(o, near, cut))
             for o in scene.openings
             if o.level == level.id
         ]
@@ -104,23 +125,29 @@ def things(
             for p in scene.pieces
             if level_of.get(p.space, first) == level.id and p.function != STAIRS
         ]
-        clear = _find_clear(pieces, towards) if cut is not None and towards else {}
+        seen = towards if cut is not None else None
+        clear = find_hiding(pieces, seen) if seen else frozenset()
+        over = find_hanging_over(pieces, seen) if seen else frozenset()
         for piece in pieces:
-            one = _piece(piece, level.id, catalog, cut and cut_of_piece(piece, near, cut))
+            if piece.id in over:
+                continue
+            one = _piece(piece, level.id, catalog, cut and _cut_of(piece, near, cut))
             if piece.id in clear:
-                one = one._replace(
-                    key=(one.key, "clear"), parts=make_clear(one.parts, clear[piece.id])
-                )
+                one = one._replace(key=(one.key, "clear"), parts=make_clear(one.parts))
             found += [one] if one.parts or cut is None else []
     if scene.palette:
         found = [one._replace(parts=paint(one.parts, scene.palette)) for one in found]
     return tuple(_make_names_unique(found))
 
 
-def _find_clear(pieces: Sequence[Piece], towards: Direction) -> dict[str, float]:
-    """How opaque pieces are drawn that hide others from an eye looking ``towards`` a direction."""
-    hanging = dict.fromkeys(find_hanging_over(pieces, towards), CLEARER)
-    return dict.fromkeys(find_hiding(pieces, towards), CLEAR) | hanging
+def _cut_of(piece: Piece, near: NearWalls, cut: float) -> float:
+    enclosed = piece.category in ENCLOSED
+    return (cut_of_enclosure if enclosed else cut_of_piece)(piece, near, cut)
+
+
+def _lid_of(space: Space, near: NearWalls, cut: float | None) -> float:
+    """How high a room is filled: shafts in a cut picture, no others."""
+    return find_lid_height(space, near, cut) if cut is not None and is_shaft(space) else 0.0
 
 
 def to_level_coordinates(thing: RenderItem, vertices: Floats) -> Floats:
@@ -180,9 +207,15 @@ def _corners(opening: Opening) -> Floats:
     return np.array([[-half, -face, 0], [half, -face, 0], [half, face, 0], [-half, face, 0]])
 
 
-def _floor(space: Space, well: shapely.Geometry) -> RenderItem:
+def _is_bed(piece: Piece, catalog: Catalog) -> bool:
+    kind = catalog.kinds.get(piece.category)
+    return kind is not None and "bed" in kind.essential
+
+
+def _floor(space: Space, well: shapely.Geometry, lid: float, slept_in: bool) -> RenderItem:
+    """The floor finish of a room; of a shaft that is closed, what fills it up to its ``lid``."""
     whole = shapely.Polygon(space.outline, space.holes)
-    area, meshes = whole.area, [prism(space.outline, -SKIN, 0.0, space.holes)]
+    area, meshes = whole.area, [prism(space.outline, -SKIN, lid, space.holes)]
     if whole.intersects(well):
         meshes = [_flat(part, -SKIN, 0.0) for part in polygons(whole.difference(well))]
     extras: dict[str, str | float] = {
@@ -192,7 +225,7 @@ def _floor(space: Space, well: shapely.Geometry) -> RenderItem:
         "area": round(area, 3),
         "height": space.height,
     }
-    parts = (Part(floor_of(space), *merge(meshes)),) if meshes else ()
+    parts = (Part(LID if lid else floor_of(space, slept_in), *merge(meshes)),) if meshes else ()
     return RenderItem(
         space.id, "space", space.level, space.id, ("space", space.id), parts, (0, 0, 0), 0.0, extras
     )
@@ -254,8 +287,9 @@ def _open_prism(solid: Prism, top: float) -> tuple[Mesh, Mesh]:
     return Mesh(vertices, faces[len(cap.faces) :]), cap
 
 
-def _opening(opening: Opening, cut: float | None) -> RenderItem:
-    parts = tuple(p for part in joinery.parts(opening) if (p := _below(part, cut)) is not None)
+def _opening(opening: Opening, use: DoorUse, cut: float | None) -> RenderItem:
+    whole = joinery.parts(opening, use)
+    parts = tuple(p for part in whole if (p := cut_part(part, cut)) is not None)
     extras: dict[str, str | float] = {
         "category": opening.kind,
         "width": opening.width,
@@ -265,6 +299,7 @@ def _opening(opening: Opening, cut: float | None) -> RenderItem:
     }
     shape = (
         opening.kind,
+        use,
         opening.width,
         opening.thickness,
         opening.sill,
@@ -276,19 +311,6 @@ def _opening(opening: Opening, cut: float | None) -> RenderItem:
     turn = float(np.arctan2(opening.uy, opening.ux))
     at = (opening.x, opening.y, 0.0)
     return RenderItem(opening.id, "opening", opening.level, "", shape, parts, at, turn, extras)
-
-
-def _below(part: Part, cut: float | None) -> Part | None:
-    """A part made of boxes without what is above ``cut``; those it goes through are shortened."""
-    if cut is None:
-        return part
-    low = part.vertices[:, 2].copy()
-    for _ in range(3):
-        least = low[part.faces].min(1)
-        np.minimum.at(low, part.faces, least[:, None])
-    faces = part.faces[low[part.faces[:, 0]] < cut - 1e-6]
-    short = part.vertices * [1, 1, 0] + np.minimum(part.vertices[:, 2:], cut) * [0, 0, 1]
-    return Part(part.material, short, faces) if len(faces) else None
 
 
 def _piece(piece: Piece, level: str, catalog: Catalog, cut: float | None) -> RenderItem:
@@ -304,9 +326,10 @@ def _piece(piece: Piece, level: str, catalog: Catalog, cut: float | None) -> Ren
         tint = tint_of(piece.id, parts)
         key, parts = (key, tint), apply_tint(parts, tint)
     kind = catalog.kinds.get(piece.category)
-    if cut is not None and kind is not None and kind.support in ("wall", "ceiling"):
-        top = 0.0 if kind.support == "ceiling" else cut - z
-        parts = tuple(p for part in parts if (p := _below(part, top)) is not None)
+    held = piece.category in ENCLOSED or (kind is not None and kind.support in ("wall", "ceiling"))
+    if cut is not None and held:
+        top = 0.0 if kind is not None and kind.support == "ceiling" else cut - z
+        parts = tuple(p for part in parts if (p := cut_part(part, top)) is not None)
         key = (key, round(top, 4))
     return RenderItem(
         piece.id,

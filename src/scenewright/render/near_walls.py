@@ -7,6 +7,7 @@ sofa, so that what stands at their far side shows.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -16,6 +17,7 @@ from shapely import Geometry, Polygon
 from shapely.affinity import translate
 
 from scenewright.building.masonry import polygons
+from scenewright.building.shafts import is_shaft
 from scenewright.core.scene import Piece, Prism, Scene
 from scenewright.core.space import Opening, Space
 
@@ -30,6 +32,10 @@ LEFT = 0.6
 curtains only their hems would show."""
 HANGING = 0.1
 """Half of this behind what hangs on a wall is the wall, metres."""
+ENCLOSED = frozenset(("shower", "wall_shower"))
+"""What stands on the floor but is held by the walls behind and beside it: screens, rails, heads."""
+BESIDE = 0.05
+"""So far beyond its ends an opening's wall is asked for its height, metres."""
 
 
 class NearWalls(NamedTuple):
@@ -52,9 +58,10 @@ def find_near_walls(scene: Scene, level: str, towards: tuple[float, float, float
 
     A strip is what a room sweeps when it is moved towards the eye by the thickness of a wall, less
     all rooms; where another room lies before it the wall is one between rooms. Sides of a room that
-    run along the view are left alone, and so are columns.
+    run along the view are left alone, and so are columns. Shafts are no rooms but part of the wall.
     """
-    rooms = [_floor(space) for space in scene.spaces if space.level == level]
+    here = [space for space in scene.spaces if space.level == level]
+    rooms = [_floor(space) for space in here if not is_shaft(space)]
     if not rooms:
         return NearWalls()
     away = -np.array(towards[:2]) / max(float(np.hypot(*towards[:2])), 1e-9)
@@ -67,8 +74,15 @@ def find_near_walls(scene: Scene, level: str, towards: tuple[float, float, float
     floors = shapely.union_all(rooms)
     near = _solid(shapely.union_all([_sweep(room, step) for room in rooms]).difference(floors))
     before = shapely.union_all([_sweep(room, (-step[0], -step[1])) for room in rooms])
-    inner = _solid(near.intersection(before))
+    shafts = _find_near_shafts([_floor(space) for space in here if is_shaft(space)], near)
+    inner = _solid(near.intersection(before).union(shafts.difference(floors)))
     return NearWalls(((_solid(near.difference(inner)), KERB), (inner, RAIL)))
+
+
+def _find_near_shafts(shafts: Sequence[Polygon], near: Geometry) -> Geometry:
+    """Those shafts, with their walls, that stand before a room."""
+    found = [shaft for shaft in shafts if shaft.intersection(near).area > 0.1 * shaft.area]
+    return shapely.union_all([shaft.buffer(THICK / 2, join_style="mitre") for shaft in found])
 
 
 def _solid(shape: Geometry) -> Geometry:
@@ -121,8 +135,29 @@ def _prisms(shape: Geometry, like: Prism) -> list[Prism]:
 
 
 def cut_of_opening(opening: Opening, near: NearWalls, cut: float) -> float:
-    """The height at which an opening is cut: that of its wall."""
-    return near.top_at(opening.x, opening.y, cut)
+    """The height at which an opening is cut: that of its wall, beside it too."""
+    reach = opening.width / 2 + BESIDE
+    ends = [
+        near.top_at(opening.x + k * reach * opening.ux, opening.y + k * reach * opening.uy, cut)
+        for k in (-1, 1)
+    ]
+    return min(near.top_at(opening.x, opening.y, cut), max(ends))
+
+
+def cut_of_enclosure(piece: Piece, near: NearWalls, cut: float) -> float:
+    """The height at which a shower is cut: that of the lowest wall behind or beside it."""
+    x, y, _, heading = piece.pose
+    cos, sin = float(np.cos(heading)), float(np.sin(heading))
+    back = -(piece.size.depth + HANGING) / 2
+    side = (piece.size.width + HANGING) / 2
+    spots = ((0.0, back), (side, 0.0), (-side, 0.0))
+    return min(near.top_at(x + a * sin + b * cos, y - a * cos + b * sin, cut) for a, b in spots)
+
+
+def find_lid_height(space: Space, near: NearWalls, cut: float) -> float:
+    """How high a shaft is closed: at the top of the walls round it."""
+    inside = Polygon(space.outline, space.holes).representative_point()
+    return near.top_at(inside.x, inside.y, cut)
 
 
 def cut_of_piece(piece: Piece, near: NearWalls, cut: float) -> float:

@@ -4,7 +4,8 @@ shows fronts instead of backs.
 A narrow flat seen along its length fills a third of a picture; a row of wardrobes seen from
 behind is a row of boards. Of the four quarter turns the one of least cost is taken: 1 less the
 share of the picture that is filled, the share of tall fronts (by metres) that look away from the
-eye, and a little for every quarter turn away from the plan, on which north is up.
+eye, and a little for every quarter turn away from the plan, on which north is up. Sides from which
+a picture is taller than wide are taken only where all are.
 """
 
 from __future__ import annotations
@@ -21,6 +22,10 @@ TALL, WIDE = 1.2, 0.6
 """Height and width, metres, from which on a piece seen from behind is a blank board."""
 QUARTER = 0.12
 """What a quarter turn costs; half a turn twice as much."""
+UPRIGHT = 0.95
+"""Height by width from which on a scene comes out narrower than high, walls included."""
+NARROW = 10.0
+"""What a picture costs that is narrower than high by its own width."""
 
 
 def choose_turn(scene: Scene, towards: tuple[float, float, float], shape: float) -> float:
@@ -28,24 +33,26 @@ def choose_turn(scene: Scene, towards: tuple[float, float, float], shape: float)
     picture whose largest height by width is ``shape``."""
     turns = np.array([0.0, 0.5, -0.5, 1.0]) * np.pi
     unlike = QUARTER * np.array([0.0, 1.0, 1.0, 2.0])
-    fills = np.array([_fill(scene, turn, towards, shape) for turn in turns])
+    tall = np.array([_shape_of(scene, turn, towards) for turn in turns])
+    fills = np.minimum(1.0, np.minimum(shape / tall, tall / shape))
     backs = np.array([_share_of_backs(scene, turn, towards) for turn in turns])
-    return float(turns[np.argmin(1.0 - fills + backs + unlike)])
+    narrow = NARROW * np.maximum(tall - UPRIGHT, 0.0)
+    return float(turns[np.argmin(1.0 - fills + backs + unlike + narrow)])
 
 
-def _fill(scene: Scene, turn: float, towards: tuple[float, float, float], shape: float) -> float:
-    """The share of the picture that the boxes of the levels, side by side, fill."""
+def _shape_of(scene: Scene, turn: float, towards: tuple[float, float, float]) -> float:
+    """Height by width of the boxes of the levels, side by side, as seen."""
     levels = [
         np.vstack([space.outline for space in scene.spaces if space.level == level.id])
         for level in scene.levels
         if any(space.level == level.id for space in scene.spaces)
     ]
     if not levels:
-        return 1.0
+        return UPRIGHT
     extents = np.array([np.ptp(_turned(points, turn), axis=0) for points in levels])
     wide = float(extents[:, 0].sum()) + APART * (len(levels) - 1)
     deep = float(extents[:, 1].max()) * -towards[2] / float(np.linalg.norm(towards))
-    return min(1.0, shape * wide / deep, deep / (shape * wide))
+    return deep / wide
 
 
 def _turned(points: Floats, turn: float) -> Floats:

@@ -15,7 +15,7 @@ from scenewright.core.solution import Solution
 from scenewright.core.space import Space
 from scenewright.domains.home.drawing.short_names import short_names_mark, with_letters
 from scenewright.domains.home.drawing.turning import Turns, turning_mark, turning_of
-from scenewright.drawing.filled_sheet import arrange_filled
+from scenewright.drawing.filled_sheet import arrange_filled, enlarge_names
 from scenewright.drawing.layers import PlanDrawing, PlanLayer
 from scenewright.drawing.legend import LegendRow
 from scenewright.drawing.marks import PaperView
@@ -49,7 +49,7 @@ def overlay_of(turns: Turns, catalog: Catalog) -> Overlay:
         del storeys
         return [*list_furniture(scene.pieces, catalog), *list_outlets(scene.spaces)]
 
-    return Overlay(over=circles, legend=schedule, arrange=arrange_filled)
+    return Overlay(over=circles, legend=schedule, arrange=arrange_filled, enlarge=enlarge_names)
 
 
 def list_furniture(pieces: Sequence[Piece], catalog: Catalog) -> list[LegendRow]:

@@ -22,10 +22,10 @@ ASIDE = (0.6, 0.5, 0.4, 0.3)  # a rug under the foot reaches so far beyond both 
 FOOT = (0.3, 0.1, 0.0)  # and beyond the foot, metres
 UNDER = (1.5, 1.2)  # and is so long, metres
 TUCKED = 0.2  # of a rug along a bed lies under it, metres
-LENGTHS = (1.8, 1.6, 1.4, 1.2)  # of a rug along a bed, metres
+LENGTHS = (1.8, 1.6, 1.4, 1.2, 1.0)  # of a rug along a bed, metres
 WIDTHS = (1.2, 1.0, 0.85, 0.7, 0.6)  # of that, with what is under the bed, metres
 OFF_SIDES = 0.12  # a rug before the foot is so much narrower than the bed, metres
-TOWARDS = (0.0, 0.1, 0.2, 0.3, 0.4)  # its middle lies so far towards the foot, metres
+TOWARDS = (0.0, 0.1, 0.2, 0.3, 0.4, -0.2, -0.4)  # its middle lies so far towards the foot, metres
 
 
 def list_bed_rugs(bed: Piece) -> Floats:
@@ -60,7 +60,7 @@ def _list_along(bed: Piece) -> Iterator[Row]:
     """The same of rugs along its sides."""
     sizes = sorted(product(WIDTHS, LENGTHS), key=lambda size: -size[0] * size[1])
     for (wide, long), towards, side in product(sizes, TOWARDS, (1.0, -1.0)):
-        if towards + long / 2 <= bed.size.depth / 2:
+        if abs(towards) + long / 2 <= bed.size.depth / 2:
             yield side * (bed.size.width / 2 - TUCKED + wide / 2), towards, wide, long
 
 

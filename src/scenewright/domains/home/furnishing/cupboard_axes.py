@@ -1,4 +1,5 @@
-"""Rugs and cupboards: along them before their middle, and off the doors of wardrobes."""
+"""Rugs and cupboards: along them before their middle, off the doors of wardrobes and off the floor
+before a kitchen."""
 
 from __future__ import annotations
 
@@ -17,6 +18,8 @@ TOUCH = 0.05  # cupboards nearer to one another are one, metres
 LOW = 0.05  # what begins higher stands on something, metres
 TURNED = 0.1  # sine of the angle by which a cupboard may be off square to the rug
 DOORS = 0.3  # floor before a wardrobe in which a rug would lie tight before its doors, metres
+COOKING, STANDING = frozenset(("kitchen", "kitchenette", "counter")), 0.6
+"""Groups before which one stands and works, and the floor that takes, metres."""
 NEAR = 1.0  # a rug farther before a cupboard does not lie along it, metres
 
 
@@ -52,13 +55,16 @@ def find_cupboard_axis(rug: Floats, pieces: Sequence[Piece]) -> Floats | None:
 
 
 def front_boxes(pieces: Sequence[Piece]) -> StandingObstacles:
-    """The floor before wardrobes that a rug leaves free, as something to keep clear of."""
+    """The floor before wardrobes and kitchen units that a rug leaves free, as something to keep
+    clear of."""
     boxes = []
     for p in pieces:
-        if p.category == "wardrobe":
-            ahead, (x, y, _, turn) = (p.size.depth + DOORS) / 2, p.pose
-            boxes.append((x + ahead * cos(turn), y + ahead * sin(turn), turn, p.size.width, DOORS))
-    spans, names = np.tile((0.0, 1.0), (len(boxes), 1)), ("wardrobe",) * len(boxes)
+        cooking = p.function in COOKING and p.pose.z < LOW
+        free = DOORS if p.category == "wardrobe" else STANDING if cooking else 0.0
+        if free:
+            ahead, (x, y, _, turn) = (p.size.depth + free) / 2, p.pose
+            boxes.append((x + ahead * cos(turn), y + ahead * sin(turn), turn, p.size.width, free))
+    spans, names = np.tile((0.0, 1.0), (len(boxes), 1)), ("cupboard",) * len(boxes)
     return StandingObstacles(np.array(boxes).reshape(-1, 5), spans, names)
 
 

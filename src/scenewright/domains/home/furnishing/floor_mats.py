@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.core.catalog import Catalog
+from scenewright.core.piece_outlines import outline_of
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.space import Space
 from scenewright.domains.home.furnishing.bed_rugs import BEDS, list_bed_rugs
@@ -53,8 +54,9 @@ USUAL = 0.9  # width of a mat that may be longer than what it lies before, metre
 BATHS = ("bathtub", "shower", "basin", "pedestal_basin")
 """What one steps from onto a mat, the first there is."""
 SOFAS = ("sofa", "corner_sofa", "loveseat")
-BEYOND = (0.6, 0.4, 0.2)  # a rug before a sofa without a table is so much wider, metres
-DEPTHS = (1.6, 1.4, 1.2, 1.0)  # and so deep, metres
+BEYOND = (0.6, 0.4, 0.2, 0.0, -0.3)  # a rug before a sofa is so much wider, metres
+DEPTHS = (1.6, 1.4, 1.2, 1.0, 0.8)  # and so deep, metres
+LOW_TABLE = "coffee_table"  # what stands on such a rug with all its legs, or not at all
 TUCKED = 0.2  # of a rug lies under the sofa it belongs to, metres
 BESIDE = 0.05  # free round a rug at a bed, metres
 DOUBLE = "double_bed"
@@ -113,22 +115,23 @@ def _choose_boxes(
     space: Space, ground: Ground, here: Sequence[Piece], solid: Sequence[Piece]
 ) -> Iterator[Floats]:
     """Boxes (5,) of mats that lie on free floor, the best first."""
-    standing = standing_of(tuple(solid), frozenset())
+    standing, fronts = standing_of(tuple(solid), frozenset()), front_boxes(here)
     if "bathroom" in space.functions:
         for bath in (p for name in BATHS for p in here if p.category == name):
             sizes = tuple(s for s in BATH if s[0] <= max(bath.size.width, USUAL))
             for side in _open_sides(bath):
                 yield from _before(side, sizes, ground, standing)
     if "living" in space.functions:
+        tables = [p for p in here if p.category == LOW_TABLE]
         for sofa in (p for p in here if p.category in SOFAS):
-            yield from _under(sofa, ground, standing_of(_without(solid, sofa), frozenset()))
-    fronts = front_boxes(here)
+            others = standing_of(_without(solid, sofa, *tables), frozenset())
+            yield from _under(sofa, ground, join_standing(others, fronts), tables)
     if BUSY.isdisjoint(space.functions):
         along = here if "hall" in space.functions else ()
         for rug in (RUGS[f] for f in space.functions if f in RUGS):
             fitting = _fit_beside(rug, here)
             yield from _amid(ground, join_standing(standing, fronts), fitting, along)
-    beds = [p for p in here if p.category in BEDS and "kitchen" not in space.functions]
+    beds = [p for p in here if p.category in BEDS]
     for bed in sorted(beds, key=lambda p: -p.size.width):
         boxes, others = list_bed_rugs(bed), standing_of(_without(solid, bed), frozenset())
         yield from boxes[_lie_free(boxes, ground, join_standing(others, fronts), BESIDE)]
@@ -142,19 +145,32 @@ def _fit_beside(rug: Margin, here: Sequence[Piece]) -> Margin:
     return rug._replace(sizes=tuple(s for s in rug.sizes if s[0] * s[1] >= least))
 
 
-def _without(solid: Sequence[Piece], piece: Piece) -> tuple[Piece, ...]:
-    return tuple(p for p in solid if p is not piece)
+def _without(solid: Sequence[Piece], *pieces: Piece) -> tuple[Piece, ...]:
+    return tuple(p for p in solid if not any(p is one for one in pieces))
 
 
-def _under(sofa: Piece, ground: Ground, standing: StandingObstacles) -> Iterator[Floats]:
-    """Rugs that reach under a sofa, before its middle, the largest first."""
+def _under(
+    sofa: Piece, ground: Ground, standing: StandingObstacles, tables: Sequence[Piece] = ()
+) -> Iterator[Floats]:
+    """Rugs that reach under a sofa, before its middle, the largest first; the legs of low
+    ``tables`` stand on them all or not at all."""
     (x, y, _, heading), half = sofa.pose, sofa.size.depth / 2 - TUCKED
     rows = [
         (half + deep / 2, sofa.size.width + more, deep) for deep, more in product(DEPTHS, BEYOND)
     ]
     c, s = cos(heading), sin(heading)
     boxes = np.array([(x + c * out, y + s * out, heading, wide, deep) for out, wide, deep in rows])
-    yield from boxes[_lie_free(boxes, ground, standing, 0.0)]
+    free = boxes[_lie_free(boxes, ground, standing, 0.0)]
+    yield from (box for box in free if all(_is_even(box, table) for table in tables))
+
+
+def _is_even(rug: Floats, table: Piece) -> bool:
+    """Whether a table stands on a rug (5,) with all its legs or with none."""
+    c, s = cos(rug[2]), sin(rug[2])
+    off = outline_of(table) - rug[:2]
+    beside, ahead = np.abs(off @ (s, -c)), np.abs(off @ (c, s))
+    on = (beside <= rug[3] / 2) & (ahead <= rug[4] / 2)
+    return bool(on.all() or not on.any())
 
 
 def _open_sides(bath: Piece) -> Iterator[Piece]:

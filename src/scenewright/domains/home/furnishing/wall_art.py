@@ -36,13 +36,14 @@ Floats = NDArray[np.float64]
 LIVED_IN = frozenset(
     ("living", "dining", "study", "bedroom", "double_bedroom", "single_bedroom", "child_bedroom")
 )
-HUNG = frozenset(("picture", "mirror", "wall_shelf", "wall_clock", "wall_exhibit", "wall_cabinet"))
+ADORNMENT = frozenset(("picture", "wall_shelf", "wall_clock", "wall_exhibit"))
+"""What makes a wall lived in; a mirror over a chest or the cabinets of a kitchen do not."""
 LAMPS = frozenset(
     ("ceiling_lamp", "pendant_lamp", "wall_lamp", "floor_lamp", "table_lamp", "desk_lamp")
 )
 SEATS = ("sofa", "loveseat", "corner_sofa", "armchair", "double_bed", "single_bed")
 BACKED = 0.03  # what is this near to a wall hangs on it, metres
-ADORNED = 8.0  # rooms of so many square metres have something on a wall
+ADORNED = 5.0  # rooms of so many square metres have something on a wall
 LIT = 12.0  # rooms of so many have a second lamp
 SHOULDER = 1.1  # what rises above this takes a wall from what hangs on it, metres
 AGAINST = 0.15  # what is nearer than this leaves no way between it and the wall, metres
@@ -79,7 +80,7 @@ def fill_walls(
         return []
     here = [p for p in pieces if p.space == space.id]
     found: list[Piece] = []
-    if not any(p.category in HUNG for p in here):
+    if not any(p.category in ADORNMENT for p in here):
         found += _first_free(_pictures(space, ground, pieces), ground, pieces, catalog)
     if area >= LIT and sum(p.category in LAMPS for p in here) == 1:
         standing = (*pieces, *found)

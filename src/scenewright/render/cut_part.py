@@ -1,0 +1,20 @@
+"""What is left of a thing below the height a picture cuts it at."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from scenewright.core.catalog import Part
+
+
+def cut_part(part: Part, cut: float | None) -> Part | None:
+    """A part made of boxes without what is above ``cut``; those it goes through are shortened."""
+    if cut is None:
+        return part
+    low = part.vertices[:, 2].copy()
+    for _ in range(3):
+        least = low[part.faces].min(1)
+        np.minimum.at(low, part.faces, least[:, None])
+    faces = part.faces[low[part.faces[:, 0]] < cut - 1e-6]
+    short = part.vertices * [1, 1, 0] + np.minimum(part.vertices[:, 2:], cut) * [0, 0, 1]
+    return Part(part.material, short, faces) if len(faces) else None
