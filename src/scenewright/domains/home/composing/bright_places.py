@@ -41,14 +41,14 @@ Floats = NDArray[np.float64]
 
 STEP = 0.05  # between places along a wall, metres
 NEAR = 0.15  # nearer places of a form no larger are one, metres
-PLACED, PAIRS = 30, 100  # places that are furnished, and pairs beside what is not in their way
+PLACED, PAIRS = 15, 100  # places that are furnished, and pairs beside what is not in their way
 FOLLOWED = 3  # pairs which a third group follows
 WAYS = 2  # sets of groups in the way that are tried
 AHEAD, LARGE = 0.31, 9.0
 """Seats stand so far before a window at their back, metres, in rooms of so many square metres."""
 DEAR = 1000.0
 """What a pair may not have: a window before it, a bed adrift, a wide door it left free."""
-FEW = {"pair_forms": 6, "pair_places": 60}
+FEW = {"pair_forms": 4, "pair_places": 40}
 """Of pairs the forms of either, and places of each form."""
 STAYS = frozenset(("plant",))
 """What is never placed together with something."""
@@ -226,5 +226,5 @@ def _make_dear(task: RoomTask, doors: bool) -> RoomTask:
     rule = task.preset.settings.composing
     costs = rule.costs._replace(window=DEAR, adrift=DEAR)
     costs = costs._replace(opening=DEAR) if doors else costs
-    settings = task.preset.settings._replace(composing=rule._replace(costs=costs, step=STEP, **FEW))
+    settings = task.preset.settings._replace(composing=rule._replace(costs=costs, **FEW))
     return task._replace(preset=task.preset._replace(settings=settings))

@@ -27,7 +27,7 @@ HOB, FRIDGE, CORNER = "hob_cabinet", "fridge", "corner_cabinet"
 LONGEST = 6  # units of a line that change places
 NARROWEST, WIDEST, STEP = 0.3, 1.2, 0.05
 """How narrow and how wide a cabinet becomes, and by how much at once, metres."""
-RATED, TRIED = 30, 4  # orders of a line that are rated, and of these those that are furnished
+RATED, TRIED = 12, 3  # orders of a line that are rated, and of these those that are furnished
 
 
 class Order(NamedTuple):
