@@ -133,7 +133,8 @@ def test_a_bed_adrift_goes_to_a_wall_but_not_before_a_window():
 
 def test_seats_before_a_window_leave_its_curtain_free():
     room = ROOM | {"function": "living", "outline": [[0, 0], [4, 0], [4, 3.4], [0, 3.4]]}
-    room |= {"windows": [{"at": [2.0, 3.4], "width": 3.6, "sill": 0.9}]}
+    across = {"at": [2.5, 0.0], "width": 2.8, "sill": 0.9}
+    room |= {"windows": [{"at": [2.0, 3.4], "width": 3.6, "sill": 0.9}, across]}
     room |= {"doors": [DOOR, *({"at": [x, 1.7], "width": 2.8, "swing": "slide"} for x in (0, 4))]}
     task = task_of(room)
     sofa = stand(task, "seating", 2.0, 3.4, -NORTH, lambda c: len(c.members) == 1 or c.width < 2.0)

@@ -71,6 +71,7 @@ def _list_slits(task: RoomTask, answer: RoomAnswer, run: FurnishedGroup) -> Iter
 
 
 def is_unit(member: Member) -> bool:
+    """Whether a member of a kitchen stands on the floor as one of its units."""
     return member.category in RUN and member.z < RAISED
 
 
