@@ -37,6 +37,7 @@ from scenewright.domains.home.composing.kitchens.mend import mend_kitchens
 from scenewright.domains.home.composing.mend_bedrooms import mend_bedrooms
 from scenewright.domains.home.composing.soft_seats import add_soft_seat
 from scenewright.domains.home.composing.unseen import leave_out_unseen_screen
+from scenewright.domains.home.composing.windows import clear_windows
 from scenewright.domains.home.entrances import entered_by
 from scenewright.domains.home.furnishing.look import apply_style
 from scenewright.domains.home.home_floor import HomeFloor, join_floors
@@ -157,6 +158,7 @@ def _walk_home(
     mended = mend_kitchens(every.tasks, found, opened)
     mended = mend_bedrooms(every.tasks, mended, opened)
     mended = clear_doorways(every.tasks, mended, opened)
+    mended = clear_windows(every.tasks, mended, opened)
     mended = add_nightstands(every.tasks, mended, opened)
     fewer = measure_shortage(household, mended) > measure_shortage(household, found)
     answers = found if fewer else mended

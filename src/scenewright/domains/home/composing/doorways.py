@@ -127,7 +127,7 @@ def _list_moved(judge: RoomJudge, best: JudgedRoom, at: int) -> list[tuple[Place
     before none, and whether it stands before none."""
     task, group, found = judge.task, best.placed[at], list[tuple[Placed, bool]]()
     most, now = best.cost - task.preset.settings.composing.least, group.dressed.case
-    before, forms = measure_before_doors(group, task.ground), _list_forms(task, group)
+    before, forms = measure_before_doors(group, task.ground), list_lasting_forms(task, group)
     metre = METRE if group.wish.group in HOLDING else 0.0
     for judged in try_places(judge, best.placed, at, forms, most, metre, STEP):
         there = judged.placed[at]
@@ -137,7 +137,7 @@ def _list_moved(judge: RoomJudge, best: JudgedRoom, at: int) -> list[tuple[Place
     return found
 
 
-def _list_forms(task: RoomTask, group: FurnishedGroup) -> Iterator[Group]:
+def list_lasting_forms(task: RoomTask, group: FurnishedGroup) -> Iterator[Group]:
     """The forms of a group that hold hardly less than it does, the least ones of it among them."""
     least = LEAST[group.wish.group]() if group.wish.group in LEAST else ()
     given, now = group.wish.most is not None, group.dressed.case

@@ -35,6 +35,7 @@ _CHESTS = ("chest_of_drawers", "sideboard", "tv_stand", "bookcase", "wardrobe", 
 _AWAY_FROM_DOORS = (*_BEDS, "armchair")
 SHADES = frozenset((*_SEATS, *_BEDS, *_CHESTS, "hob_cabinet"))
 """What takes a window's light, or is not to stand in it."""
+SCREEN = "tv"
 DESKS = frozenset(("desk", "kids_desk", "corner_desk"))
 BRIGHT, DAYLIT = 1.05, 2.1
 """Metres from a window up to which a desk is in full daylight, and from which it has hardly any: a
@@ -48,6 +49,7 @@ OFF_AXIS = 0.3  # a sofa this near to the axis of a fireplace is on it, metres
 FARTHEST = 3.1  # a screen is watched from so many of its widths at most
 BESIDE_TABLE = 0.2  # a seat nearer than this to where one sits at a table crowds it, metres
 SEEN = 0.02  # less of an opening that something stands before is not seen, metres
+DARK = 0.09  # metres of a window from which on what stands before it takes its light
 
 
 def cost_of_group(group: FurnishedGroup, ground: Ground, rule: ComposingSettings) -> float:
@@ -238,3 +240,37 @@ def cost_of_shelves(groups: Sequence[FurnishedGroup], ground: Ground, cost: floa
     longest = float(np.hypot(walls[:, 2] - walls[:, 0], walls[:, 3] - walls[:, 1]).max())
     short = 1.0 - sum(p.size.width for p in shelves) / (SHELVED * longest)
     return cost * (1.0 + short) / 2 if short > 0.0 else 0.0
+
+
+def list_adrift(groups: Sequence[FurnishedGroup], ground: Ground) -> list[Piece]:
+    """The single beds of groups neither long side of which is at a wall."""
+    beds = [p for g in groups for p in g.pieces if p.category == "single_bed"]
+    gaps = (float(measure_flank_gaps(_box(bed)[None], ground.walls).min()) for bed in beds)
+    return [bed for bed, gap in zip(beds, gaps, strict=True) if gap > AT_WALL]
+
+
+def measure_before_windows(group: FurnishedGroup, ground: Ground) -> Floats:
+    """Metres (w,) of each of the windows in walls before which one piece of a group stands that
+    takes its light."""
+    panes = [strip for strip, window, _ in _read_strips(Same(ground)) if window]
+    low = [p for p in group.pieces if _takes_light(p.category, p.pose.z)]
+    each = [[_metres_before(piece, pane) for pane in panes] for piece in low]
+    return np.array(each).reshape(len(low), len(panes)).max(axis=0, initial=0.0)
+
+
+def _takes_light(category: str, above: float) -> bool:
+    """Whether what stands so far above the floor takes light of a window behind it."""
+    return category == SCREEN or (category in SHADES and above <= AT_WALL)
+
+
+def measure_cases_before_windows(case: Group, boxes: Floats, ground: Ground) -> Floats:
+    """:func:`measure_before_windows` (n, w) of a case on each of boxes (n, 5), of what stands
+    parallel to its wall."""
+    panes = [strip for strip in ground.strips if strip[5] == 1.0]
+    metres = np.zeros((len(boxes), len(panes)))
+    for member in case.members:
+        if _takes_light(member.category, member.z):
+            there = place_member(member, boxes)
+            for k, pane in enumerate(panes):
+                metres[:, k] = np.maximum(metres[:, k], _lengths_before(there, pane))
+    return metres

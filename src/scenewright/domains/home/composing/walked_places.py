@@ -65,7 +65,7 @@ def _list_places(
     rule, rest = task.preset.settings.composing, placed[:at] + placed[at + 1 :]
     pieces = (*task.fixed, *task.beside, *(p for g in rest for p in g.pieces))
     standing, faults = standing_of(pieces, flat_kinds(task.catalog)), sum_faults(task, rest)
-    forms = _list_unlike(cases)
+    forms = list_unlike(cases)
     for case, boxes in islice(find_places(task, forms, standing, group, step), FORMS):
         layouts = np.repeat(np.array([[p.dressed.box for p in placed]]), len(boxes), axis=0)
         layouts[:, at] = boxes
@@ -78,7 +78,7 @@ def _list_places(
     return found
 
 
-def _list_unlike(forms: Iterable[Group]) -> Iterator[Group]:
+def list_unlike(forms: Iterable[Group]) -> Iterator[Group]:
     """The forms without those that differ by less than 0.1 m from one before."""
     seen = set[tuple[float, float, int]]()
     for form in forms:

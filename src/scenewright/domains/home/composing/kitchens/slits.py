@@ -60,7 +60,7 @@ def _list_slits(task: RoomTask, answer: RoomAnswer, run: FurnishedGroup) -> Iter
     """The slits beside the units of a kitchen that nothing of it follows."""
     held = zip(run.dressed.case.members, run.dressed.stands, strict=True)
     pairs = zip((m for m, there in held if there), run.pieces, strict=True)
-    low = [(m, p) for m, p in pairs if _is_unit(m)]
+    low = [(m, p) for m, p in pairs if is_unit(m)]
     units = [m for m, _ in low]
     for unit, piece in low:
         for side in (-1, 1):
@@ -70,7 +70,8 @@ def _list_slits(task: RoomTask, answer: RoomAnswer, run: FurnishedGroup) -> Iter
                     yield Slit(unit, side, gap)
 
 
-def _is_unit(member: Member) -> bool:
+def is_unit(member: Member) -> bool:
+    """Whether a member of a kitchen stands on the floor as one of its units."""
     return member.category in RUN and member.z < RAISED
 
 
@@ -103,7 +104,7 @@ def _close(
 def widen_end(case: Group, slit: Slit) -> Group | None:
     """A case with the cabinet nearest to a slit so much wider, all between it and the end moved;
     None where none may grow."""
-    units = [m for m in case.members if _is_unit(m)]
+    units = [m for m in case.members if is_unit(m)]
     moved, at = list[Member](), slit.unit
     while at.category not in WIDENED or at.size.width + slit.gap > WIDEST:
         moved.append(at)
@@ -120,13 +121,13 @@ def widen_end(case: Group, slit: Slit) -> Group | None:
         return member._replace(x=member.x + c * by, y=member.y + s * by, size=size)
 
     def change(member: Member) -> Member:
-        own = next((u for u in (at, *moved) if _belongs(member, u)), None)
+        own = next((u for u in (at, *moved) if belongs(member, u)), None)
         return member if own is None else shift(member, own, 0.5 if own is at else 1.0)
 
     return case._replace(members=tuple(change(m) for m in case.members))
 
 
-def _belongs(member: Member, unit: Member) -> bool:
+def belongs(member: Member, unit: Member) -> bool:
     """Whether a member is a unit or hangs above it."""
     c, s = cos(unit.heading), sin(unit.heading)
     aside = c * (member.x - unit.x) + s * (member.y - unit.y)

@@ -1,0 +1,36 @@
+"""The forms in which a group is tried away from windows: none that holds less."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import zip_longest
+
+from scenewright.core.catalog import Group
+from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
+from scenewright.domains.home.composing.case_faults import FULL, count_seats
+from scenewright.domains.home.composing.doorways import list_lasting_forms
+from scenewright.domains.home.composing.forms import list_forms
+from scenewright.domains.home.programme import BEDS
+
+HALF = 0.5
+"""The share of its width that a wardrobe keeps, and the metre it has."""
+HAIR = 1e-6
+
+
+def list_bright_forms(task: RoomTask, group: FurnishedGroup) -> Iterator[Group]:
+    """The better forms of a group and the smaller ones by turns, each once, a bed's better ones
+    first: beds no smaller than before wide doors, seats for as many, wardrobes of a metre or as
+    wide as now."""
+    better = list(_list_forms(task, group))
+    smaller = sorted(better, key=lambda form: form.width * form.depth)
+    turns = (better, smaller) if group.wish.group in BEDS else (smaller, better)
+    yield from dict.fromkeys(form for both in zip_longest(*turns) for form in both if form)
+
+
+def _list_forms(task: RoomTask, group: FurnishedGroup) -> Iterator[Group]:
+    now = group.dressed.case
+    if group.wish.group == "wardrobe":
+        least = max(min(now.width, FULL), HALF * now.width) - HAIR
+        return (form for form in list_forms(task, group) if form.width > least)
+    lasting = list_lasting_forms(task, group)
+    return (form for form in lasting if count_seats(form) >= count_seats(now))

@@ -1,0 +1,121 @@
+"""What stands before a window when a home is done, or a bed adrift, moved once more.
+
+While a room is composed a window costs what half a wardrobe does, and of each form a few places are
+tried. What still stands before one is therefore tried at all places along the walls that leave it
+free (:mod:`.bright_places`), by itself or together with what is in its way; a hob changes places in
+its line (:mod:`.kitchens.hob_places`). A change stays if nothing that is counted gets worse: no
+other window or wide door, no bed adrift, no nightstand, no half wardrobe, no seat, nothing lost.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import islice
+
+from scenewright.domains.home.attempt import RoomAnswer, RoomTask, find_blocked
+from scenewright.domains.home.bed_first import with_narrow_ways
+from scenewright.domains.home.composing.bright_places import list_brighter
+from scenewright.domains.home.composing.case_faults import find_case_faults
+from scenewright.domains.home.composing.doorways import UNITS
+from scenewright.domains.home.composing.judging import RUNS, Placed, count_unmet
+from scenewright.domains.home.composing.kitchens.hob_places import move_hob
+from scenewright.domains.home.composing.placed_faults import (
+    DARK,
+    list_adrift,
+    list_standing,
+    measure_before_doors,
+    measure_before_windows,
+)
+from scenewright.domains.home.second_try import Opened
+
+WORTH = 30.0
+"""What a room may cost more for a window that is free, or a bed along a wall."""
+TRIED = 2  # rooms that are walked through with their home
+COUNTED = frozenset(
+    ("wardrobe", "nightstand", "one_side", "seats", "worktop", "hob_at_sink", "hob_at_end")
+)
+"""Faults of cases that no window is worth."""
+
+Counted = tuple[int, ...]
+
+
+def clear_windows(
+    tasks: Sequence[RoomTask], answers: list[RoomAnswer], opened: Opened
+) -> list[RoomAnswer]:
+    """The answers for all rooms with what stands before a window, or a bed that is adrift,
+    elsewhere, where that bars no way of the home, its ways ``opened``."""
+    found = answers
+    for room, task in enumerate(tasks):
+        may = task.preset.settings.exact and not task.accessible
+        for name in _list_faulty(task, found[room].placed) if may else ():
+            if not task.cancelled():
+                found = _clear(room, task, name, found, opened)
+    return found
+
+
+def _list_faulty(task: RoomTask, placed: Placed) -> list[str]:
+    """The names of groups that may move and stand before a window or adrift, the worst first."""
+    dark = {p.name: measure_before_windows(p, task.ground).max(initial=0.0) for p in placed}
+    adrift = {p.name for p in placed if list_adrift((p,), task.ground)}
+    own = task.library.own.keys()
+    may = (p.name for p in placed if p.wish.group not in own)
+    faulty = [name for name in may if dark[name] > DARK or name in adrift]
+    return sorted(faulty, key=lambda name: -dark[name])
+
+
+def count_faults(task: RoomTask, placed: Placed) -> Counted:
+    """Of a room the windows with something before them, beds adrift, and what must not get worse
+    for either: what stands before wide doors, :data:`COUNTED`, wishes that are not met."""
+    cases = [find_case_faults(list_standing(p)) for p in placed]
+    dark = [measure_before_windows(p, task.ground) > DARK for p in placed]
+    return (
+        sum(any(window) for window in zip(*dark, strict=True)),
+        len(list_adrift(placed, task.ground)),
+        sum(measure_before_doors(p, task.ground) > 0.0 for p in placed),
+        *(sum(name in dict(faults) for faults in cases) for name in sorted(COUNTED)),
+        count_unmet(task, placed),
+    )
+
+
+def is_better(new: Counted, old: Counted) -> bool:
+    """Whether nothing is worse, and fewer windows are taken or beds adrift."""
+    return all(a <= b for a, b in zip(new, old, strict=True)) and new[:2] != old[:2]
+
+
+def _clear(
+    room: int, task: RoomTask, name: str, found: list[RoomAnswer], opened: Opened
+) -> list[RoomAnswer]:
+    """The answers with one group of a room elsewhere, or as they were."""
+    placed = found[room].placed
+    at = next((i for i, p in enumerate(placed) if p.name == name), None)
+    if at is None or len(placed[at].pieces) < sum(placed[at].dressed.stands):
+        return found
+    for other in islice(_list_open(task, placed, at), TRIED):
+        trial = [*found[:room], found[room]._replace(placed=other), *found[room + 1 :]]
+        if all(a is b for a, b in zip(opened(trial), trial, strict=True)):
+            return trial
+    return found
+
+
+def _list_open(task: RoomTask, placed: Placed, at: int) -> Iterator[Placed]:
+    """The better ones of the rooms with a group elsewhere that bar no further way on a grid with
+    narrower ways."""
+    counted: Counted = ()
+    barred: frozenset[str] = frozenset()
+    narrow = with_narrow_ways(task)
+    for other in _list_moved(task, placed, at):
+        if not counted:
+            counted = count_faults(task, placed)
+            barred = frozenset(find_blocked(narrow, placed))
+        better = is_better(count_faults(task, other), counted)
+        if better and barred.issuperset(find_blocked(narrow, other)):
+            yield other
+
+
+def _list_moved(task: RoomTask, placed: Placed, at: int) -> Iterator[Placed]:
+    if placed[at].wish.group in RUNS:
+        yield from move_hob(task, placed, at)
+    elif placed[at].wish.group not in UNITS:
+        own = task.library.own.keys() | UNITS
+        fixed = frozenset(p.name for p in placed if p.wish.group in own)
+        yield from (j.placed for j in list_brighter(task, placed, at, fixed, WORTH))

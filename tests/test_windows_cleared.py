@@ -1,0 +1,196 @@
+"""Windows: what stands before one when its home is done, and where it goes instead."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import shapely
+
+from scenewright.building.door_approach import gates
+from scenewright.building.plan import spaces
+from scenewright.catalog.loading import catalog_of
+from scenewright.core.brief import Brief, Room
+from scenewright.core.piece_outlines import outline_of
+from scenewright.domains.home.attempt import Missing, RoomAnswer, find_blocked
+from scenewright.domains.home.bed_first import with_narrow_ways
+from scenewright.domains.home.cases.library import cases
+from scenewright.domains.home.composing.forms import list_further
+from scenewright.domains.home.composing.kitchens.hob_places import find_line, lay_out, list_orders
+from scenewright.domains.home.composing.moving import dress_group, make_unplaced
+from scenewright.domains.home.composing.placed_faults import (
+    list_adrift,
+    measure_before_windows,
+    measure_cases_before_windows,
+)
+from scenewright.domains.home.composing.windows import clear_windows, count_faults, is_better
+from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
+from scenewright.domains.home.presets import PRESETS
+from scenewright.domains.home.programme import Wish
+from scenewright.domains.home.solving import prepare_rooms
+
+NORTH = np.pi / 2
+DOOR = {"at": [0.5, 0.0], "width": 0.8, "swing": "out"}
+ROOM = {
+    "id": "bed",
+    "function": "bedroom",
+    "outline": [[0, 0], [3.2, 0], [3.2, 2.6], [0, 2.6]],
+    "doors": [DOOR],
+    "windows": [{"at": [1.6, 2.6], "width": 1.4, "sill": 0.9}],
+}
+
+
+def task_of(room=ROOM):
+    brief = Brief(rooms=[Room.model_validate(room)])
+    preset, rooms = PRESETS["default"], spaces(brief)
+    return prepare_rooms(brief, rooms, catalog_of(()), preset, preset.solver, 0)[0][0]
+
+
+def stand(task, name, x, y, heading, fits, beside=()):
+    """A group in the first of its forms that ``fits``, its back at x, y."""
+    case = next(c for c in (*cases(name).groups, *list_further(name)) if fits(c))
+    group = make_unplaced(task, (), Wish(name, 0), case)
+    middle = np.array([x, y]) + case.depth / 2 * np.array([np.cos(heading), np.sin(heading)])
+    box = np.array([*middle, heading, case.width, case.depth])
+    others = standing_of([p for g in beside for p in g.pieces], flat_kinds(task.catalog))
+    dressed = dress_group(task, group, case, box, others)
+    assert dressed is not None
+    return dressed
+
+
+def answer_of(*placed):
+    return RoomAnswer(0.0, placed, (), (), None, 0.0, 0)
+
+
+def clear(task, *placed, opened=list):
+    (answer,) = clear_windows([task], [answer_of(*placed)], opened)
+    return answer.placed
+
+
+def dark(task, placed):
+    return count_faults(task, placed)[0]
+
+
+def test_metres_before_windows_are_those_of_the_polygons():
+    task = task_of()
+    (gate,) = (g for g in gates(task.space) if g.opening.kind == "window")
+    x, y = gate.face
+    strip = shapely.box(x - 0.7, y - 0.3, x + 0.7, y)
+    for left in (0.6, 1.0, 1.6, 2.7):
+        chest = stand(task, "chest", left, 2.6, -NORTH, lambda c: c.width == 0.8)
+        shapes = [shapely.Polygon(outline_of(p)) for p in chest.pieces if p.pose.z < 0.1]
+        metres = shapely.union_all(shapes).intersection(strip).area / 0.3
+        assert measure_before_windows(chest, task.ground) == pytest.approx([metres], abs=1e-6)
+        many = measure_cases_before_windows(
+            chest.dressed.case, chest.dressed.box[None], task.ground
+        )
+        assert many == pytest.approx(np.array([[metres]]), abs=1e-6)
+
+
+def test_a_chest_before_a_window_goes_to_another_wall_and_keeps_its_width():
+    task = task_of()
+    chest = stand(task, "chest", 1.6, 2.6, -NORTH, lambda c: c.width == 0.8)
+    assert dark(task, (chest,)) == 1
+    (moved,) = clear(task, chest)
+    assert dark(task, (moved,)) == 0
+    assert moved.dressed.case.width >= 0.8 * chest.dressed.case.width - 1e-9
+    assert not find_blocked(task, (moved,))
+
+
+def test_nothing_moves_that_takes_no_light_or_has_no_way():
+    task = task_of()
+    free = stand(task, "chest", 3.2, 1.3, np.pi, lambda c: c.width == 0.8)
+    assert clear(task, free) == (free,)
+    chest = stand(task, "chest", 1.6, 2.6, -NORTH, lambda c: c.width == 0.8)
+    lost = answer_of()._replace(missing=(Missing(chest.wish, ""),))
+    assert clear(task, chest, opened=lambda _: [lost]) == (chest,)
+
+
+def test_a_bed_and_the_wardrobe_in_its_way_are_placed_together():
+    """The only long wall without an opening is the wardrobe's."""
+    room = ROOM | {"outline": [[0, 0], [2.6, 0], [2.6, 3], [0, 3]]}
+    room |= {"windows": [{"at": [1.3, 3.0], "width": 2.0, "sill": 0.9}]}
+    room |= {"doors": [{"at": [0.0, 0.6], "width": 0.8, "swing": "out"}]}
+    task = task_of(room)
+    bed = stand(task, "single", 0.4, 3.0, -NORTH, lambda c: c.width == 0.8)
+    wardrobe = stand(task, "wardrobe", 2.6, 1.0, np.pi, lambda c: c.width == 1.4, (bed,))
+    assert dark(task, (bed, wardrobe)) == 1
+    moved = clear(task, bed, wardrobe)
+    assert dark(task, moved) == 0
+    assert sorted(p.wish.group for p in moved) == ["single", "wardrobe"]
+    assert not list_adrift(moved, task.ground)
+    (case,) = (p.dressed.case for p in moved if p.wish.group == "wardrobe")
+    assert case.width >= 1.0 - 1e-9
+    assert not find_blocked(with_narrow_ways(task), moved)
+
+
+def test_a_bed_adrift_goes_to_a_wall_but_not_before_a_window():
+    task = task_of()
+    bed = stand(task, "single", 1.6, 0.0, NORTH, lambda c: c.width == 0.8)
+    assert list_adrift((bed,), task.ground)
+    moved = clear(task, bed)
+    assert count_faults(task, moved)[:2] == (0, 0)
+
+
+def test_seats_before_a_window_leave_its_curtain_free():
+    room = ROOM | {"function": "living", "outline": [[0, 0], [4, 0], [4, 3.4], [0, 3.4]]}
+    across = {"at": [2.5, 0.0], "width": 2.8, "sill": 0.9}
+    room |= {"windows": [{"at": [2.0, 3.4], "width": 3.6, "sill": 0.9}, across]}
+    room |= {"doors": [DOOR, *({"at": [x, 1.7], "width": 2.8, "swing": "slide"} for x in (0, 4))]}
+    task = task_of(room)
+    sofa = stand(task, "seating", 2.0, 3.4, -NORTH, lambda c: len(c.members) == 1 or c.width < 2.0)
+    assert dark(task, (sofa,)) == 1
+    (moved,) = clear(task, sofa)
+    assert dark(task, (moved,)) == 0
+    assert len(moved.pieces) >= len(sofa.pieces)
+
+
+def test_nothing_counted_may_be_worse():
+    before = (2, 1, 0, 1)
+    assert is_better((1, 1, 0, 1), before)
+    assert is_better((2, 0, 0, 1), before)
+    assert not is_better((1, 2, 0, 1), before)
+    assert not is_better((1, 1, 1, 1), before)
+    assert not is_better((2, 1, 0, 0), before)
+
+
+def find_run(task):
+    """A run with the hob before the window, its sink beside it, drawers between and at its end."""
+    forms = (*cases("kitchen").groups, *list_further("kitchen"))
+    wide = [c for c in forms if len(find_line(c)) >= 4 and c.width < 3.1]
+    for case in wide:
+        group = make_unplaced(task, (), Wish("kitchen", 0), case)
+        box = np.array([1.6, 2.6 - case.depth / 2, -NORTH, case.width, case.depth])
+        dressed = dress_group(task, group, case, box, standing_of((), flat_kinds(task.catalog)))
+        if dressed is not None and dark(task, (dressed,)):
+            return dressed
+    return None
+
+
+def list_units(run):
+    return sorted(p.category for p in run.pieces if p.pose.z < 0.1)
+
+
+def test_a_hob_before_a_window_changes_its_place_in_the_line():
+    for at in (0.9, 1.2, 2.0, 2.3):
+        task = task_of(ROOM | {"function": "kitchen", "windows": [{"at": [at, 2.6], "width": 0.8}]})
+        run = find_run(task)
+        moved = clear(task, run)[0] if run else None
+        if run and moved is not run:
+            break
+    assert dark(task, (moved,)) == 0
+    assert np.array_equal(moved.dressed.box, run.dressed.box)
+    assert list_units(moved) == list_units(run)
+    assert len(moved.pieces) >= len(run.pieces)
+    assert is_better(count_faults(task, (moved,)), count_faults(task, (run,)))
+
+
+def test_a_line_in_another_order_is_as_long_and_has_no_gaps():
+    case = next(c for c in cases("kitchen").groups if len(find_line(c)) >= 4)
+    line = find_line(case)
+    orders = list_orders(line)
+    assert orders
+    for order in orders[:40]:
+        laid = find_line(lay_out(case, line, order))
+        assert len(laid) == len(line)
+        assert sum(m.size.width for m in laid) == pytest.approx(sum(m.size.width for m in line))
+        assert min(m.size.width for m in laid) >= min(0.3, min(m.size.width for m in line)) - 1e-9
