@@ -54,9 +54,10 @@ USUAL = 0.9  # width of a mat that may be longer than what it lies before, metre
 BATHS = ("bathtub", "shower", "basin", "pedestal_basin")
 """What one steps from onto a mat, the first there is."""
 SOFAS = ("sofa", "corner_sofa", "loveseat")
-BEYOND = (0.6, 0.4, 0.2, 0.0, -0.3)  # a rug before a sofa is so much wider, metres
+BEYOND = (0.6, 0.4, 0.2)  # a rug before a sofa is so much wider, metres
 DEPTHS = (1.6, 1.4, 1.2, 1.0, 0.8)  # and so deep, metres
-LOW_TABLE = "coffee_table"  # what stands on such a rug with all its legs, or not at all
+LOW_TABLE = "coffee_table"  # what stands well on such a rug, or not at all
+WELL_ON = 0.15  # of a rug reaches beyond a table that stands on it, metres
 TUCKED = 0.2  # of a rug lies under the sofa it belongs to, metres
 BESIDE = 0.05  # free round a rug at a bed, metres
 DOUBLE = "double_bed"
@@ -152,8 +153,8 @@ def _without(solid: Sequence[Piece], *pieces: Piece) -> tuple[Piece, ...]:
 def _under(
     sofa: Piece, ground: Ground, standing: StandingObstacles, tables: Sequence[Piece] = ()
 ) -> Iterator[Floats]:
-    """Rugs that reach under a sofa, before its middle, the largest first; the legs of low
-    ``tables`` stand on them all or not at all."""
+    """Rugs that reach under a sofa, before its middle, the largest first; low ``tables``
+    stand well on them or beside them."""
     (x, y, _, heading), half = sofa.pose, sofa.size.depth / 2 - TUCKED
     rows = [
         (half + deep / 2, sofa.size.width + more, deep) for deep, more in product(DEPTHS, BEYOND)
@@ -165,12 +166,11 @@ def _under(
 
 
 def _is_even(rug: Floats, table: Piece) -> bool:
-    """Whether a table stands on a rug (5,) with all its legs or with none."""
+    """Whether a table stands on a rug (5,) with :data:`WELL_ON` all round, or beside it."""
     c, s = cos(rug[2]), sin(rug[2])
     off = outline_of(table) - rug[:2]
-    beside, ahead = np.abs(off @ (s, -c)), np.abs(off @ (c, s))
-    on = (beside <= rug[3] / 2) & (ahead <= rug[4] / 2)
-    return bool(on.all() or not on.any())
+    beyond = np.maximum(np.abs(off @ (s, -c)) - rug[3] / 2, np.abs(off @ (c, s)) - rug[4] / 2)
+    return bool((beyond <= -WELL_ON).all() or (beyond > 0.0).all())
 
 
 def _open_sides(bath: Piece) -> Iterator[Piece]:
