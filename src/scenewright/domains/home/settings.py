@@ -146,7 +146,7 @@ class CompositionCosts(NamedTuple):
     narrow_bed: float = 3.0
     doors: float = 8.0
     window: float = 15.0
-    opening: float = 10.0
+    opening: float = 13.0
     short_run: float = 20.0
     modest: float = 10.0
     places: float = 20.0
