@@ -20,6 +20,9 @@ from scenewright.domains.home.settings import FaultCosts, TrySettings
 from scenewright.domains.home.solvers import SOLVERS
 from scenewright.engine.solve import Budget
 
+LEAST_SHARE = 1 / 3
+"""Of the stated steps for an item, those it takes in a room with few: composed anew in any case."""
+
 
 def furnish(task: RoomTask, wishes: tuple[Wish, ...], budget: Budget) -> RoomAnswer:
     """The best answer found: all wishes at once; if that fails, what held and fallbacks for the
@@ -165,6 +168,16 @@ def _report_dropped(
 def _better(first: RoomAnswer, second: RoomAnswer) -> RoomAnswer:
     evaluations = first.evaluations + second.evaluations
     return (second if second.score < first.score else first)._replace(evaluations=evaluations)
+
+
+def count_steps(each: int, items: int, rule: TrySettings) -> int:
+    """The steps for a room with so many ``items`` of which ``each`` takes so many in a crowded one:
+    in proportion to how many there are, from a third of them on.
+
+    >>> [count_steps(6000, n, TrySettings()) for n in (1, 3, 6, 9, 12)]
+    [2000, 6000, 24000, 54000, 96000]
+    """
+    return int(each * max(items, 1) * max(items / rule.crowded, LEAST_SHARE))
 
 
 def share_of(budget: Budget, share: float, rule: TrySettings) -> Budget:

@@ -66,9 +66,8 @@ class TrySettings(NamedTuple):
     """How a room is tried: shares of its work for the ``first`` try, each ``again`` and to ``fill``
     it up; layouts furnished of a try (``layouts``) and when filling up (``fills``); further tries
     while a wish for a place is not met (``unmet``); the placed groups that make another try worth
-    its time (``roomy``); how many items each take the stated steps (``crowded``): of more each takes
-    more, being in one another's way, of fewer each takes fewer, being composed anew in any case; the share of its preferred footprint that an essential group has at least when
-    tried again (``modest``)."""
+    its time (``roomy``); how many items each take the stated steps (``crowded``); the share of its
+    preferred footprint that an essential group has at least when tried again (``modest``)."""
 
     first: float = 0.5
     again: float = 0.3

@@ -51,6 +51,7 @@ from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.reasons import left_out, patches, terms
 from scenewright.domains.home.remove_blockers import remove_blockers
 from scenewright.domains.home.requests import check_asks, check_possible
+from scenewright.domains.home.room import count_steps
 from scenewright.domains.home.second_try import Opened, tried_again
 from scenewright.domains.home.shared_wishes import share_wishes
 from scenewright.domains.home.shortfall import complete_account, list_short_beds
@@ -69,8 +70,6 @@ Cancel = Callable[[], bool]
 __all__ = ["PRESETS", "problems", "solve"]
 
 MOST_THREADS = 16
-LEAST_SHARE = 1 / 3
-"""Of the stated steps for an item, those it takes in a room with few."""
 LAST = 0.02
 """Share of the progress of all rooms that is left for the routes of the whole home."""
 
@@ -311,8 +310,7 @@ def _budget(
     each = steps or (preset.steps if solver == preset.solver else None)
     if each is None:
         return least
-    share = max(items / preset.settings.tries.crowded, LEAST_SHARE)
-    return least._replace(steps=int(each * max(items, 1) * share))
+    return least._replace(steps=count_steps(each, items, preset.settings.tries))
 
 
 def assemble_solution(

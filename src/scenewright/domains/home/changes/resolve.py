@@ -47,6 +47,7 @@ from scenewright.domains.home.learned.density import match_learned_density
 from scenewright.domains.home.open_plan import held_elsewhere
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.programme import Wish
+from scenewright.domains.home.room import count_steps
 from scenewright.domains.home.shared_wishes import find_groups, share_with_home
 from scenewright.domains.home.solvers import SOLVERS
 from scenewright.domains.home.tasks import task_of, wishes_of
@@ -121,7 +122,8 @@ def _revise_room(
     if {room, task.space.name} & set(edits.again):
         anew = wishes_of(asked, task, rooms, tuple(firm))
         anew = share_with_home(household, task, anew, _groups_of(change.pieces, room, anew))
-        budget = Budget(threads=1, steps=steps * max(len(anew), 1))
+        many = count_steps(steps, len(anew), task.preset.settings.tries)
+        budget = Budget(threads=1, steps=many)
         answer = compose(task, furnish_by_use(task, anew, budget)) if anew else NOTHING
         return Revised(task, bare, held, Rest((), answer), given_up, reasons, anew, budget)
     budget = Budget(threads=1, steps=steps * max(len(free), 1))
