@@ -36,6 +36,7 @@ from scenewright.domains.home.composing.improve import compose
 from scenewright.domains.home.composing.kitchens.mend import mend_kitchens
 from scenewright.domains.home.composing.mend_bedrooms import mend_bedrooms
 from scenewright.domains.home.composing.soft_seats import add_soft_seat
+from scenewright.domains.home.composing.spacing.move import keep_distances
 from scenewright.domains.home.composing.unseen import leave_out_unseen_screen
 from scenewright.domains.home.composing.windows import clear_windows
 from scenewright.domains.home.entrances import entered_by
@@ -164,6 +165,7 @@ def _walk_home(
     answers = set_table(household, every.tasks, answers, opened)
     answers = add_kitchen_tables(every.tasks, answers, opened)
     answers = add_soft_seat(every.tasks, answers, opened)
+    answers = keep_distances(every.tasks, answers, opened)
     seen = _without_unseen_screens(every.tasks, answers, opened)
     return align_rooms(every.tasks, seen, opened)
 

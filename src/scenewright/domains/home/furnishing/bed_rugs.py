@@ -18,12 +18,12 @@ from scenewright.core.scene import Piece
 Floats = NDArray[np.float64]
 
 BEDS = frozenset(("double_bed", "single_bed", "bunk_bed"))
-ASIDE = (0.6, 0.5, 0.4, 0.3)  # a rug under the foot reaches so far beyond both sides, metres
+ASIDE = (0.6, 0.5, 0.4)  # a rug under the foot reaches so far beyond both sides, metres
 FOOT = (0.3, 0.1, 0.0)  # and beyond the foot, metres
 UNDER = (1.5, 1.2)  # and is so long, metres
 TUCKED = 0.2  # of a rug along a bed lies under it, metres
 LENGTHS = (1.8, 1.6, 1.4, 1.2, 1.0)  # of a rug along a bed, metres
-WIDTHS = (1.2, 1.0, 0.85, 0.7, 0.6)  # of that, with what is under the bed, metres
+WIDTHS = (1.2, 1.0, 0.85, 0.7)  # of that, half a metre of it before the bed at least, metres
 OFF_SIDES = 0.12  # a rug before the foot is so much narrower than the bed, metres
 TOWARDS = (0.0, 0.1, 0.2, 0.3, 0.4, -0.2, -0.4)  # its middle lies so far towards the foot, metres
 
@@ -66,5 +66,5 @@ def _list_along(bed: Piece) -> Iterator[Row]:
 
 def _list_before(bed: Piece) -> Iterator[Row]:
     """The same of rugs before its foot, as wide as the bed and a little under it."""
-    for deep in WIDTHS[:-1]:
+    for deep in WIDTHS:
         yield 0.0, bed.size.depth / 2 - TUCKED + deep / 2, bed.size.width - OFF_SIDES, deep

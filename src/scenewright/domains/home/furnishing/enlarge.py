@@ -28,10 +28,12 @@ from scenewright.domains.home.furnishing.obstacles import (
     standing_of,
 )
 from scenewright.domains.home.problem import Ground
+from scenewright.geometry.boxes import Frame, common_area, make_frame
 
 SOFAS = ("sofa", "loveseat", "corner_sofa")
 BEYOND = (0.6, 0.5, 0.4, 0.3, 0.2)  # a rug reaches beyond its sofa, both ends together, metres
 FRAME = (0.3, 0.2, 0.15)  # and beyond the coffee table at its far side, metres
+RUGS_APART = 0.1  # between rugs of one room, metres
 WIDTHS = 2.3  # distance from seat to screen in widths of the screen that is aimed at
 MOST_WIDTHS = 3.15  # and no further in widths of one that reaches beyond its stand
 OVERHANG = 0.36  # a screen may be wider than its stand, metres
@@ -70,7 +72,33 @@ def enlarge_pieces(
         else:
             if piece.category == "rug" and _is_mat(piece, found):
                 mats.add(piece.id)
-    return [piece for piece in found if piece.id not in mats]
+    return without_overlaps([piece for piece in found if piece.id not in mats])
+
+
+def without_overlaps(pieces: Sequence[Piece]) -> list[Piece]:
+    """Pieces without each rug that lies over, or hard at, a larger one: one rug serves both groups
+    then. Those that came with the brief stay.
+
+    >>> large = Piece("a", "rug", "", "r", Pose(0, 0, 0, 0), Size(2.0, 1.4, 0.012))
+    >>> small = Piece("b", "rug", "", "r", Pose(1.2, 0, 0, 0), Size(1.2, 0.8, 0.012))
+    >>> [piece.id for piece in without_overlaps([small, large])]
+    ['a']
+    """
+    rugs = [p for p in pieces if p.category == "rug"]
+    if len(rugs) < 2:
+        return list(pieces)
+    kept = [p for p in rugs if p.fixed]
+    for rug in sorted((p for p in rugs if not p.fixed), key=lambda p: -p.size.width * p.size.depth):
+        wide = _frame(rug, RUGS_APART)
+        if all(float(common_area(wide, _frame(other, 0.0))) == 0.0 for other in kept):
+            kept.append(rug)
+    return [p for p in pieces if p.category != "rug" or any(p is rug for rug in kept)]
+
+
+def _frame(piece: Piece, margin: float) -> Frame:
+    """A piece, and a ``margin`` round it, as a frame."""
+    (x, y, _, heading), (width, depth, _) = piece.pose, piece.size
+    return make_frame(x, y, heading, width + 2 * margin, depth + 2 * margin)
 
 
 def _is_mat(rug: Piece, pieces: Sequence[Piece]) -> bool:

@@ -1,0 +1,121 @@
+"""Groups of a finished home that stand too near to others, moved along the walls until they do not.
+
+While a room is composed what a group costs is weighed against all else, and few of its places are
+tried. What still stands too near to something by the end (:mod:`.rules`) is tried once more, beside
+all else as it stands by then: either of the two groups, in its form or one hardly smaller, wherever
+along the walls no fault of composition is added, nothing is lost and no way of the home is barred.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import islice
+
+from scenewright.core.catalog import Group
+from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask, find_blocked
+from scenewright.domains.home.composing.forms import list_forms
+from scenewright.domains.home.composing.judging import Placed, RoomJudge, judge_of, sum_faults
+from scenewright.domains.home.composing.moving import with_margin
+from scenewright.domains.home.composing.settling import try_in_home
+from scenewright.domains.home.composing.spacing.rules import list_close, measure_closeness
+from scenewright.domains.home.composing.walked_places import try_places
+from scenewright.domains.home.second_try import Opened
+
+ORDER = (
+    *("chest", "sideboard", "reading", "shelf", "storage", "console", "plant", "shoes", "coats"),
+    *("wardrobe", "media", "fridge", "dining", "dining_wall", "seating"),
+    *("single", "bunk", "sleeping"),
+)
+"""Groups that may be moved, those first that are moved easily."""
+STEP = 0.05  # between places along a wall, metres
+WORTH = 3.0  # what a room may cost more by its energy for each unit that stands less near
+FAULTS = 0.7  # and by how much what is wrong with it otherwise may rise for that
+LEAST = 1.0  # what is gained at least
+CUT = 0.75  # of its width a group keeps at least so much
+FULL = 1.0  # a wardrobe of a metre keeps its metre
+WALKED = 2  # rooms that are walked through with their home, for each group
+ROUNDS = 2
+HAIR = 1e-6
+
+
+def keep_distances(
+    tasks: Sequence[RoomTask], answers: list[RoomAnswer], opened: Opened
+) -> list[RoomAnswer]:
+    """The answers for all rooms with groups that stood too near to others elsewhere, the ways of
+    the home ``opened``."""
+    found = answers
+    for room, task in enumerate(tasks):
+        if task.preset.settings.exact and not task.accessible and not task.cancelled():
+            for _ in range(ROUNDS):
+                before = found
+                found = _spread(room, task, found, opened)
+                if found is before:
+                    break
+    return found
+
+
+def _spread(room: int, task: RoomTask, found: list[RoomAnswer], opened: Opened) -> list[RoomAnswer]:
+    """The answers with one group of a room moved; as they were where none finds a place."""
+    placed = found[room].placed
+    for name in _list_movable(task, placed):
+        at = next(i for i, p in enumerate(placed) if p.name == name)
+        for other in islice(_list_apart(task, placed, at), WALKED):
+            trial = try_in_home(room, found[room]._replace(placed=other), found, opened)
+            if trial is not None:
+                return trial
+    return found
+
+
+def _list_movable(task: RoomTask, placed: Placed) -> list[str]:
+    """The names of whole groups that stand too near to others and may stand elsewhere."""
+    close = list_close(placed, task.fixed)
+    names = {name for pair in close for name in (pair.group, pair.other)}
+    whole = [p for p in placed if p.name in names and len(p.pieces) == sum(p.dressed.stands)]
+    free = [p for p in whole if p.wish.group in ORDER and p.wish.group not in task.library.own]
+    return [p.name for p in sorted(free, key=lambda p: ORDER.index(p.wish.group))]
+
+
+def _list_apart(task: RoomTask, placed: Placed, at: int) -> Iterator[Placed]:
+    """The groups of a room with one of them where less stands too near, the best first, where that
+    bars no further way."""
+    judge, now = judge_of(task, placed), measure_closeness(placed, task.fixed)
+    before, faults = judge.cost_of(placed).cost, sum_faults(task, placed)
+    rooms = list[tuple[float, Placed]]()
+    for other, cost in _list_moved(judge, placed, at, before + WORTH * now):
+        gain = now - measure_closeness(other, task.fixed)
+        if gain <= LEAST or cost - before >= WORTH * gain:
+            continue
+        if sum_faults(task, other) - faults < FAULTS * gain:
+            rooms.append((cost - WORTH * gain, other))
+    margin = with_margin(task)
+    barred = frozenset(find_blocked(margin, placed)) if rooms else frozenset()
+    for _, other in sorted(rooms, key=lambda row: row[0]):
+        if barred.issuperset(find_blocked(margin, other)):
+            yield other
+
+
+def _list_moved(
+    judge: RoomJudge, placed: Placed, at: int, most: float
+) -> Iterator[tuple[Placed, float]]:
+    """The rooms with a group elsewhere that cost at most so much, and what each costs."""
+    forms = list(_list_like(judge.task, placed[at]))
+    for judged in try_places(judge, placed, at, forms, most, 0.0, STEP):
+        yield judged.placed, judged.cost
+
+
+def _list_like(task: RoomTask, group: FurnishedGroup) -> Iterator[Group]:
+    """The form of a group, then those that hold as much or hardly less."""
+    now = group.dressed.case
+    yield now
+    for form in list_forms(task, group):
+        if form != now and _holds(form, now):
+            yield form
+
+
+def _holds(form: Group, now: Group) -> bool:
+    """Whether a form has all that a group has ``now``, hardly narrower."""
+    if sorted(m.category for m in form.members) != sorted(m.category for m in now.members):
+        return False
+    if form.function == "wardrobe" and form.width < min(now.width, FULL) - HAIR:
+        return False
+    return CUT * now.width - HAIR < form.width < now.width + HAIR

@@ -1,0 +1,120 @@
+"""How near pieces of different groups may stand to one another, as a table.
+
+Groups are placed by the floor they need. Between them there may still be a bed whose foot touches
+the fridge, a sofa in line with the hob, a chair that cannot be pushed back, a cupboard whose doors
+open against a bed. Each row says round which pieces, or on which side of them, how much floor is
+left free of which others.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from math import hypot
+from typing import NamedTuple
+
+from scenewright.core.scene import Piece
+from scenewright.domains.home.attempt import FurnishedGroup
+from scenewright.domains.home.composing.case_faults import RUN
+from scenewright.domains.home.composing.fronts import MOVED, ON_FLOOR
+from scenewright.domains.home.furnishing.enlarge import SOFAS
+from scenewright.geometry.boxes import Frame, beyond, common_area, make_frame
+
+BEDS = frozenset(("single_bed", "double_bed", "bunk_bed"))
+FRONT, BACK, ROUND = 0, 2, 4
+"""The side of a piece on which floor is left free; all round it."""
+SEEN = 0.03
+"""A share of that floor that is not noticed."""
+
+
+class Distance(NamedTuple):
+    """Floor so many ``metres`` wide that is left free on a ``side`` of pieces ``of`` some kinds, by
+    pieces of the kinds named (none: whatever is not pushed aside); what it costs if it is not."""
+
+    of: frozenset[str]
+    side: int
+    metres: float
+    by: frozenset[str]
+    cost: float
+
+
+DISTANCES = (
+    Distance(BEDS | {*SOFAS, "armchair"}, ROUND, 0.3, RUN, 10.0),
+    Distance(frozenset(("wardrobe",)), FRONT, 0.5, frozenset(), 8.0),
+    Distance(
+        frozenset(("chest_of_drawers", "sideboard", "tv_stand")), FRONT, 0.5, frozenset(), 6.0
+    ),
+    Distance(frozenset(("dining_table", "round_table")), ROUND, 0.3, BEDS, 5.0),
+    Distance(frozenset(("dining_chair",)), BACK, 0.5, frozenset(), 5.0),
+    Distance(frozenset(("armchair",)), FRONT, 0.4, frozenset(), 5.0),
+)
+"""The rows; of two that name the same pieces both count."""
+
+
+class Close(NamedTuple):
+    """Two groups of which a piece of the first lacks floor for a piece of the second (empty: what
+    stands already), and what that costs."""
+
+    group: str
+    other: str
+    cost: float
+
+
+def list_close(groups: Sequence[FurnishedGroup], fixed: Sequence[Piece] = ()) -> list[Close]:
+    """The pairs of groups that stand too near to one another, each row of :data:`DISTANCES` half
+    for being broken and half by the share of its floor that is taken."""
+    low = [(g.name, p) for g in groups for p in g.pieces if _is_low(p)]
+    low += [("", p) for p in fixed if _is_low(p)]
+    return [close for name, piece in low if name for close in _list_near(name, piece, low)]
+
+
+def measure_closeness(groups: Sequence[FurnishedGroup], fixed: Sequence[Piece] = ()) -> float:
+    """What it costs in all that groups stand too near to one another."""
+    return sum(close.cost for close in list_close(groups, fixed))
+
+
+def _is_low(piece: Piece) -> bool:
+    return piece.pose.z < ON_FLOOR and piece.category != "rug"
+
+
+def _list_near(name: str, piece: Piece, low: Sequence[tuple[str, Piece]]) -> Iterator[Close]:
+    """What stands on the floor that is to be free at one piece."""
+    for row in DISTANCES:
+        if piece.category not in row.of:
+            continue
+        floor = _make_floor(piece, row)
+        for other, there in low:
+            if other != name and _is_meant(row, there) and _may_meet(floor, there):
+                share = float(common_area(floor, _frame(there))) / _whole(floor, row, piece, there)
+                if share > SEEN:
+                    yield Close(name, other, row.cost * (1.0 + min(share, 1.0)) / 2)
+
+
+def _whole(floor: Frame, row: Distance, piece: Piece, other: Piece) -> float:
+    """Square metres that count as the whole floor of a row: those of the floor, or of a strip as
+    long as the shorter side of either piece."""
+    if row.side != ROUND:
+        return 4 * floor[4] * floor[5]
+    return row.metres * min(*piece.size[:2], *other.size[:2])
+
+
+def _is_meant(row: Distance, other: Piece) -> bool:
+    return other.category in row.by if row.by else other.category not in MOVED
+
+
+def _make_floor(piece: Piece, row: Distance) -> Frame:
+    """The floor of a row at a piece."""
+    if row.side != ROUND:
+        return beyond(_frame(piece), row.side, row.metres)
+    (x, y, _, heading), (width, depth, _) = piece.pose, piece.size
+    return make_frame(x, y, heading, width + 2 * row.metres, depth + 2 * row.metres)
+
+
+def _may_meet(floor: Frame, piece: Piece) -> bool:
+    """Whether the circles round a floor and a piece meet."""
+    away = hypot(piece.pose.x - floor[0], piece.pose.y - floor[1])
+    return away < floor[6] + hypot(*piece.size[:2]) / 2
+
+
+def _frame(piece: Piece) -> Frame:
+    (x, y, _, heading), size = piece.pose, piece.size
+    return make_frame(x, y, heading, size.width, size.depth)

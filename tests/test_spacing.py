@@ -1,0 +1,86 @@
+"""What stands too near to something else when a home is done, by hand, and in whole homes."""
+
+from __future__ import annotations
+
+from math import pi
+
+import pytest
+
+import scenewright as sw
+from scenewright.core.scene import Piece, Pose, Size
+from scenewright.domains import check
+from scenewright.domains.home.attempt import FurnishedGroup
+from scenewright.domains.home.composing.spacing import move, rules
+from scenewright.domains.home.furnishing.enlarge import without_overlaps
+from scenewright.domains.home.programme import Wish
+
+
+def group(name, category, x, y, heading, width, depth):
+    piece = Piece(name, category, "", "a", Pose(x, y, 0.0, heading), Size(width, depth, 0.9), name)
+    return FurnishedGroup(Wish(name, 1), name, None, (piece,))
+
+
+def gap_of(metres, kind="fridge"):
+    """A bed whose foot is so far from another piece."""
+    bed = group("single", "single_bed", 0.0, 0.0, 0.0, 0.9, 2.0)
+    other = group("other", kind, 1.0 + metres + 0.3, 0.0, pi, 0.6, 0.6)
+    return [bed, other]
+
+
+@pytest.mark.parametrize(
+    ("metres", "kind", "near"),
+    [
+        (0.0, "fridge", True),
+        (0.2, "sink_cabinet", True),
+        (0.31, "fridge", False),
+        (0.13, "wardrobe", True),
+        (0.51, "wardrobe", False),
+        (0.2, "nightstand", False),
+    ],
+)
+def test_beds_keep_off_kitchens_and_doors_of_wardrobes(metres, kind, near):
+    assert (rules.measure_closeness(gap_of(metres, kind)) > 0.0) == near
+
+
+def test_the_nearer_the_worse():
+    costs = [rules.measure_closeness(gap_of(metres)) for metres in (0.0, 0.1, 0.2)]
+    assert costs == sorted(costs, reverse=True)
+    assert costs[0] > costs[2]
+
+
+def test_chairs_can_be_pushed_back():
+    chair = group("dining", "dining_chair", 0.0, 0.0, 0.0, 0.46, 0.5)
+    sofa = group("seating", "sofa", -0.25 - 0.2 - 0.45, 0.0, pi, 2.0, 0.9)
+    (close,) = rules.list_close([chair, sofa])
+    assert (close.group, close.other) == ("dining", "seating")
+
+
+def test_rugs_do_not_overlap_and_fixed_ones_stay():
+    def rug(name, x, width, fixed=False):
+        pose, size = Pose(x, 0.0, 0.0, 0.0), Size(width, 1.0, 0.012)
+        return Piece(name, "rug", "", "a", pose, size, name, fixed=fixed)
+
+    apart = [rug("a", 0.0, 2.0), rug("b", 1.3, 1.5)]
+    assert [p.id for p in without_overlaps(apart)] == ["a", "b"]
+    near = [rug("a", 0.0, 2.0, fixed=True), rug("b", 0.9, 2.5)]
+    assert [p.id for p in without_overlaps(near)] == ["a"]
+
+
+def close_in(solution):
+    groups = {}
+    for piece in solution.pieces:
+        groups.setdefault((piece.space, piece.group), []).append(piece)
+    rooms = {}
+    for (space, name), pieces in groups.items():
+        each = FurnishedGroup(Wish(name, 1), name, None, tuple(pieces))
+        rooms.setdefault(space, []).append(each)
+    return sum(rules.measure_closeness(each) for each in rooms.values())
+
+
+def test_a_studio_has_its_sofa_off_the_kitchen(monkeypatch):
+    brief = sw.read("sample:home-studio")
+    kept = sw.solve(brief, seed=0)
+    monkeypatch.setattr(move, "ORDER", ())
+    left = sw.solve(brief, seed=0)
+    assert close_in(kept) < close_in(left)
+    assert check(kept).valid
