@@ -50,12 +50,18 @@ def place_barriers(
 
 
 def _choices(problem: HallProblem, row: RowOfGates) -> list[Floats]:
-    """Rails (k, 5) of a row: first those that close floor on which nothing stands, last those with
-    one more end open."""
+    """Rails (k, 5) of a row: first those that close floor on which nothing stands, then without the
+    leaf of their wide gate, last those with one more end open."""
     laid = {side: lay_rails(problem, row, side) for side in (-1, 1)}
     sides = sorted(laid, key=lambda side: measure_barred(problem, row, side, laid[side]))
     whole = [laid[side] for side in sides]
-    less = [np.delete(rails, k, axis=0) for rails in whole for k in range(len(rails))]
+    last = max(len(rails) for rails in whole)
+    less = [
+        np.delete(rails, k, axis=0)
+        for k in reversed(range(last))
+        for rails in whole
+        if k < len(rails)
+    ]
     return [rails for rails in (*whole, *less) if len(rails)]
 
 
