@@ -69,7 +69,7 @@ RETOUCHES: dict[str, Retouch] = {
     "ropes": Retouch(_whole, ropes_adrift, propose_ropes, forgive_queues),
     "bare": Retouch(find_floor, measure_bare, propose_moves),
     "runs": Retouch(_whole, measure_runs, propose_runs),
-    "spread": Retouch(_whole, measure_spread, propose_spread),
+    "spread": Retouch(find_columns, measure_spread, propose_spread),
 }
 """In the order in which they are made."""
 

@@ -11,6 +11,7 @@ import numpy as np
 
 from scenewright.domains.hall.patterns import ACROSS, ALONG, CHAIN, GRID, NUMBER, WALL
 from scenewright.domains.hall.problem import Floats, HallProblem, Ints
+from scenewright.domains.hall.retouch.columns import Columns
 from scenewright.domains.hall.retouch.lines import find_layers
 from scenewright.domains.hall.terms.state import Kept
 from scenewright.domains.hall.terms.visitors import FIRST, GUIDE, MAIN, SPEAKER, TILL
@@ -44,30 +45,35 @@ class Side(NamedTuple):
         return sum(min(max(strip - most, 0.0), MOST) for strip in (self.before, self.behind))
 
 
-def measure_spread(problem: HallProblem, kept: Kept, boxes: Floats) -> float:
+def measure_spread(columns: Columns, kept: Kept, boxes: Floats) -> float:
     """Metres by which strips beside what stands free in zones are too wide, of zones with groups
     that may move."""
-    zones = {int(problem.units.zones[unit]) for unit in _find_movable(problem, kept)}
+    problem = columns.problem
+    zones = {int(problem.units.zones[unit]) for unit in _find_movable(columns, kept)}
     sides = (side for zone in sorted(zones) for side in _look_at(problem, kept, boxes, zone))
     return float(sum(side.fault for side in sides))
 
 
-def _find_movable(problem: HallProblem, kept: Kept) -> list[int]:
-    """The units that stand free and square, large enough to fill floor, and neither serve, guide
-    nor look at something, nor are looked at or the main exhibit."""
+def _find_movable(columns: Columns, kept: Kept) -> list[int]:
+    """The units that stand free and square in zones without columns, large enough to fill floor,
+    and neither serve, guide nor look at something, nor are looked at or the main exhibit."""
+    problem = columns.problem
     units, roles = problem.units, problem.visitors.roles.astype(int)
     floor = np.add.reduceat(units.sizes.prod(1), units.spans[:, 0])
     square = np.abs(np.sin(2.0 * kept.pose[:, 2])) < STRAIGHT
     free = ~(roles & (FIRST | TILL | GUIDE | SPEAKER | MAIN)).astype(bool)
     good = free & square & (floor >= SMALL) & (kept.rows[:, 0] != WALL) & (units.targets < 0)
     good[units.targets[units.targets >= 0]] = False
-    return [int(unit) for unit in np.flatnonzero(good) if _is_square(problem, int(unit))]
+    return [int(unit) for unit in np.flatnonzero(good) if _is_open(columns, int(unit))]
 
 
-def _is_square(problem: HallProblem, unit: int) -> bool:
-    ground, zone = problem.ground, int(problem.units.zones[unit])
-    wide, deep = np.diff(ground.zone_bounds[zone].reshape(2, 2), axis=0)[0]
-    return bool(ground.zone_areas[zone] >= SQUARE * wide * deep)
+def _is_open(columns: Columns, unit: int) -> bool:
+    """Whether the zone of a unit is square and no column stands in it."""
+    ground, zone = columns.problem.ground, int(columns.problem.units.zones[unit])
+    low, high = ground.zone_bounds[zone].reshape(2, 2)
+    inside = (columns.middles > low) & (columns.middles < high)
+    square = ground.zone_areas[zone] >= SQUARE * float(np.prod(high - low))
+    return bool(square) and not inside.all(1).any()
 
 
 def _look_at(problem: HallProblem, kept: Kept, boxes: Floats, zone: int) -> list[Side]:
@@ -103,10 +109,10 @@ def _measure_side(low: Floats, high: Floats, free: Ints, walls: Ints, bounds: Fl
     return Side(first - float(begin), float(end) - last, float(gap))
 
 
-def propose_spread(problem: HallProblem, kept: Kept, boxes: Floats) -> Iterator[Kept]:
+def propose_spread(columns: Columns, kept: Kept, boxes: Floats) -> Iterator[Kept]:
     """Layouts with one group, or all that may move, in the middle of the bare strips of their
     zone, and with gaps as wide as these let them be."""
-    movable = _find_movable(problem, kept)
+    problem, movable = columns.problem, _find_movable(columns, kept)
     for zone in sorted({int(problem.units.zones[unit]) for unit in movable}):
         sides = _look_at(problem, kept, boxes, zone)
         if sum(side.fault for side in sides) <= 0.0:
