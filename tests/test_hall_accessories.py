@@ -178,3 +178,56 @@ def test_passages_are_measured_past_what_stands_on_floor_that_objects_have_for_i
     assert lacking(p, s) == 0.0
     p, s, _ = measure_among(fitted.problem, layout, np.array([chair, fence]))
     assert lacking(p, s) > 0.5
+
+
+def test_bins_stand_beside_doors_and_machines_not_in_a_row() -> None:
+    machines = {"category": "vending_machine", "count": 2}
+    solution = solve(SHOWCASES, machines, {"category": "litter_bin", "count": 2})
+    bins, sources = of_kind(solution, "litter_bin"), of_kind(solution, "vending_machine")
+    assert len(bins) == 2
+    assert math.dist(bins[0].pose[:2], bins[1].pose[:2]) > 4.0
+    near = [[DOOR, 0.0], *(piece.pose[:2] for piece in sources)]
+    assert min(math.dist(piece.pose[:2], at) for at in near for piece in bins) < 2.2
+    assert max(off_walls(piece) for piece in bins) < 0.05
+    assert sw.check(solution).valid
+
+
+def test_trees_in_pots_frame_the_door_alike() -> None:
+    trees = of_kind(solve(SHOWCASES, {"category": "potted_tree", "count": 2}), "potted_tree")
+    aside = sorted(piece.pose.x - DOOR for piece in trees)
+    assert aside[0] == pytest.approx(-aside[1])
+    assert aside[1] < 2.5
+
+
+def test_boards_of_a_zone_without_a_way_in_stand_beside_its_islands() -> None:
+    outline = [[0, 0], [WIDE, 0], [WIDE, DEEP], [0, DEEP]]
+    zones = [
+        {"id": "south", "outline": [[0, 0], [WIDE, 0], [WIDE, 4], [0, 4]]},
+        {"id": "north", "outline": [[0, 4], [WIDE, 4], [WIDE, DEEP], [0, DEEP]]},
+    ]
+    cars = {"category": "exhibit_island", "count": 2, "size": [3.5, 1.8, 1.5], "zone": "north"}
+    boards = {"category": "sign_totem", "count": 2, "zone": "north"}
+    room = {"name": "Hall", "outline": outline, "zones": zones, "demands": [cars, boards]}
+    door = {"id": "front", "at": [DOOR, 0], "width": 2.0, "swing": "slide"}
+    brief = {"domain": "hall", "name": "Hall", "rooms": [{**room, "doors": [door]}]}
+    solution = sw.solve(Brief.model_validate(brief), steps=1500, threads=1)
+    islands = of_kind(solution, "exhibit_island")
+    beside = [
+        [k for k, island in enumerate(islands) if math.dist(island.pose[:2], totem.pose[:2]) < 3.2]
+        for totem in of_kind(solution, "sign_totem")
+    ]
+    assert sorted(beside) == [[0], [1]]
+
+
+def test_nothing_is_hidden_behind_a_desk() -> None:
+    """The wall behind the desk is the nearest to the door; the tree stands where visitors see
+    it."""
+    desk = {"category": "info_desk"}
+    for seed in range(3):
+        solution = solve(SHOWCASES, desk, {"category": "potted_tree", "count": 4}, seed=seed)
+        (counter,) = of_kind(solution, "info_desk")
+        c, s = math.cos(counter.pose.heading), math.sin(counter.pose.heading)
+        for tree in of_kind(solution, "potted_tree"):
+            x, y = tree.pose.x - counter.pose.x, tree.pose.y - counter.pose.y
+            behind = -3.0 < x * c + y * s < -0.3
+            assert not (behind and abs(x * s - y * c) < 0.5 * counter.size.width)

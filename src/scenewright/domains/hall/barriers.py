@@ -11,15 +11,15 @@ from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.space import Space
 from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.rails import RowOfGates, lay_rails, measure_barred, measure_blocked
-from scenewright.domains.hall.retouch.gates import FREE, find_gates, find_row, gates_adrift
+from scenewright.domains.hall.retouch.gates import FREE, find_gates, find_row, measure_gates
 from scenewright.domains.hall.solvers.outcome import MeasuredLayout, lacking, measure_among
 
 CATEGORY, BARRIERS = "glass_barrier", "/barriers"
 """What closes the floor beside gates, and what its function ends with."""
 HEIGHT = 1.0
 """How high barriers are, in metres."""
-ASTRAY = 4.5
-"""Metres of fault from which on gates stand where no way in is: rails would close nothing."""
+ASTRAY = 3.5
+"""Metres of fault from which on a row of gates stands where no way in is: rails would close nothing."""
 
 
 def place_barriers(
@@ -34,9 +34,9 @@ def place_barriers(
     everywhere, none where others stand in all their places. ``solid`` (n, 5) are boxes of what
     stands beside the layout, ``demands`` the demand of each group."""
     found: tuple[Piece, ...] = ()
-    if layout.loose or gates_adrift(problem, layout.kept, layout.boxes) > ASTRAY:
-        return found
-    for unit in find_gates(problem, layout.kept):
+    for unit in find_gates(problem, layout.kept) if not layout.loose else ():
+        if measure_gates(problem, layout.kept, layout.boxes, unit) > ASTRAY:
+            continue
         row = find_row(problem, layout.boxes, unit)
         row = row._replace(others=np.concatenate([row.others, solid]))
         for rails in _choices(problem, row):

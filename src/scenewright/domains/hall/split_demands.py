@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 from scenewright.core.catalog import Catalog
 from scenewright.core.scene import Piece
+from scenewright.domains.hall.abut_stands import abut_stands
 from scenewright.domains.hall.accessories import split_accessories
 from scenewright.domains.hall.asked_low_tables import split_low_tables
 from scenewright.domains.hall.build_problem import HallContext
@@ -33,7 +34,7 @@ def split_demands(
 ) -> SplitDemands:
     """The demands of a hall, chairs joined with tables; pianos and small objects are laid out with
     the rest if all are ``together``."""
-    parted = part_desks(hall, join_chairs(asked, catalog))
+    parted = part_desks(hall, abut_stands(hall, join_chairs(asked, catalog), catalog))
     wishes, carried = split_carried(parted, hall.fixed, together)
     rest, small = split_accessories(wishes, together)
     rest, low = split_low_tables(rest) if not together else (rest, [])

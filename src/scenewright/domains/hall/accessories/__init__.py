@@ -46,9 +46,9 @@ ACCESSORIES: dict[str, Accessory] = {
     "sign_totem": Accessory(find_totem_spots, 0, 0.9, 1.25),
     "basket_stack": Accessory(find_basket_spots, 1, 0.9),
     "coat_rack": Accessory(find_basket_spots, 2, 0.9),
-    "litter_bin": Accessory(find_bin_spots, 3, 0.6),
+    "litter_bin": Accessory(find_bin_spots, 3, 1.2),
     "planter": Accessory(find_planter_spots, 4, 1.2),
-    "potted_tree": Accessory(find_planter_spots, 4, 0.6),
+    "potted_tree": Accessory(find_planter_spots, 4, 0.9),
     "bar_stool": Accessory(find_stool_spots, 5, 0.0, used_at=True, belongs=may_sit_high),
 }
 """By category."""

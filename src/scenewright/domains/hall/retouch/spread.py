@@ -22,7 +22,7 @@ strips beside it to be looked at."""
 SMALL, STRIP, MORE = 1.0, 2.0, 0.6
 """Square metres the objects of a group stand on that fills floor, how wide a strip beside all of
 them may be where they have no gaps, and by how much it may be wider than these; metres."""
-WIDEST, MOST = 2.6, 2.0
+WIDEST, MOST = 2.6, 5.0
 """How wide gaps are made, and metres beyond what a strip may have that count at most."""
 NEAR, GAP = 0.6, 0.1
 """How near the border of their zone things at walls stand, and the least that is a gap; metres."""
