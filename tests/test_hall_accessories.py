@@ -12,8 +12,9 @@ import pytest
 import scenewright as sw
 from hall_chains import posed, two_zones
 from scenewright.core.brief import Brief
-from scenewright.core.scene import Piece
+from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.solution import Solution
+from scenewright.domains.hall.low_tables import keep_reached
 from scenewright.domains.hall.solvers.chains import begin_chain, layout_of
 from scenewright.domains.hall.solvers.outcome import lacking, measure_among
 from scenewright.engine.draws import streams
@@ -178,6 +179,25 @@ def test_passages_are_measured_past_what_stands_on_floor_that_objects_have_for_i
     assert lacking(p, s) == 0.0
     p, s, _ = measure_among(fitted.problem, layout, np.array([chair, fence]))
     assert lacking(p, s) > 0.5
+
+
+def test_a_low_table_that_would_close_a_passage_is_left_out() -> None:
+    """Others leave one way between two zones, 3 m wide: a table in its middle narrows it."""
+    brief = two_zones({"category": "showcase", "count": 4, "zone": "west"})
+    fitted = posed(brief).fitted
+    fence = np.array([[10.0, 1.75, 0.0, 3.5, 0.2], [10.0, 8.25, 0.0, 3.5, 0.2]])
+    ground = fitted.problem.ground
+    ground = ground._replace(obstacles=np.concatenate([ground.obstacles.reshape(-1, 5), fence]))
+    problem = fitted.problem._replace(ground=ground)
+    layout = layout_of(begin_chain(problem, fitted.start, streams(0, 1)[0]))
+    assert layout.lacking == 0.0
+    size, none = Size(1.1, 1.6, 0.4), ()
+    at = [Pose(10.0, 5.0, 0.0, 0.0), Pose(14.0, 5.0, 0.0, 0.0)]
+    tables = tuple(
+        Piece(f"t{k}", "coffee_table", "", "hall", pose, size, "", "", none)
+        for k, pose in enumerate(at)
+    )
+    assert [table.id for table in keep_reached(problem, layout, tables)] == ["t1"]
 
 
 def test_bins_stand_beside_doors_and_machines_not_in_a_row() -> None:

@@ -78,7 +78,9 @@ def test_gates_leave_open_no_more_than_a_wide_gate(seed: int) -> None:
     bodies = shapely.union_all(polygons_of(row))
     line = np.mean([p.pose.y for p in row if p.function == "gates"])
     wings = [p for p in row if p.category == "glass_barrier" and p.pose.y < line - 0.7]
-    across = shapely.LineString([[min(p.pose.x for p in wings), line], [max(p.pose.x for p in wings), line]])
+    across = shapely.LineString(
+        [[min(p.pose.x for p in wings), line], [max(p.pose.x for p in wings), line]]
+    )
     gaps = [part.length for part in shapely.get_parts(across.difference(bodies.buffer(0.02)))]
     assert sum(gap > 0.5 for gap in gaps) == 1
     assert 0.9 < max(gaps) < 1.2

@@ -145,7 +145,8 @@ SHORT: dict[str, tuple[Room, str, str]] = {
     "a thousand demands": (
         hall(demands=[{"id": f"bench {k}", "category": "bench"} for k in range(1000)]),
         r"bench \d+",
-        rf"(no room left .* 2\.2 {MORE}|no layout was found where a route 0\.90 m wide reaches all with it)",
+        rf"(no room left .* 2\.2 {MORE}"
+        r"|no layout was found where a route 0\.90 m wide reaches all with it)",
     ),
     "more than the floor bears, not required": (
         asks(count=400, required=False),

@@ -12,6 +12,7 @@ from scenewright.core.brief import Brief
 from scenewright.core.piece_outlines import polygons_of
 from scenewright.core.solution import Solution
 from scenewright.domains.hall import compose
+from scenewright.domains.hall.patterns import RADIATION
 from scenewright.domains.hall.retouch.columns import find_columns
 from scenewright.domains.hall.retouch.spread import measure_spread, propose_spread
 from scenewright.domains.hall.solvers.outcome import StartedHall
@@ -135,3 +136,13 @@ def test_stands_that_ask_for_free_floor_have_it() -> None:
     assert count_touching(found) == 0
     boats = scenewright.solve(fair(count=4, id="boats"), seed=0, steps=2000, threads=1)
     assert count_touching(boats) == 0
+
+
+def test_few_objects_stand_in_no_ring_unless_it_is_asked_for() -> None:
+    def may_ring(**demand: Any) -> bool:
+        (one,) = problems(hall(16, 12, {"category": "exhibit_panel", **demand}))
+        return bool(one.problem.units.choices[0, RADIATION])
+
+    assert not may_ring(count=3)
+    assert may_ring(count=8)
+    assert may_ring(count=3, patterns=["radiation", "chain"])

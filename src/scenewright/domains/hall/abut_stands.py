@@ -14,9 +14,7 @@ AISLE, SEVERAL = 2.4, 2
 least."""
 
 
-def abut_stands(
-    hall: HallContext, wishes: list[HallDemand], catalog: Catalog
-) -> list[HallDemand]:
+def abut_stands(hall: HallContext, wishes: list[HallDemand], catalog: Catalog) -> list[HallDemand]:
     """Demands with nothing free at sides and backs of several stands of a fair that ask for no
     clearance of their own; as they are where groups stay as printed."""
     if hall.settings.whole:

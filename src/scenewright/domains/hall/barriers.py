@@ -19,7 +19,7 @@ CATEGORY, BARRIERS = "glass_barrier", "/barriers"
 HEIGHT = 1.0
 """How high barriers are, in metres."""
 ASTRAY = 3.5
-"""Metres of fault from which on a row of gates stands where no way in is: rails would close nothing."""
+"""Metres of fault from which on gates stand where no way in is: rails would close nothing."""
 
 
 def place_barriers(

@@ -64,8 +64,8 @@ def _off_passages(
     chairs: tuple[Piece, ...],
     solid: tuple[Piece, ...],
 ) -> tuple[Piece, ...]:
-    """Chairs with which, past all that is ``solid``, no passage between zones is narrower than it has to be and is without: all,
-    else one after the other."""
+    """Chairs with which no passage between zones, past all that is ``solid``, is narrower than it
+    has to be and is without: all, else one after the other."""
     if not len(problem.ground.links) or not chairs:
         return chairs
     least = _lacking(problem, layout, solid)

@@ -37,7 +37,7 @@ def turn_fronts(
 
 
 def _look_towards(boxes: Floats, point: Floats) -> float:
-    """The mean cosine of the angles between the fronts of boxes (n, 5) and their ways to a point."""
+    """The mean cosine of the angles between fronts of boxes (n, 5) and their ways to a point."""
     way = point - boxes[:, :2]
     way = way / np.maximum(np.hypot(*way.T), 1e-9)[:, None]
     return float((way * np.column_stack([np.cos(boxes[:, 2]), np.sin(boxes[:, 2])])).sum(1).mean())

@@ -1,5 +1,5 @@
 """Rails beside a row of gates: from its ends back to the wall on both sides of the door they belong
-to, or on to the walls; at one end a wide gate for wheelchairs and prams, drawn with its leaf open."""
+to, or on to the walls; at one end a wide gate for wheelchairs and prams, its leaf open."""
 
 from __future__ import annotations
 
@@ -21,14 +21,13 @@ APART = 0.01
 """What rails stay off walls, gates and one another, in metres."""
 LANE, MARGIN, THROUGH = 0.9, 0.2, 3.0
 """How wide the wide gate behind a door is at least, by how much it is wider than the route, and how
-long the floor on which one goes through it; metres. 0.9 m is the least between posts for wheelchairs
-(DIN 18040-1)."""
+long the floor on which one goes through it; metres. Wheelchairs need 0.9 m (DIN 18040-1)."""
 
 
 class WayIn(NamedTuple):
     """Where people come into a zone: a point and the unit direction of their way (2,), half the
-    width of the door there (0: a border), and the clear width that stays open: of a wide gate, of the
-    passage on a border."""
+    width of the door there (0: a border), and the clear width that stays open: of a wide gate, or
+    of the passage on a border."""
 
     start: Floats
     way: Floats

@@ -108,7 +108,9 @@ def left_out(
         if absent and not 0 < wish.least <= len(there):
             many = len(wish.sizes) > 1
             what = f"{len(absent)} of {len(wish.sizes)} {wish.name}" if many else wish.name
-            reason = f"no layout was found where a route {hall.route:.2f} m wide reaches all with it"
+            reason = (
+                f"no layout was found where a route {hall.route:.2f} m wide reaches all with it"
+            )
             if number in crowding:
                 reason = "no layout was found where passages are as wide as asked for with it"
             elif number not in unreached:

@@ -1,12 +1,11 @@
-"""Small objects that belong to something: planters, trees in pots, totems, baskets, racks for coats,
-litter bins, bar stools.
+"""Small objects that belong to something: planters, trees in pots, totems, baskets, racks for
+coats, litter bins, bar stools.
 
 Where they stand follows from what is already there, so they are set once everything else stands:
-planters and trees in pairs beside a way in or a stage, at ends of benches, in corners and at walls;
+planters and trees in pairs beside a way in or a stage, at ends of benches, in corners, at walls;
 totems before those who come in, beside the door and off their way, and beside islands; baskets and
-racks for coats at the wall next to the entrance; bins beside doors and where one eats; bar stools at
-counters and high tables. Those whose place or pattern a
-brief states are laid out with the rest.
+racks for coats at the wall next to the entrance; bins beside doors and where one eats; bar stools
+at counters and high tables. Those whose place or pattern a brief states are laid out with the rest.
 """
 
 from __future__ import annotations

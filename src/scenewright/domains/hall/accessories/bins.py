@@ -41,11 +41,9 @@ def find_bin_spots(setting: Setting, size: Size) -> Spots:
 
 def _flank_doors(setting: Setting, size: Size) -> list[Spots]:
     """At the wall to both sides of each door, the nearer the better."""
-    nearer = np.repeat(np.arange(len(GAPS)), 2)
+    nearer = np.repeat(np.arange(len(GAPS), dtype=np.float64), 2)
     return [
-        make_spots(
-            flank(door.middle, door.inward, door.width, GAPS, size), FURTHER * (k + nearer)
-        )
+        make_spots(flank(door.middle, door.inward, door.width, GAPS, size), FURTHER * (k + nearer))
         for k, door in enumerate(setting.doorways)
     ]
 
