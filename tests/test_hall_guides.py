@@ -12,7 +12,7 @@ import shapely
 import scenewright
 from scenewright.core.brief import Brief
 from scenewright.core.piece_outlines import polygons_of
-from scenewright.domains.hall.rails import reach
+from scenewright.domains.hall.rails import RowOfGates, find_way_in, lay_rails, reach
 from scenewright.domains.hall.retouch.audience import measure_audience as sits_aside
 from scenewright.domains.hall.retouch.tills import measure_tills
 from scenewright.domains.hall.solving import problems
@@ -55,6 +55,21 @@ def test_barriers_run_from_gates_to_the_wall_of_their_door() -> None:
     for piece in solution.pieces:
         inside = low < piece.pose.x < high and piece.pose.y < min(p.pose.y for p in gates) - 0.7
         assert piece in rails or not inside
+
+
+def test_no_rail_runs_back_to_what_stands_right_behind_its_end() -> None:
+    """A desk touches the end of a row of gates: between them no rail has a length."""
+    demands = [{"category": "ticket_gate", "count": 2}, {"category": "showcase", "count": 2}]
+    door = {"id": "in", "at": [7, 0], "width": 1.8, "swing": "slide"}
+    outline = [[0, 0], [14, 0], [14, 11], [0, 11]]
+    room = {"outline": outline, "doors": [door], "demands": demands}
+    (one,) = problems(Brief.model_validate({"domain": "hall", "rooms": [room]}))
+    way_in = find_way_in(one.problem, 0)
+    row = np.array([7.0, 3.0, -0.5 * np.pi, 2.0, 1.2])
+    desks = np.array([[x, 2.0, 0.0, 1.99, 3.0] for x in (4.0, 10.0)])
+    for side in (-1, 1):
+        rails = lay_rails(one.problem, RowOfGates(row, way_in, desks, desks), side)
+        assert (rails[:, 3] > 0.1).all()
 
 
 @pytest.mark.parametrize("seed", [0, 1, 2])

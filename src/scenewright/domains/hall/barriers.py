@@ -11,7 +11,7 @@ from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.space import Space
 from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.rails import RowOfGates, lay_rails, measure_barred, measure_blocked
-from scenewright.domains.hall.retouch.gates import FREE, find_gates, find_row, measure_gates
+from scenewright.domains.hall.retouch.gates import find_gates, find_row, measure_gates
 from scenewright.domains.hall.solvers.outcome import MeasuredLayout, lacking, measure_among
 
 CATEGORY, BARRIERS = "glass_barrier", "/barriers"
@@ -20,6 +20,9 @@ HEIGHT = 1.0
 """How high barriers are, in metres."""
 ASTRAY = 3.5
 """Metres of fault from which on gates stand where no way in is: rails would close nothing."""
+
+TOUCH = 0.002
+"""How much of a rail may stand in others, in metres: less than is a collision."""
 
 
 def place_barriers(
@@ -40,7 +43,7 @@ def place_barriers(
         row = find_row(problem, layout.boxes, unit)
         row = row._replace(others=np.concatenate([row.others, solid]))
         for rails in _choices(problem, row):
-            free = measure_blocked(problem, row, rails) <= FREE
+            free = measure_blocked(problem, row, rails) <= TOUCH
             if free and _leads_on(problem, layout, rails):
                 name = problem.names[unit]
                 found = (*found, *_pieces(space, name, demands[name], rails, catalog))

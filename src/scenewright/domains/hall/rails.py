@@ -107,7 +107,8 @@ def lay_rails(problem: HallProblem, row: RowOfGates, side: int) -> Floats:
             found.append((centre + end * begin * right, centre + end * stop * right))
         if turns:
             corner = centre + end * (stop + 0.5 * THICK + APART) * right
-            found.append((corner, corner - reach(edges, corner, -way) * way))
+            back = reach(edges, corner, -way)
+            found += [(corner, corner - back * way)] * (back > SHORTEST)
         if end == side and way_in.half > 0.0 and (turns or stop - begin > SHORTEST):
             off = end * (begin + 0.5 * THICK + APART)
             post = centre + off * right + (0.5 * THICK + APART) * way
