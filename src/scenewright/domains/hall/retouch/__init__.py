@@ -68,8 +68,8 @@ RETOUCHES: dict[str, Retouch] = {
     "tills": Retouch(_whole, tills_adrift, propose_tills, mind_order, find_tills),
     "ropes": Retouch(_whole, ropes_adrift, propose_ropes, forgive_queues),
     "bare": Retouch(find_floor, measure_bare, propose_moves),
-    "runs": Retouch(_whole, measure_runs, propose_runs),
-    "spread": Retouch(find_columns, measure_spread, propose_spread),
+    "runs": Retouch(_whole, measure_runs, propose_runs, make_room=False),
+    "spread": Retouch(find_columns, measure_spread, propose_spread, make_room=False),
 }
 """In the order in which they are made."""
 
