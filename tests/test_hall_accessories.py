@@ -12,8 +12,9 @@ import pytest
 import scenewright as sw
 from hall_chains import posed, two_zones
 from scenewright.core.brief import Brief
-from scenewright.core.scene import Piece
+from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.solution import Solution
+from scenewright.domains.hall.low_tables import keep_reached
 from scenewright.domains.hall.solvers.chains import begin_chain, layout_of
 from scenewright.domains.hall.solvers.outcome import lacking, measure_among
 from scenewright.engine.draws import streams
@@ -178,3 +179,75 @@ def test_passages_are_measured_past_what_stands_on_floor_that_objects_have_for_i
     assert lacking(p, s) == 0.0
     p, s, _ = measure_among(fitted.problem, layout, np.array([chair, fence]))
     assert lacking(p, s) > 0.5
+
+
+def test_a_low_table_that_would_close_a_passage_is_left_out() -> None:
+    """Others leave one way between two zones, 3 m wide: a table in its middle narrows it."""
+    brief = two_zones({"category": "showcase", "count": 4, "zone": "west"})
+    fitted = posed(brief).fitted
+    fence = np.array([[10.0, 1.75, 0.0, 3.5, 0.2], [10.0, 8.25, 0.0, 3.5, 0.2]])
+    ground = fitted.problem.ground
+    ground = ground._replace(obstacles=np.concatenate([ground.obstacles.reshape(-1, 5), fence]))
+    problem = fitted.problem._replace(ground=ground)
+    layout = layout_of(begin_chain(problem, fitted.start, streams(0, 1)[0]))
+    assert layout.lacking == 0.0
+    size, none = Size(1.1, 1.6, 0.4), ()
+    at = [Pose(10.0, 5.0, 0.0, 0.0), Pose(14.0, 5.0, 0.0, 0.0)]
+    tables = tuple(
+        Piece(f"t{k}", "coffee_table", "", "hall", pose, size, "", "", none)
+        for k, pose in enumerate(at)
+    )
+    assert [table.id for table in keep_reached(problem, layout, tables)] == ["t1"]
+
+
+def test_bins_stand_beside_doors_and_machines_not_in_a_row() -> None:
+    machines = {"category": "vending_machine", "count": 2}
+    solution = solve(SHOWCASES, machines, {"category": "litter_bin", "count": 2})
+    bins, sources = of_kind(solution, "litter_bin"), of_kind(solution, "vending_machine")
+    assert len(bins) == 2
+    assert math.dist(bins[0].pose[:2], bins[1].pose[:2]) > 4.0
+    near = [[DOOR, 0.0], *(piece.pose[:2] for piece in sources)]
+    assert min(math.dist(piece.pose[:2], at) for at in near for piece in bins) < 2.2
+    assert max(off_walls(piece) for piece in bins) < 0.05
+    assert sw.check(solution).valid
+
+
+def test_trees_in_pots_frame_the_door_alike() -> None:
+    trees = of_kind(solve(SHOWCASES, {"category": "potted_tree", "count": 2}), "potted_tree")
+    aside = sorted(piece.pose.x - DOOR for piece in trees)
+    assert aside[0] == pytest.approx(-aside[1])
+    assert aside[1] < 2.5
+
+
+def test_boards_of_a_zone_without_a_way_in_stand_beside_its_islands() -> None:
+    outline = [[0, 0], [WIDE, 0], [WIDE, DEEP], [0, DEEP]]
+    zones = [
+        {"id": "south", "outline": [[0, 0], [WIDE, 0], [WIDE, 4], [0, 4]]},
+        {"id": "north", "outline": [[0, 4], [WIDE, 4], [WIDE, DEEP], [0, DEEP]]},
+    ]
+    cars = {"category": "exhibit_island", "count": 2, "size": [3.5, 1.8, 1.5], "zone": "north"}
+    boards = {"category": "sign_totem", "count": 2, "zone": "north"}
+    room = {"name": "Hall", "outline": outline, "zones": zones, "demands": [cars, boards]}
+    door = {"id": "front", "at": [DOOR, 0], "width": 2.0, "swing": "slide"}
+    brief = {"domain": "hall", "name": "Hall", "rooms": [{**room, "doors": [door]}]}
+    solution = sw.solve(Brief.model_validate(brief), steps=1500, threads=1)
+    islands = of_kind(solution, "exhibit_island")
+    beside = [
+        [k for k, island in enumerate(islands) if math.dist(island.pose[:2], totem.pose[:2]) < 3.2]
+        for totem in of_kind(solution, "sign_totem")
+    ]
+    assert sorted(beside) == [[0], [1]]
+
+
+def test_nothing_is_hidden_behind_a_desk() -> None:
+    """A desk stands before a wall with room behind it; of eight trees none stands there."""
+    desk = {"category": "info_desk", "at": [14.2, 8.0], "heading": math.pi, "size": [1.8, 0.8, 1.1]}
+    outline = [[0, 0], [WIDE, 0], [WIDE, DEEP], [0, DEEP]]
+    door = {"id": "front", "at": [DOOR, 0], "width": 2.0, "swing": "slide"}
+    demands = [SHOWCASES, {"category": "potted_tree", "count": 8}]
+    room = {"name": "Hall", "outline": outline, "doors": [door], "height": 4.0}
+    room |= {"demands": demands, "fixed": [desk]}
+    brief = Brief.model_validate({"domain": "hall", "rooms": [room]})
+    trees = of_kind(sw.solve(brief, steps=1500, threads=1), "potted_tree")
+    assert len(trees) == 8
+    assert not any(tree.pose.x > 14.6 and 7.1 < tree.pose.y < 8.9 for tree in trees)

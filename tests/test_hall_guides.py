@@ -7,10 +7,12 @@ from typing import Any
 
 import numpy as np
 import pytest
+import shapely
 
 import scenewright
 from scenewright.core.brief import Brief
-from scenewright.domains.hall.rails import reach
+from scenewright.core.piece_outlines import polygons_of
+from scenewright.domains.hall.rails import RowOfGates, find_way_in, lay_rails, reach
 from scenewright.domains.hall.retouch.audience import measure_audience as sits_aside
 from scenewright.domains.hall.retouch.tills import measure_tills
 from scenewright.domains.hall.solving import problems
@@ -46,14 +48,57 @@ def test_barriers_run_from_gates_to_the_wall_of_their_door() -> None:
     assert scenewright.check(solution).valid
     assert len(gates) == 3
     ends = [p.pose.y - 0.5 * p.size.width for p in rails if abs(math.sin(p.pose.heading)) < 0.1]
-    assert ends
-    assert max(ends) < 0.05
+    assert sum(end < 0.05 for end in ends) == 2
     low, high = min(p.pose.x for p in rails), max(p.pose.x for p in rails)
     assert low < 7 - 0.9
     assert high > 7 + 0.9
     for piece in solution.pieces:
         inside = low < piece.pose.x < high and piece.pose.y < min(p.pose.y for p in gates) - 0.7
         assert piece in rails or not inside
+
+
+def test_no_rail_runs_back_to_what_stands_right_behind_its_end() -> None:
+    """A desk touches the end of a row of gates: between them no rail has a length."""
+    demands = [{"category": "ticket_gate", "count": 2}, {"category": "showcase", "count": 2}]
+    door = {"id": "in", "at": [7, 0], "width": 1.8, "swing": "slide"}
+    outline = [[0, 0], [14, 0], [14, 11], [0, 11]]
+    room = {"outline": outline, "doors": [door], "demands": demands}
+    (one,) = problems(Brief.model_validate({"domain": "hall", "rooms": [room]}))
+    way_in = find_way_in(one.problem, 0)
+    row = np.array([7.0, 3.0, -0.5 * np.pi, 2.0, 1.2])
+    desks = np.array([[x, 2.0, 0.0, 1.99, 3.0] for x in (4.0, 10.0)])
+    for side in (-1, 1):
+        rails = lay_rails(one.problem, RowOfGates(row, way_in, desks, desks), side)
+        assert (rails[:, 3] > 0.1).all()
+
+
+@pytest.mark.parametrize("seed", [0, 1, 2])
+def test_gates_leave_open_no_more_than_a_wide_gate(seed: int) -> None:
+    """From wall to wall behind the door nothing is open but the lane of a wheelchair, 1.1 m, and
+    slits nobody gets through."""
+    demands = [
+        {"id": "gates", "category": "ticket_gate", "count": 3},
+        {"category": "showcase", "count": 6},
+    ]
+    room = {
+        "name": "Hall",
+        "outline": [[0, 0], [14, 0], [14, 11], [0, 11]],
+        "doors": [{"id": "in", "at": [7, 0], "width": 1.8, "swing": "slide"}],
+        "demands": demands,
+    }
+    brief = Brief.model_validate({"domain": "hall", "rooms": [room]})
+    found = scenewright.solve(brief, seed=seed, steps=3000, threads=1)
+    assert scenewright.check(found).valid
+    row = [p for p in found.pieces if p.function.startswith("gates")]
+    bodies = shapely.union_all(polygons_of(row))
+    line = np.mean([p.pose.y for p in row if p.function == "gates"])
+    wings = [p for p in row if p.category == "glass_barrier" and p.pose.y < line - 0.7]
+    across = shapely.LineString(
+        [[min(p.pose.x for p in wings), line], [max(p.pose.x for p in wings), line]]
+    )
+    gaps = [part.length for part in shapely.get_parts(across.difference(bodies.buffer(0.02)))]
+    assert sum(gap > 0.5 for gap in gaps) == 1
+    assert 0.9 < max(gaps) < 1.2
 
 
 def test_gates_that_close_nothing_are_left_out_by_name() -> None:

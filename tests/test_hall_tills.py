@@ -19,7 +19,7 @@ def off(piece: Piece) -> float:
     return math.dist(piece.pose[:2], WAY_OUT)
 
 
-@pytest.mark.parametrize("seed", [0, 1])
+@pytest.mark.parametrize("seed", [1, 4])
 def test_no_goods_lie_between_the_tills_and_the_way_out(seed: int) -> None:
     room = {
         "name": "supermarket",

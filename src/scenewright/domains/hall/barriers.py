@@ -11,15 +11,18 @@ from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.space import Space
 from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.rails import RowOfGates, lay_rails, measure_barred, measure_blocked
-from scenewright.domains.hall.retouch.gates import FREE, find_gates, find_row, gates_adrift
+from scenewright.domains.hall.retouch.gates import find_gates, find_row, measure_gates
 from scenewright.domains.hall.solvers.outcome import MeasuredLayout, lacking, measure_among
 
 CATEGORY, BARRIERS = "glass_barrier", "/barriers"
 """What closes the floor beside gates, and what its function ends with."""
 HEIGHT = 1.0
 """How high barriers are, in metres."""
-ASTRAY = 4.5
+ASTRAY = 3.5
 """Metres of fault from which on gates stand where no way in is: rails would close nothing."""
+
+TOUCH = 0.002
+"""How much of a rail may stand in others, in metres: less than is a collision."""
 
 
 def place_barriers(
@@ -34,13 +37,13 @@ def place_barriers(
     everywhere, none where others stand in all their places. ``solid`` (n, 5) are boxes of what
     stands beside the layout, ``demands`` the demand of each group."""
     found: tuple[Piece, ...] = ()
-    if layout.loose or gates_adrift(problem, layout.kept, layout.boxes) > ASTRAY:
-        return found
-    for unit in find_gates(problem, layout.kept):
+    for unit in find_gates(problem, layout.kept) if not layout.loose else ():
+        if measure_gates(problem, layout.kept, layout.boxes, unit) > ASTRAY:
+            continue
         row = find_row(problem, layout.boxes, unit)
         row = row._replace(others=np.concatenate([row.others, solid]))
         for rails in _choices(problem, row):
-            free = measure_blocked(problem, row, rails) <= FREE
+            free = measure_blocked(problem, row, rails) <= TOUCH
             if free and _leads_on(problem, layout, rails):
                 name = problem.names[unit]
                 found = (*found, *_pieces(space, name, demands[name], rails, catalog))
@@ -50,12 +53,18 @@ def place_barriers(
 
 
 def _choices(problem: HallProblem, row: RowOfGates) -> list[Floats]:
-    """Rails (k, 5) of a row: first those that close floor on which nothing stands, last those with
-    one more end open."""
+    """Rails (k, 5) of a row: first those that close floor on which nothing stands, then without the
+    leaf of their wide gate, last those with one more end open."""
     laid = {side: lay_rails(problem, row, side) for side in (-1, 1)}
     sides = sorted(laid, key=lambda side: measure_barred(problem, row, side, laid[side]))
     whole = [laid[side] for side in sides]
-    less = [np.delete(rails, k, axis=0) for rails in whole for k in range(len(rails))]
+    last = max(len(rails) for rails in whole)
+    less = [
+        np.delete(rails, k, axis=0)
+        for k in reversed(range(last))
+        for rails in whole
+        if k < len(rails)
+    ]
     return [rails for rails in (*whole, *less) if len(rails)]
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from scenewright.core.solution import LeftOut
 from scenewright.domains.hall.fit import Fitted
+from scenewright.domains.hall.fronts import turn_fronts
 from scenewright.domains.hall.place_exhibit import place_exhibit
 from scenewright.domains.hall.retouch import retouch_layout
 from scenewright.domains.hall.search import HallSearch
@@ -18,4 +19,6 @@ def compose(
     retouching mends, and what is ``missing`` with the seats that no rows hold."""
     fitted, layout, unseated = seat_audiences(search, fitted, layout)
     layout = place_exhibit(search, fitted, layout)
-    return fitted, retouch_layout(fitted.problem, layout), (*missing, *unseated)
+    layout = retouch_layout(fitted.problem, layout)
+    layout = turn_fronts(search.wishes, fitted.units, fitted.problem, layout)
+    return fitted, layout, (*missing, *unseated)

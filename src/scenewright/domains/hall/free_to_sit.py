@@ -32,7 +32,7 @@ def keep_reached_chairs(
     if not chairs:
         return ()
     kept = tuple(chair for chair in chairs if _stands_off(space, problem, chair))
-    kept = _off_passages(problem, layout, kept)
+    kept = _off_passages(problem, layout, kept, solid)
     near = _free_floor(space, problem, (*solid, *kept))
     shapes = polygons_of([_grow(chair) for chair in kept])
     return tuple(
@@ -59,25 +59,28 @@ def _stands_off(space: Space, problem: HallProblem, chair: Piece) -> bool:
 
 
 def _off_passages(
-    problem: HallProblem, layout: MeasuredLayout, chairs: tuple[Piece, ...]
+    problem: HallProblem,
+    layout: MeasuredLayout,
+    chairs: tuple[Piece, ...],
+    solid: tuple[Piece, ...],
 ) -> tuple[Piece, ...]:
-    """Chairs with which no passage between zones is narrower than it has to be and is without: all,
-    else one after the other."""
+    """Chairs with which no passage between zones, past all that is ``solid``, is narrower than it
+    has to be and is without: all, else one after the other."""
     if not len(problem.ground.links) or not chairs:
         return chairs
-    least = _lacking(problem, layout, ())
-    if _lacking(problem, layout, chairs) <= least:
+    least = _lacking(problem, layout, solid)
+    if _lacking(problem, layout, (*solid, *chairs)) <= least:
         return chairs
     kept: tuple[Piece, ...] = ()
     for chair in chairs:
-        if _lacking(problem, layout, (*kept, chair)) <= least:
+        if _lacking(problem, layout, (*solid, *kept, chair)) <= least:
             kept = (*kept, chair)
     return kept
 
 
-def _lacking(problem: HallProblem, layout: MeasuredLayout, chairs: tuple[Piece, ...]) -> float:
-    """Metres that passages lack with some chairs."""
-    rows = [(*c.pose[:2], c.pose.heading, *c.size[:2]) for c in chairs]
+def _lacking(problem: HallProblem, layout: MeasuredLayout, pieces: tuple[Piece, ...]) -> float:
+    """Metres that passages lack with some pieces."""
+    rows = [(*piece.pose[:2], piece.pose.heading, *piece.size[:2]) for piece in pieces]
     p, s, _ = measure_among(problem, layout, np.array(rows))
     return lacking(p, s)
 

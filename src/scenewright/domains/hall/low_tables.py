@@ -8,10 +8,11 @@ import numpy as np
 
 from scenewright.core.catalog import Catalog, footprint_of
 from scenewright.core.scene import Piece, Pose, Size
+from scenewright.domains.hall.build_problem import MARGIN
 from scenewright.domains.hall.hall_layout import PlacedGroup
 from scenewright.domains.hall.patterns import AROUND
 from scenewright.domains.hall.problem import HallProblem
-from scenewright.domains.hall.solvers.outcome import MeasuredLayout, measure_layout
+from scenewright.domains.hall.solvers.outcome import MeasuredLayout, lacking, measure_layout
 from scenewright.geometry.boxes import Frame, common_area, make_frame
 
 CATEGORY, TABLES = "coffee_table", "/tables"
@@ -46,20 +47,20 @@ def low_tables(
 def keep_reached(
     problem: HallProblem, layout: MeasuredLayout, tables: tuple[Piece, ...]
 ) -> tuple[Piece, ...]:
-    """The tables of a layout to which the route leads, and which bar nothing else from it: all of
-    them, else one after the other as long as no more is out of reach."""
-    if not tables or _misses(problem, layout, tables) <= layout.missed:
+    """The tables of a layout to which the route leads, and which bar nothing else from it nor
+    narrow a passage: all of them, else one after the other as long as no more is out of reach."""
+    if not tables or _as_open(problem, layout, tables):
         return tables
     kept: tuple[Piece, ...] = ()
     for table in tables:
-        if _misses(problem, layout, (*kept, table)) <= layout.missed:
+        if _as_open(problem, layout, (*kept, table)):
             kept = (*kept, table)
     return kept
 
 
-def _misses(problem: HallProblem, layout: MeasuredLayout, tables: tuple[Piece, ...]) -> float:
-    """What the route misses with some tables, which it has to reach too; whoever gets to the table
-    gets to the seats round it."""
+def _as_open(problem: HallProblem, layout: MeasuredLayout, tables: tuple[Piece, ...]) -> bool:
+    """Whether the route misses no more with some tables, which it has to reach too, and no passage
+    is narrower than asked for; whoever gets to the table gets to the seats round it."""
     rows = [(t.pose.x, t.pose.y, t.pose.heading, t.size.width, t.size.depth) for t in tables]
     ground, boxes = problem.ground, np.array(rows)
     sides = ground.standing_access.reshape(-1, 4)
@@ -72,7 +73,9 @@ def _misses(problem: HallProblem, layout: MeasuredLayout, tables: tuple[Piece, .
     for unit in np.flatnonzero(layout.kept.rows[:, 0] == AROUND):
         access[slice(*problem.units.spans[unit])] = 0.0
     units = problem.units._replace(access=access)
-    return measure_layout(problem._replace(ground=with_tables, units=units), layout)[2]
+    among = problem._replace(ground=with_tables, units=units)
+    p, s, missed = measure_layout(among, layout)
+    return missed <= layout.missed and lacking(p, s) <= max(layout.lacking, MARGIN) + 1e-9
 
 
 def _table(

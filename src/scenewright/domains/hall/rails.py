@@ -1,5 +1,5 @@
 """Rails beside a row of gates: from its ends back to the wall on both sides of the door they belong
-to, or on to the walls; a passage stays open at one end for who cannot pass a gate."""
+to, or on to the walls; at one end a wide gate for wheelchairs and prams, its leaf open."""
 
 from __future__ import annotations
 
@@ -19,13 +19,15 @@ BESIDE_DOOR, AT_WALL, SHORTEST, THICK = 0.4, 1.6, 0.2, 0.06
 back, the shortest of them, and how thick they are; metres."""
 APART = 0.01
 """What rails stay off walls, gates and one another, in metres."""
-MARGIN = 0.1
-"""How much wider than a passage the open end is, in metres."""
+LANE, MARGIN, THROUGH = 0.9, 0.2, 3.0
+"""How wide the wide gate behind a door is at least, by how much it is wider than the route, and how
+long the floor on which one goes through it; metres. Wheelchairs need 0.9 m (DIN 18040-1)."""
 
 
 class WayIn(NamedTuple):
     """Where people come into a zone: a point and the unit direction of their way (2,), half the
-    width of the door there (0: a border), and the clear width that has to stay open."""
+    width of the door there (0: a border), and the clear width that stays open: of a wide gate, or
+    of the passage on a border."""
 
     start: Floats
     way: Floats
@@ -38,7 +40,7 @@ def find_way_in(problem: HallProblem, unit: int) -> WayIn:
     middle of the linked border nearest to the entrance; where a zone has several doors people come
     in by, each unit of gates there has one of its own."""
     zone, ground = int(problem.units.zones[unit]), problem.ground
-    bounds, passage = ground.zone_bounds[zone], max(problem.passage, problem.route)
+    bounds, lane = ground.zone_bounds[zone], max(LANE, problem.route)
     ahead = np.column_stack([np.cos(ground.doors[:, 2]), np.sin(ground.doors[:, 2])])
     points = ground.doors[:, :2] + (0.5 * ground.doors[:, 4:] + 0.4) * ahead
     inside = (points >= bounds[:2] - INSIDE) & (points <= bounds[2:] + INSIDE)
@@ -49,10 +51,10 @@ def find_way_in(problem: HallProblem, unit: int) -> WayIn:
         ranked = [int(k) for k in np.argsort(far, kind="stable") if int(k) in comes]
         own = [k for k in ranked if inside[k].all()] or [int(far.argmin())]
         near = own[_count_before(problem, unit) % len(own)]
-        return WayIn(points[near], ahead[near], 0.5 * float(ground.doors[near, 3]), passage)
+        return WayIn(points[near], ahead[near], 0.5 * float(ground.doors[near, 3]), lane)
     rows = [row for row in ground.borders if zone in ground.links[int(row[4]), :2].astype(int)]
     if not rows:
-        return WayIn(door, problem.visitors.inward[0], 0.0, passage)
+        return WayIn(door, problem.visitors.inward[0], 0.0, lane)
     row = min(rows, key=lambda row: float(np.hypot(*(0.5 * (row[:2] + row[2:4]) - door))))
     middle, along = 0.5 * (row[:2] + row[2:4]), row[2:4] - row[:2]
     across = np.array([-along[1], along[0]]) / max(float(np.hypot(*along)), 1e-9)
@@ -87,13 +89,14 @@ class RowOfGates(NamedTuple):
 
 
 def lay_rails(problem: HallProblem, row: RowOfGates, side: int) -> Floats:
-    """Boxes (k, 5) of the rails of a row of gates with the open end on one ``side`` (-1 or 1) of
-    it: to the walls, or to what stands at them."""
+    """Boxes (k, 5) of the rails of a row of gates with the wide gate on one ``side`` (-1 or 1) of
+    it: to the walls, or to what stands at them; last the open leaf of that gate, if a rail bears
+    it."""
     way_in, way, centre = row.way_in, row.way_in.way, row.box[:2]
     edges = np.concatenate([problem.ground.edges, _sides(_solid(problem, row))])
     right = np.array([way[1], -way[0]])
     aside, half = float((centre - way_in.start) @ right), 0.5 * float(row.box[3])
-    found: list[tuple[Floats, Floats]] = []
+    found, leaf = list[tuple[Floats, Floats]](), list[tuple[Floats, Floats]]()
     for end in (-1, 1):
         begin = half + APART + (way_in.width + MARGIN if end == side else 0.0)
         wall = reach(edges, centre + end * (half + APART) * right, end * right) + half + APART
@@ -104,17 +107,21 @@ def lay_rails(problem: HallProblem, row: RowOfGates, side: int) -> Floats:
             found.append((centre + end * begin * right, centre + end * stop * right))
         if turns:
             corner = centre + end * (stop + 0.5 * THICK + APART) * right
-            found.append((corner, corner - reach(edges, corner, -way) * way))
-    return np.array([_rail(*line) for line in found]).reshape(-1, 5)
+            back = reach(edges, corner, -way)
+            found += [(corner, corner - back * way)] * (back > SHORTEST)
+        if end == side and way_in.half > 0.0 and (turns or stop - begin > SHORTEST):
+            off = end * (begin + 0.5 * THICK + APART)
+            post = centre + off * right + (0.5 * THICK + APART) * way
+            leaf.append((post, post + way_in.width * way))
+    return np.array([_rail(*line) for line in (*found, *leaf)]).reshape(-1, 5)
 
 
 def find_open_end(row: RowOfGates, side: int) -> Floats:
-    """The box (5,) of the floor at the open end of a row, and as far before and behind it as it is
-    wide."""
+    """The box (5,) of the floor in the wide gate of a row, and before and behind it."""
     way, wide = row.way_in.way, row.way_in.width
     off = 0.5 * float(row.box[3]) + APART + 0.5 * (wide + MARGIN)
     x, y = row.box[:2] + side * off * np.array([way[1], -way[0]])
-    return np.array([x, y, np.arctan2(way[1], way[0]), wide, 2.0 * wide])
+    return np.array([x, y, np.arctan2(way[1], way[0]), wide, max(2.0 * wide, THROUGH)])
 
 
 def _solid(problem: HallProblem, row: RowOfGates) -> Floats:
@@ -139,7 +146,7 @@ def reach(edges: Floats, point: Floats, way: Floats) -> float:
 
 
 def measure_rails(problem: HallProblem, row: RowOfGates, side: int) -> tuple[float, float]:
-    """What bars the rails of a row with its open end on one ``side`` (:func:`measure_barred`), and
+    """What bars the rails of a row with its wide gate on one ``side`` (:func:`measure_barred`), and
     metres of them on floor that others need free."""
     rails = lay_rails(problem, row, side)
     return measure_barred(problem, row, side, rails), _measure_crowded(row, rails)
@@ -147,7 +154,7 @@ def measure_rails(problem: HallProblem, row: RowOfGates, side: int) -> tuple[flo
 
 def measure_barred(problem: HallProblem, row: RowOfGates, side: int, rails: Floats) -> float:
     """Metres of the ``rails`` (k, 5) of a row that cannot stand, and square metres of others on the
-    floor they close and at its open end on one ``side``."""
+    floor they close and in its wide gate on one ``side``."""
     if not len(rails):
         return 0.0
     solid = shapely.polygons(corners(_solid(problem, row)))

@@ -108,9 +108,11 @@ def left_out(
         if absent and not 0 < wish.least <= len(there):
             many = len(wish.sizes) > 1
             what = f"{len(absent)} of {len(wish.sizes)} {wish.name}" if many else wish.name
-            reason = f"no route {hall.route:.2f} m wide would reach everything with it"
+            reason = (
+                f"no layout was found where a route {hall.route:.2f} m wide reaches all with it"
+            )
             if number in crowding:
-                reason = "a passage between zones would be narrower than asked for with it"
+                reason = "no layout was found where passages are as wide as asked for with it"
             elif number not in unreached:
                 reason = _reason(hall, wish, absent, areas, used)
             found.append(LeftOut(hall.space.id, what, reason, wish.required))

@@ -6,10 +6,12 @@ from typing import NamedTuple
 
 from scenewright.core.catalog import Catalog
 from scenewright.core.scene import Piece
+from scenewright.domains.hall.abut_stands import abut_stands
 from scenewright.domains.hall.accessories import split_accessories
 from scenewright.domains.hall.asked_low_tables import split_low_tables
 from scenewright.domains.hall.build_problem import HallContext
 from scenewright.domains.hall.desk_ways import part_desks
+from scenewright.domains.hall.few_in_rows import set_few_in_rows
 from scenewright.domains.hall.holdings import HallDemand
 from scenewright.domains.hall.on_stage import split_carried
 from scenewright.domains.hall.seating import join_chairs
@@ -33,7 +35,8 @@ def split_demands(
 ) -> SplitDemands:
     """The demands of a hall, chairs joined with tables; pianos and small objects are laid out with
     the rest if all are ``together``."""
-    parted = part_desks(hall, join_chairs(asked, catalog))
+    joined = set_few_in_rows(hall, join_chairs(asked, catalog))
+    parted = part_desks(hall, abut_stands(hall, joined, catalog))
     wishes, carried = split_carried(parted, hall.fixed, together)
     rest, small = split_accessories(wishes, together)
     rest, low = split_low_tables(rest) if not together else (rest, [])

@@ -1,10 +1,11 @@
-"""Small objects that belong to something: planters, totems, baskets, racks for coats, bar stools.
+"""Small objects that belong to something: planters, trees in pots, totems, baskets, racks for
+coats, litter bins, bar stools.
 
 Where they stand follows from what is already there, so they are set once everything else stands:
-planters in pairs beside a way in or a stage, at ends of benches, in corners and at walls; totems
-before those who come in, beside the door and off their way; baskets and racks for coats at the
-wall next to the entrance; bar stools at counters and high tables. Those whose place or pattern a
-brief states are laid out with the rest.
+planters and trees in pairs beside a way in or a stage, at ends of benches, in corners, at walls;
+totems before those who come in, beside the door and off their way, and beside islands; baskets and
+racks for coats at the wall next to the entrance; bins beside doors and where one eats; bar stools
+at counters and high tables. Those whose place or pattern a brief states are laid out with the rest.
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ from typing import NamedTuple
 
 from scenewright.core.scene import Size
 from scenewright.domains.hall.accessories.baskets import find_basket_spots
+from scenewright.domains.hall.accessories.bins import find_bin_spots
 from scenewright.domains.hall.accessories.planters import find_planter_spots
 from scenewright.domains.hall.accessories.setting import Setting
 from scenewright.domains.hall.accessories.spots import Spots
@@ -43,8 +45,10 @@ ACCESSORIES: dict[str, Accessory] = {
     "sign_totem": Accessory(find_totem_spots, 0, 0.9, 1.25),
     "basket_stack": Accessory(find_basket_spots, 1, 0.9),
     "coat_rack": Accessory(find_basket_spots, 2, 0.9),
-    "planter": Accessory(find_planter_spots, 3, 1.2),
-    "bar_stool": Accessory(find_stool_spots, 4, 0.0, used_at=True, belongs=may_sit_high),
+    "litter_bin": Accessory(find_bin_spots, 3, 1.2),
+    "planter": Accessory(find_planter_spots, 4, 1.2),
+    "potted_tree": Accessory(find_planter_spots, 4, 0.9),
+    "bar_stool": Accessory(find_stool_spots, 5, 0.0, used_at=True, belongs=may_sit_high),
 }
 """By category."""
 

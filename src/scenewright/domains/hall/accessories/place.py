@@ -27,6 +27,7 @@ from scenewright.domains.hall.accessories.setting import (
 )
 from scenewright.domains.hall.accessories.spots import NO_PAIR, Spots, spread_spots
 from scenewright.domains.hall.build_problem import MARGIN, SIDES, HallContext
+from scenewright.domains.hall.desks import SERVING
 from scenewright.domains.hall.holdings import HallDemand
 from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.solvers.outcome import MeasuredLayout, lacking, measure_among
@@ -34,6 +35,8 @@ from scenewright.domains.hall.solvers.outcome import MeasuredLayout, lacking, me
 NARROW, SINGLE, MATE = 2.0, 1.7, -2.0
 """What a spot costs with too little floor before it, one of a pair whose other is not to be had,
 and one whose other is taken."""
+HIDDEN, BEHIND = 1.5, 3.0
+"""What a spot costs behind a desk, where only those who serve there see it, and how many metres."""
 BEFORE = 0.6
 """Metres before a small object in which others had better not stand."""
 TRIED, SAME = 12, 0.01
@@ -158,10 +161,19 @@ def _choose_spots(
         narrow |= _overlap(lead_before(spots.boxes, row.free), taken)
         narrow |= _overlap(spots.boxes, lead_before(taken, BEFORE))
         costs = spots.costs + NARROW * narrow + _weigh_pairs(spots, setting.others, stand, pairs)
+        costs = costs + HIDDEN * _overlap(spots.boxes, _lie_behind(setting.pieces))
         if stand.any():
             order = np.argsort(costs, kind="stable")
             return spots.boxes[order[stand[order]]]
     return np.zeros((0, 5))
+
+
+def _lie_behind(pieces: tuple[Piece, ...]) -> Floats:
+    """Boxes (k, 5) of the floor behind what one is served at."""
+    desks = [piece for piece in pieces if piece.category in SERVING]
+    boxes = np.array([box for desk in desks for box in boxes_of(desk)]).reshape(-1, 5)
+    boxes[:, 2] += np.pi
+    return lead_before(boxes, BEHIND)
 
 
 def _overlap(boxes: Floats, taken: Floats) -> Bools:

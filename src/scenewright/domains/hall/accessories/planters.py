@@ -1,4 +1,5 @@
-"""Planters: in pairs beside ways in and stages, else at ends of benches, in corners, at walls."""
+"""Planters and trees in pots: in pairs beside ways in and stages, else at ends of benches, in
+corners, at walls."""
 
 from __future__ import annotations
 

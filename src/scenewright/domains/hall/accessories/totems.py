@@ -1,4 +1,5 @@
-"""Totems and signs: before those who come in, beside their way and turned to them."""
+"""Totems and signs: before those who come in, beside their way and turned to them; those of a zone
+without a way in beside its islands."""
 
 from __future__ import annotations
 
@@ -25,14 +26,18 @@ WORSE, FURTHER = 0.1, 0.6
 """What each place counts that is not the best, and a door that is not the main entrance."""
 LEAVING, ELSEWHERE = 1.0, 1.8
 """What a spot beside a door costs at which a totem looks into the hall, and one at any wall."""
+ISLAND, OF, NEXT = -0.8, "exhibit_island", 0.25
+"""What a spot beside an island costs, which has too little floor around it always; what is one, and
+metres between both."""
 NEAR, CROWD = 5.0, 0.5
 """Within how many metres totems say the same, and what each metre of that costs."""
 
 
 def find_totem_spots(setting: Setting, size: Size) -> Spots:
-    """Spots behind doors and beside them, one to each door first, and at walls."""
+    """Spots behind doors and beside them, one to each door first, beside islands, and at walls."""
     parts = [_turn_to(door, size, FURTHER * k) for k, door in enumerate(setting.doorways)]
     parts += [_stand_beside(door, size, FURTHER * k) for k, door in enumerate(setting.doorways)]
+    parts.append(_stand_by_islands(setting, size))
     parts.append(make_spots(line_walls(setting.walls, size)[0], ELSEWHERE))
     found = join_spots(parts)
     return found._replace(
@@ -58,3 +63,16 @@ def _stand_beside(door: Doorway, size: Size, cost: float) -> Spots:
     """Spots at the wall to both sides of a door."""
     boxes = flank(door.middle, door.inward, door.width, ASIDE, size)
     return make_spots(boxes, LEAVING + cost)
+
+
+def _stand_by_islands(setting: Setting, size: Size) -> Spots:
+    """Beside islands at both ends of their fronts, turned as these are."""
+    boxes = [np.zeros((0, 5))]
+    for piece in (piece for piece in setting.pieces if piece.category == OF):
+        front = np.array([np.cos(piece.pose.heading), np.sin(piece.pose.heading)])
+        right = np.array([front[1], -front[0]])
+        edge = np.array(piece.pose[:2]) + 0.5 * (piece.size.depth - size.depth) * front
+        off = 0.5 * (piece.size.width + size.width) + NEXT
+        ends = np.array([edge + off * right, edge - off * right])
+        boxes.append(face(ends, piece.pose.heading, size))
+    return make_spots(np.concatenate(boxes), ISLAND)

@@ -41,7 +41,9 @@ from scenewright.domains.hall.retouch.lecterns import lecterns_adrift, propose_l
 from scenewright.domains.hall.retouch.mending import LEAST, Retouch, SeenTouch, mend
 from scenewright.domains.hall.retouch.rings import propose_rings, rings_off
 from scenewright.domains.hall.retouch.ropes import forgive_queues, propose_ropes, ropes_adrift
+from scenewright.domains.hall.retouch.runs import measure_runs, propose_runs
 from scenewright.domains.hall.retouch.seats import propose_rows, sit_too_near
+from scenewright.domains.hall.retouch.spread import measure_spread, propose_spread
 from scenewright.domains.hall.retouch.tills import find_tills, propose_tills, tills_adrift
 from scenewright.domains.hall.solvers.outcome import MeasuredLayout
 
@@ -66,6 +68,8 @@ RETOUCHES: dict[str, Retouch] = {
     "tills": Retouch(_whole, tills_adrift, propose_tills, mind_order, find_tills),
     "ropes": Retouch(_whole, ropes_adrift, propose_ropes, forgive_queues),
     "bare": Retouch(find_floor, measure_bare, propose_moves),
+    "runs": Retouch(_whole, measure_runs, propose_runs, make_room=False),
+    "spread": Retouch(find_columns, measure_spread, propose_spread, make_room=False),
 }
 """In the order in which they are made."""
 

@@ -21,7 +21,7 @@ MOST = 12
 """Gates of one row at most."""
 NEAREST, FARTHEST = 1.6, 3.5
 """Metres from a door or a border between which gates stand."""
-ASIDE, MOST_ASIDE, TURNED, PARTED = 0.5, 4.0, 2.0, 1.0
+ASIDE, MOST_ASIDE, TURNED, PARTED = 0.5, 9.0, 2.0, 1.0
 """What a metre off the middle of the way counts and beyond how many more count no more, what a row
 along the way counts, and each row of gates but the first; metres."""
 SHUT, BARRED, MOST_BARRED, FREE = 1.0, 0.5, 3.0, 0.05
@@ -46,11 +46,12 @@ def find_gates(problem: HallProblem, kept: Kept) -> list[int]:
 
 def gates_adrift(problem: HallProblem, kept: Kept, boxes: Floats) -> float:
     """The faults of all rows of gates of boxes (n, 5), in metres."""
-    return sum(_fault(problem, kept, boxes, unit) for unit in find_gates(problem, kept))
+    return sum(measure_gates(problem, kept, boxes, unit) for unit in find_gates(problem, kept))
 
 
-def _fault(problem: HallProblem, kept: Kept, boxes: Floats, unit: int) -> float:
-    """How far the gates of a unit are from a row across the way in, and what bars their rails."""
+def measure_gates(problem: HallProblem, kept: Kept, boxes: Floats, unit: int) -> float:
+    """How far the gates of a unit are from a row across the way in, and what bars their rails;
+    metres."""
     way_in = find_way_in(problem, unit)
     mine = boxes[slice(*problem.units.spans[unit])]
     off = mine[:, :2].mean(0) - way_in.start
@@ -108,7 +109,7 @@ def forgive_doors(
 
 def propose_gates(problem: HallProblem, kept: Kept, boxes: Floats) -> Iterator[Kept]:
     """Layouts with the gates of one unit that are not there side by side across the way."""
-    faults = {unit: _fault(problem, kept, boxes, unit) for unit in find_gates(problem, kept)}
+    faults = {unit: measure_gates(problem, kept, boxes, unit) for unit in find_gates(problem, kept)}
     for unit in [unit for unit, fault in faults.items() if fault > FREE]:
         start, way = find_way_in(problem, unit)[:2]
         for ahead, aside in product(STEPS, SHIFTS if len(faults) == 1 else FEWER):

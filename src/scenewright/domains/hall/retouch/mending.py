@@ -29,13 +29,15 @@ has to be less than that of the best that gains, and how far they lie from one a
 class Retouch(NamedTuple):
     """One touch: what it has to know of a problem (``look``), its ``fault`` of boxes (n, 5) in
     metres, the layouts it proposes, what of the energy of a measured state it does not count
-    (``forgive``), and the units it has put in their ``place``, which make no room for others."""
+    (``forgive``), the units it has put in their ``place``, which make no room for others, and
+    whether others ``make_room`` for what it moves."""
 
     look: Callable[[HallProblem], Any]
     fault: Callable[[Any, Kept, Floats], float]
     propose: Callable[[Any, Kept, Floats], Iterable[Kept]]
     forgive: Callable[[Any, Kept, Floats, PreparedHall, State], float] | None = None
     place: Callable[[Any, Kept], list[int]] | None = None
+    make_room: bool = True
 
 
 class SeenTouch(NamedTuple):
@@ -85,7 +87,8 @@ def weigh_proposals(
     proposed = one.touch.propose(one.seen, layout.kept, layout.boxes)
     found = [weigh_layout(chain, [one], kept) for kept in proposed]
     least = min((p.fault for p in found if p.cost < now.cost), default=now.fault)
-    for barred in _barred(found, layout.kept, least - WORTH):
+    runs_into = _barred(found, layout.kept, least - WORTH) if one.touch.make_room else []
+    for barred in runs_into:
         made = make_room(chain, layout.kept, barred.kept, firm)
         found += [weigh_layout(chain, [one], kept) for kept in made]
     return found

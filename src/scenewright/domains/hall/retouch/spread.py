@@ -1,0 +1,160 @@
+"""Spread: groups packed in a part of their zone take all of it, their rows as far apart as is of
+use."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import product
+from typing import NamedTuple
+
+import numpy as np
+
+from scenewright.domains.hall.patterns import ACROSS, ALONG, CHAIN, GRID, NUMBER, WALL
+from scenewright.domains.hall.problem import Floats, HallProblem, Ints
+from scenewright.domains.hall.retouch.columns import Columns
+from scenewright.domains.hall.retouch.lines import find_layers
+from scenewright.domains.hall.terms.state import Kept
+from scenewright.domains.hall.terms.visitors import FIRST, GUIDE, MAIN, SPEAKER, TILL
+
+SQUARE, STRAIGHT = 0.9, 0.02
+"""The share of its bounds a zone has to fill, and by how much a group may be turned (radians), for
+strips beside it to be looked at."""
+SMALL, STRIP, MORE = 1.0, 2.0, 0.6
+"""Square metres the objects of a group stand on that fills floor, how wide a strip beside all of
+them may be where they have no gaps, and by how much it may be wider than these; metres."""
+WIDEST, MOST = 2.6, 5.0
+"""How wide gaps are made, and metres beyond what a strip may have that count at most."""
+NEAR, GAP = 0.6, 0.1
+"""How near the border of their zone things at walls stand, and the least that is a gap; metres."""
+PARTS = (0.0, 0.5, 1.0)
+"""Parts of what gaps could be wider that are tried."""
+
+
+class Side(NamedTuple):
+    """A zone seen along one axis: metres free ``before`` and ``behind`` all that stands free in it,
+    and the widest ``gap`` among that."""
+
+    before: float
+    behind: float
+    gap: float
+
+    @property
+    def fault(self) -> float:
+        """Metres by which the strips are too wide."""
+        most = max(self.gap, STRIP) + MORE
+        return sum(min(max(strip - most, 0.0), MOST) for strip in (self.before, self.behind))
+
+
+def measure_spread(columns: Columns, kept: Kept, boxes: Floats) -> float:
+    """Metres by which strips beside what stands free in zones are too wide, of zones with groups
+    that may move."""
+    problem = columns.problem
+    zones = {int(problem.units.zones[unit]) for unit in _find_movable(columns, kept)}
+    sides = (side for zone in sorted(zones) for side in _look_at(problem, kept, boxes, zone))
+    return float(sum(side.fault for side in sides))
+
+
+def _find_movable(columns: Columns, kept: Kept) -> list[int]:
+    """The units that stand free and square in zones without columns, large enough to fill floor,
+    and neither serve, guide nor look at something, nor are looked at or the main exhibit."""
+    problem = columns.problem
+    units, roles = problem.units, problem.visitors.roles.astype(int)
+    floor = np.add.reduceat(units.sizes.prod(1), units.spans[:, 0])
+    square = np.abs(np.sin(2.0 * kept.pose[:, 2])) < STRAIGHT
+    free = ~(roles & (FIRST | TILL | GUIDE | SPEAKER | MAIN)).astype(bool)
+    good = free & square & (floor >= SMALL) & (kept.rows[:, 0] != WALL) & (units.targets < 0)
+    good[units.targets[units.targets >= 0]] = False
+    return [int(unit) for unit in np.flatnonzero(good) if _is_open(columns, int(unit))]
+
+
+def _is_open(columns: Columns, unit: int) -> bool:
+    """Whether the zone of a unit is square and no column stands in it."""
+    ground, zone = columns.problem.ground, int(columns.problem.units.zones[unit])
+    low, high = ground.zone_bounds[zone].reshape(2, 2)
+    inside = (columns.middles > low) & (columns.middles < high)
+    square = ground.zone_areas[zone] >= SQUARE * float(np.prod(high - low))
+    return bool(square) and not inside.all(1).any()
+
+
+def _look_at(problem: HallProblem, kept: Kept, boxes: Floats, zone: int) -> list[Side]:
+    """A zone along x and along y."""
+    units = problem.units
+    owner = np.repeat(np.arange(len(units.spans)), np.diff(units.spans, axis=1)[:, 0])
+    mine = units.zones[owner] == zone
+    free = mine & (kept.rows[owner, 0] != WALL)
+    half = 0.5 * np.abs(_extend(boxes))
+    low, high = boxes[:, :2] - half, boxes[:, :2] + half
+    bounds = problem.ground.zone_bounds[zone].reshape(2, 2)
+    return [
+        _measure_side(low[:, k], high[:, k], free, mine & ~free, bounds[:, k]) for k in range(2)
+    ]
+
+
+def _extend(boxes: Floats) -> Floats:
+    """How far boxes (n, 5) reach along x and y (n, 2)."""
+    cos, sin = np.abs(np.cos(boxes[:, 2])), np.abs(np.sin(boxes[:, 2]))
+    wide, deep = boxes[:, 3], boxes[:, 4]
+    return np.column_stack([sin * wide + cos * deep, cos * wide + sin * deep])
+
+
+def _measure_side(low: Floats, high: Floats, free: Ints, walls: Ints, bounds: Floats) -> Side:
+    """The strips and the gap of what is ``free`` (n,) between ``bounds`` (2,) and what stands at
+    ``walls`` (n,)."""
+    first, last = float(low[free].min()), float(high[free].max())
+    begin = high[walls & (low < bounds[0] + NEAR) & (high <= first)].max(initial=bounds[0])
+    end = low[walls & (high > bounds[1] - NEAR) & (low >= last)].min(initial=bounds[1])
+    order = np.argsort(low[free], kind="stable")
+    reach = np.maximum.accumulate(high[free][order])
+    gap = (low[free][order][1:] - reach[:-1]).max(initial=0.0)
+    return Side(first - float(begin), float(end) - last, float(gap))
+
+
+def propose_spread(columns: Columns, kept: Kept, boxes: Floats) -> Iterator[Kept]:
+    """Layouts with one group, or all that may move, in the middle of the bare strips of their
+    zone, and with gaps as wide as these let them be."""
+    problem, movable = columns.problem, _find_movable(columns, kept)
+    for zone in sorted({int(problem.units.zones[unit]) for unit in movable}):
+        sides = _look_at(problem, kept, boxes, zone)
+        if sum(side.fault for side in sides) <= 0.0:
+            continue
+        mine = [unit for unit in movable if int(problem.units.zones[unit]) == zone]
+        off = np.array([0.5 * (side.behind - side.before) for side in sides])
+        for part in (off, off * (1.0, 0.0), off * (0.0, 1.0)):
+            yield _shift(kept, mine, part)
+        for unit in mine:
+            yield from _widen(problem, kept, unit, sides, off)
+
+
+def _shift(kept: Kept, units: list[int], off: Floats) -> Kept:
+    pose = kept.pose.copy()
+    pose[units, :2] += off
+    return kept._replace(pose=pose)
+
+
+def _widen(
+    problem: HallProblem, kept: Kept, unit: int, sides: list[Side], off: Floats
+) -> Iterator[Kept]:
+    """Layouts with a unit moved by ``off`` (2,) or not along each axis, and its gaps wider."""
+    rows = kept.rows[unit]
+    first = find_layers(problem, unit)[0]
+    mine = slice(first, first + int(rows[1]))
+    ahead = 0 if abs(np.cos(kept.pose[unit, 2])) > 0.5 else 1
+    gapped = int(rows[0]) in (CHAIN, GRID)
+    gaps = kept.layers[mine, ALONG].max(initial=0.0) > GAP
+    along = _find_room(sides[1 - ahead], int(kept.layers[mine, NUMBER].max()) - 1)
+    across = _find_room(sides[ahead], int(rows[1]) - 1)
+    for moved in product((1.0, 0.0), repeat=2):
+        shifted = _shift(kept, [unit], off * moved)
+        yield shifted
+        for part, other in product(PARTS, repeat=2) if gapped else ():
+            if part * along * gaps + other * across > GAP:
+                layers = kept.layers.copy()
+                layers[mine, ALONG] += part * along * gaps
+                layers[mine, ACROSS] += other * across
+                yield shifted._replace(layers=layers)
+
+
+def _find_room(side: Side, gaps: int) -> float:
+    """By how much each of some gaps may be wider until they are as wide as the strips beside."""
+    even = (side.before + side.behind - 2.0 * side.gap) / (gaps + 2)
+    return float(max(min(even, WIDEST - side.gap), 0.0)) if gaps > 0 else 0.0
