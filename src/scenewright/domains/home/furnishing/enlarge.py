@@ -32,7 +32,7 @@ from scenewright.geometry.boxes import Frame, common_area, make_frame
 
 SOFAS = ("sofa", "loveseat", "corner_sofa")
 BEYOND = (0.6, 0.5, 0.4, 0.3, 0.2)  # a rug reaches beyond its sofa, both ends together, metres
-FRAME = (0.3, 0.2, 0.15)  # and beyond the coffee table at its far side, metres
+FRAME = (0.3, 0.2, 0.155)  # and beyond the coffee table at its far side, metres
 RUGS_APART = 0.1  # between rugs of one room, metres
 WIDTHS = 2.3  # distance from seat to screen in widths of the screen that is aimed at
 MOST_WIDTHS = 3.15  # and no further in widths of one that reaches beyond its stand
