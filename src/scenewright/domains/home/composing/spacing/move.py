@@ -13,9 +13,11 @@ from itertools import islice
 
 from scenewright.core.catalog import Group
 from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask, find_blocked
+from scenewright.domains.home.composing.doorways import HOLDING
 from scenewright.domains.home.composing.forms import list_forms
 from scenewright.domains.home.composing.judging import Placed, RoomJudge, judge_of, sum_faults
 from scenewright.domains.home.composing.moving import with_margin
+from scenewright.domains.home.composing.placed_faults import measure_before_doors
 from scenewright.domains.home.composing.settling import try_in_home
 from scenewright.domains.home.composing.spacing.rules import list_close, measure_closeness
 from scenewright.domains.home.composing.walked_places import try_places
@@ -31,8 +33,7 @@ STEP = 0.05  # between places along a wall, metres
 WORTH = 3.0  # what a room may cost more by its energy for each unit that stands less near
 FAULTS = 0.7  # and by how much what is wrong with it otherwise may rise for that
 LEAST = 1.0  # what is gained at least
-CUT = 0.75  # of its width a group keeps at least so much
-FULL = 1.0  # a wardrobe of a metre keeps its metre
+CUT = 0.75  # of its width a group keeps at least so much, all of it if it holds things
 WALKED = 2  # rooms that are walked through with their home, for each group
 ROUNDS = 2
 HAIR = 1e-6
@@ -80,10 +81,13 @@ def _list_apart(task: RoomTask, placed: Placed, at: int) -> Iterator[Placed]:
     bars no further way."""
     judge, now = judge_of(task, placed), measure_closeness(placed, task.fixed)
     before, faults = judge.cost_of(placed).cost, sum_faults(task, placed)
+    doors = measure_before_doors(placed[at], task.ground)
     rooms = list[tuple[float, Placed]]()
     for other, cost in _list_moved(judge, placed, at, before + WORTH * now):
         gain = now - measure_closeness(other, task.fixed)
         if gain <= LEAST or cost - before >= WORTH * gain:
+            continue
+        if measure_before_doors(other[at], task.ground) > doors + HAIR:
             continue
         if sum_faults(task, other) - faults < FAULTS * gain:
             rooms.append((cost - WORTH * gain, other))
@@ -116,6 +120,5 @@ def _holds(form: Group, now: Group) -> bool:
     """Whether a form has all that a group has ``now``, hardly narrower."""
     if sorted(m.category for m in form.members) != sorted(m.category for m in now.members):
         return False
-    if form.function == "wardrobe" and form.width < min(now.width, FULL) - HAIR:
-        return False
-    return CUT * now.width - HAIR < form.width < now.width + HAIR
+    least = now.width if form.function in HOLDING else CUT * now.width
+    return least - HAIR < form.width < now.width + HAIR
