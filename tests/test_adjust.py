@@ -142,7 +142,7 @@ def test_a_room_again_keeps_what_is_locked(house: Solution) -> None:
     )
 
 
-@pytest.mark.parametrize("room", ["kitchen", "landing", "bedroom"])
+@pytest.mark.parametrize("room", ["living", "landing", "bedroom", "bathroom"])
 def test_a_room_again_from_the_same_seed_is_furnished_as_at_first(
     house: Solution, room: str
 ) -> None:

@@ -213,7 +213,7 @@ def test_a_saved_home_keeps_its_services_once() -> None:
 
 
 def test_radiators_are_not_moved_by_hand() -> None:
-    solution = home.solve(room(**UNDER_WINDOW), steps=1000)
+    solution = home.solve(room(**UNDER_WINDOW), steps=3000)
     with pytest.raises(InputError, match="belongs to the building"):
         resolve(solution, move={"radiator": (3.0, 2.0)})
     sofa = next(p for p in solution.pieces if p.category in ("sofa", "loveseat"))

@@ -170,14 +170,19 @@ def _better(first: RoomAnswer, second: RoomAnswer) -> RoomAnswer:
     return (second if second.score < first.score else first)._replace(evaluations=evaluations)
 
 
-def count_steps(each: int, items: int, rule: TrySettings) -> int:
+def count_steps(task: RoomTask, each: int, items: int) -> int:
     """The steps for a room with so many ``items`` of which ``each`` takes so many in a crowded one:
-    in proportion to how many there are, from a third of them on.
+    in proportion to how many there are, from a third of them on, or from all of them."""
+    least = 1.0 if _needs_all_steps(task) else LEAST_SHARE
+    return int(each * max(items, 1) * max(items / task.preset.settings.tries.crowded, least))
 
-    >>> [count_steps(6000, n, TrySettings()) for n in (1, 3, 6, 9, 12)]
-    [2000, 6000, 24000, 54000, 96000]
-    """
-    return int(each * max(items, 1) * max(items / rule.crowded, LEAST_SHARE))
+
+def _needs_all_steps(task: RoomTask) -> bool:
+    """Whether somebody asked for groups or places in a room, outlets tell where some go, or it is
+    not composed anew: for wheelchairs, by learned habits, or of groups of one's own."""
+    asks = task.asked is not None and bool(task.asked.ask or task.asked.wishes)
+    own = task.library.own.keys() - task.library.seated
+    return asks or bool(task.space.outlets or task.accessible or own)
 
 
 def share_of(budget: Budget, share: float, rule: TrySettings) -> Budget:

@@ -29,16 +29,12 @@ from scenewright.domains.home.attempt import RoomAnswer, RoomTask, build_task_pr
 from scenewright.domains.home.cases.own_library import libraries_of, taste_of
 from scenewright.domains.home.closets import has_closet
 from scenewright.domains.home.composing.alignment.homes import align_rooms
-from scenewright.domains.home.composing.bedsides import add_nightstands
-from scenewright.domains.home.composing.doorways import clear_doorways
 from scenewright.domains.home.composing.eating_places import add_kitchen_tables, set_table
+from scenewright.domains.home.composing.finishing import mend_rooms
 from scenewright.domains.home.composing.improve import compose
-from scenewright.domains.home.composing.kitchens.mend import mend_kitchens
-from scenewright.domains.home.composing.mend_bedrooms import mend_bedrooms
 from scenewright.domains.home.composing.soft_seats import add_soft_seat
 from scenewright.domains.home.composing.spacing.move import keep_distances
 from scenewright.domains.home.composing.unseen import leave_out_unseen_screen
-from scenewright.domains.home.composing.windows import clear_windows
 from scenewright.domains.home.entrances import entered_by
 from scenewright.domains.home.furnishing.look import apply_style
 from scenewright.domains.home.home_floor import HomeFloor, join_floors
@@ -116,8 +112,8 @@ def solve(
     each = Budget(threads=1 if len(rooms) > 1 else threads)
     pool = min(threads, len(rooms))
     budgets = [
-        _budget(each, chosen, named, len(w), pool * b / (sum(work) or 1), seconds, steps)
-        for w, b in zip(wishes, work, strict=True)
+        _budget(each, task, named, len(w), pool * b / (sum(work) or 1), seconds, steps)
+        for task, w, b in zip(tasks, wishes, work, strict=True)
     ]
     turned = [vary_task(task, variant)._replace(watch=watch) for task in tasks]
     shared = None if progress is None else SharedProgress(progress, [*work, LAST * sum(work)])
@@ -155,11 +151,7 @@ def _walk_home(
     household = decide_household(rooms, brief.residents)
     if again:
         found = meet_stated_needs(household, every, found, opened)
-    mended = mend_kitchens(every.tasks, found, opened)
-    mended = mend_bedrooms(every.tasks, mended, opened)
-    mended = clear_doorways(every.tasks, mended, opened)
-    mended = clear_windows(every.tasks, mended, opened)
-    mended = add_nightstands(every.tasks, mended, opened)
+    mended = mend_rooms(every.tasks, found, opened)
     fewer = measure_shortage(household, mended) > measure_shortage(household, found)
     answers = found if fewer else mended
     answers = set_table(household, every.tasks, answers, opened)
@@ -300,7 +292,7 @@ def _furnish(task: RoomTask, wishes: tuple[Wish, ...], budget: Budget) -> RoomAn
 
 def _budget(
     least: Budget,
-    preset: HomePreset,
+    task: RoomTask,
     solver: str,
     items: int,
     share: float,
@@ -309,10 +301,10 @@ def _budget(
 ) -> Budget:
     if seconds is not None:
         return least._replace(seconds=seconds * share)
-    each = steps or (preset.steps if solver == preset.solver else None)
+    each = steps or (task.preset.steps if solver == task.preset.solver else None)
     if each is None:
         return least
-    return least._replace(steps=count_steps(each, items, preset.settings.tries))
+    return least._replace(steps=count_steps(task, each, items))
 
 
 def assemble_solution(

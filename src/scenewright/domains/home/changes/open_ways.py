@@ -13,6 +13,8 @@ from scenewright.domains.home.attempt import RoomAnswer
 from scenewright.domains.home.changes.least_change import Rest
 from scenewright.domains.home.changes.revised import NOTHING, Revised
 from scenewright.domains.home.composing.alignment.homes import align_rooms
+from scenewright.domains.home.composing.finishing import mend_rooms
+from scenewright.domains.home.composing.spacing.move import keep_distances
 from scenewright.domains.home.home_floor import HomeFloor
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.remove_blockers import remove_blockers
@@ -64,7 +66,8 @@ def _whole_answer(rest: Rest) -> RoomAnswer:
 def _try_anew(
     touched: Sequence[Revised | None], answers: Answers, opened: Opened
 ) -> list[RoomAnswer]:
-    """The answers for all rooms, with further tries for those furnished again, on their axes."""
+    """The answers for all rooms, with further tries for those furnished again, finished as
+    at first."""
     anew = {i: revised for i, revised in enumerate(touched) if revised and revised.anew}
 
     def together(some: Answers) -> list[RoomAnswer]:
@@ -83,4 +86,6 @@ def _try_anew(
         [answers[i] for i in anew],
         opened_anew,
     )
+    again = mend_rooms(tasks, again, opened_anew)
+    again = keep_distances(tasks, again, opened_anew)
     return together(align_rooms(tasks, again, opened_anew))

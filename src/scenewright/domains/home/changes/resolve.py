@@ -122,7 +122,7 @@ def _revise_room(
     if {room, task.space.name} & set(edits.again):
         anew = wishes_of(asked, task, rooms, tuple(firm))
         anew = share_with_home(household, task, anew, _groups_of(change.pieces, room, anew))
-        many = count_steps(steps, len(anew), task.preset.settings.tries)
+        many = count_steps(task, steps, len(anew))
         budget = Budget(threads=1, steps=many)
         answer = compose(task, furnish_by_use(task, anew, budget)) if anew else NOTHING
         return Revised(task, bare, held, Rest((), answer), given_up, reasons, anew, budget)
