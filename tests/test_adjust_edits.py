@@ -95,7 +95,7 @@ def test_a_group_moved_into_another_room_belongs_there() -> None:
 def test_what_is_moved_off_what_it_stood_on_is_put_down() -> None:
     """On the floor, or on what is below it now."""
     lamp = "bedroom/sleeping/table_lamp"
-    there = next(p for p in flat().pieces if p.category in ("chest_of_drawers", "sideboard"))
+    there = piece(flat(), "bedroom/chest/chest_of_drawers")
     before = replace(flat(), pieces=tuple(p for p in flat().pieces if p.on != there.id))
     after = adjust(before, move={lamp: there.pose[:2]}).solution
     put = piece(after, lamp)

@@ -265,7 +265,8 @@ def test_a_radiator_under_a_slope_ends_below_it() -> None:
 def test_what_the_brief_puts_out_of_reach_is_not_tried_for_again() -> None:
     """A television that stands where no lead reaches will not be mended by furnishing anew."""
     standing = [{"category": "tv", "at": (5.9, 3), "heading": np.pi, "size": (1.2, 0.1, 0.7)}]
-    plain = home.solve(room(fixed=standing), steps=300, seed=3)
+    near = room(fixed=standing, outlets=[{"at": (6, 3), "kind": "power"}])
+    plain = home.solve(near, steps=300, seed=3)
     asked = room(fixed=standing, outlets=[{"at": (0.5, 4.4), "kind": "power"}])
     far = home.solve(asked, steps=300, seed=3)
     assert [f["within"] for f in check(far).figures["outlets"]] == [False]
