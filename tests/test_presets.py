@@ -180,7 +180,7 @@ def test_rooms_are_tried_and_answers_compared_by_the_preset(
     changed = getattr(usual.settings, group)._replace(**{name: value})
     tuned = usual._replace(settings=usual.settings._replace(**{group: changed}))
     monkeypatch.setitem(table, "tuned", tuned)  # type: ignore[arg-type]
-    one, other = (sw.solve(brief, preset=each, seed=1) for each in ("quick", "tuned"))
+    one, other = (sw.solve(brief, preset=each, seed=4) for each in ("quick", "tuned"))
     assert one.pieces != other.pieces or one.evaluations != other.evaluations
 
 

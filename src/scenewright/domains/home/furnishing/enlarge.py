@@ -80,7 +80,7 @@ def without_overlaps(pieces: Sequence[Piece]) -> list[Piece]:
     then. Those that came with the brief stay.
 
     >>> large = Piece("a", "rug", "", "r", Pose(0, 0, 0, 0), Size(2.0, 1.4, 0.012))
-    >>> small = Piece("b", "rug", "", "r", Pose(1.2, 0, 0, 0), Size(1.2, 0.8, 0.012))
+    >>> small = Piece("b", "rug", "", "r", Pose(1.0, 0, 0, 0), Size(1.2, 0.8, 0.012))
     >>> [piece.id for piece in without_overlaps([small, large])]
     ['a']
     """
