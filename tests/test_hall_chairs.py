@@ -120,3 +120,14 @@ def test_chairs_stand_on_all_sides_of_round_tables_and_look_at_them(seed: int) -
         assert far @ ahead == pytest.approx(np.hypot(*far))
     report = scenewright.check(found)
     assert report.valid, report.findings
+
+
+def test_reading_tables_have_their_chairs_however_high_their_lamps():
+    asset = shipped().of("reading_table")[0]
+    assert asset.usual[2] > 1.0
+    assert out_of_table("reading_table", (), shipped(), asset.usual[2]) > 0.0
+    assert out_of_table("dining_table", (), shipped(), 1.1) == 0.0
+    hall = scenewright.solve(scenewright.read("sample:hall-reading-room"), seed=0)
+    tables = [p for p in hall.pieces if p.category == "reading_table"]
+    chairs = [p for p in hall.pieces if p.category == "reading_chair"]
+    assert len(chairs) >= 4 * len(tables) > 0

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from scenewright.catalog.kinds.usual import DESKS, HIGH, TABLES
+from scenewright.catalog.kinds.usual import DESKS, TABLES, is_high
 from scenewright.core.brief.zones import Demand
 from scenewright.domains.hall.demands import usual_size
 
@@ -56,7 +56,8 @@ def find_tables(demands: Sequence[Demand], ids: Sequence[str]) -> list[str]:
 
 def _may_sit_at(table: Demand) -> bool:
     """Whether chairs stand at a table: it is not one to stand at."""
-    return max(size[2] for size in table.sizes or [usual_size(table)]) < HIGH
+    heights = (size[2] for size in table.sizes or [usual_size(table)])
+    return not is_high(table.category, max(heights))
 
 
 def _is_audience(one: Demand, demands: Sequence[Demand]) -> bool:

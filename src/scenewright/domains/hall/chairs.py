@@ -8,7 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from scenewright.catalog.kinds.usual import HIGH
+from scenewright.catalog.kinds.usual import is_high
 from scenewright.core.catalog import Catalog
 from scenewright.core.kind import TableChairs
 from scenewright.core.scene import Piece, Pose, Size
@@ -27,7 +27,7 @@ def out_of_table(
     """How far the chairs that come with a table of some ``height`` stand out before and behind it,
     in metres; 0 for what has none or is high, or where chairs are ``asked`` for by themselves."""
     company = company_of(category, catalog)
-    if company is None or company.category in asked or height >= HIGH:
+    if company is None or company.category in asked or is_high(category, height):
         return 0.0
     return catalog.of(company.category)[0].usual[1] - company.tuck
 
@@ -88,7 +88,7 @@ def company_of(category: str, catalog: Catalog) -> TableChairs | None:
 
 def _chairs(table: Piece, catalog: Catalog) -> list[Piece]:
     company = company_of(table.category, catalog)
-    if company is None or table.size.height >= HIGH:
+    if company is None or is_high(table.category, table.size.height):
         return []
     asset = catalog.of(company.category)[0]
     size = Size(*asset.usual)

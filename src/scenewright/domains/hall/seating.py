@@ -14,7 +14,7 @@ from itertools import cycle, pairwise, zip_longest
 
 import numpy as np
 
-from scenewright.catalog.kinds.usual import DESKS, HIGH
+from scenewright.catalog.kinds.usual import DESKS, is_high
 from scenewright.core.catalog import Catalog, footprint_of
 from scenewright.core.kind import TableChairs
 from scenewright.core.scene import Piece, Pose, Size
@@ -52,8 +52,8 @@ def _tables_for(chairs: HallDemand, joined: Mapping[str, HallDemand]) -> list[st
     """The ids of the demands at whose tables chairs stand: that they name, and where it is of
     tables to eat or read at all others of these in the same zones."""
     named = joined[chairs.at]
-    low = (wish for wish in joined.values() if max(s.height for s in wish.sizes) < HIGH)
-    others = (w for w in low if w.category in MEALS and w.zones == named.zones)
+    meals = (w for w in joined.values() if w.category in MEALS and w.zones == named.zones)
+    others = (w for w in meals if not is_high(w.category, max(s.height for s in w.sizes)))
     alike = [w.id for w in others if w.id != named.id and named.category in MEALS]
     return [named.id, *alike]
 

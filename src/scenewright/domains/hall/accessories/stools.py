@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from scenewright.catalog.kinds.usual import HIGH, TABLES
+from scenewright.catalog.kinds.usual import is_high
 from scenewright.core.scene import Piece, Size
 from scenewright.domains.hall.accessories.setting import Setting
 from scenewright.domains.hall.accessories.spots import Spots, face, join_spots, make_spots
@@ -25,7 +25,7 @@ AT_TABLE, NEXT = 0.5, 0.1
 def may_sit_high(wish: HallDemand, wishes: list[HallDemand]) -> bool:
     """Whether some counter or high table may stand in a zone of stools."""
     return any(
-        (other.category == COUNTER or _is_high(other.category, other.sizes[0]))
+        (other.category == COUNTER or is_high(other.category, other.sizes[0].height))
         and (not wish.zones or not other.zones or set(wish.zones) & set(other.zones))
         for other in wishes
     )
@@ -37,13 +37,9 @@ def find_stool_spots(setting: Setting, size: Size) -> Spots:
     for piece in setting.pieces:
         if piece.category == COUNTER:
             parts.append(_weigh(list(_before(piece, size)), 0.0))
-        elif _is_high(piece.category, piece.size):
+        elif is_high(piece.category, piece.size.height):
             parts.append(_weigh(list(_around(piece, size)), AT_TABLE))
     return join_spots(parts)
-
-
-def _is_high(category: str, size: Size) -> bool:
-    return category in TABLES and size.height >= HIGH
 
 
 def _weigh(rows: list[Floats], cost: float) -> Spots:
