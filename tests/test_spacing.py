@@ -7,6 +7,7 @@ from math import pi
 import pytest
 
 import scenewright as sw
+from scenewright.core.brief import Brief
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains import check
 from scenewright.domains.home.attempt import FurnishedGroup
@@ -84,3 +85,16 @@ def test_a_studio_has_its_sofa_off_the_kitchen(monkeypatch):
     left = sw.solve(brief, seed=0)
     assert close_in(kept) < close_in(left)
     assert check(kept).valid
+
+
+def test_no_wish_that_was_met_is_given_up_for_distance():
+    room = {
+        "id": "r",
+        "function": ["living", "kitchen"],
+        "outline": [(0, 0), (3.4, 0), (3.4, 4.4), (0, 4.4)],
+        "wishes": [{"what": "wardrobe", "by": "window"}],
+        "doors": [{"at": (2.6, 0), "width": 0.9}],
+        "windows": [{"at": (0, 2.2), "width": 1.6}],
+    }
+    solution = sw.solve(Brief.model_validate({"rooms": [room]}), seed=0)
+    assert [wish["fulfilled"] for wish in check(solution).figures["wishes"]] == [True]

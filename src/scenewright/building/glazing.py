@@ -6,8 +6,8 @@ from scenewright.core.catalog import Material, Part
 from scenewright.geometry.mesh import Mesh, merge
 from scenewright.geometry.prisms import box
 
-FRAME = 0.06
-"""Width of a frame's bars, metres."""
+FRAME, LINING = 0.06, 0.03
+"""Widths of a frame's bars and of the lining of an opening, metres."""
 
 DARK_FRAME = Material("frame graphite", (0.24, 0.25, 0.27), roughness=0.5)
 GLASS = Material("window glass", (0.74, 0.86, 0.92), roughness=0.05, opacity=0.28)

@@ -12,7 +12,7 @@ import numpy as np
 
 from scenewright.building.door_leaves import leaves_of
 from scenewright.building.door_uses import DoorUse
-from scenewright.building.glazing import DARK_FRAME, FRAME, GLASS, make_glazing, make_part
+from scenewright.building.glazing import DARK_FRAME, FRAME, GLASS, LINING, make_glazing, make_part
 from scenewright.building.sliding_doors import PANEL, make_panels
 from scenewright.core.catalog import Material, Part
 from scenewright.core.space import Opening
@@ -22,7 +22,6 @@ from scenewright.geometry.prisms import box
 AJAR = np.deg2rad(78.0)
 """How far a door is drawn open, in radians."""
 LEAF = 0.04
-LINING = 0.03
 PROUD = 0.012
 """How far a lining stands out of the wall, in metres."""
 

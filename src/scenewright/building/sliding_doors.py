@@ -6,13 +6,12 @@ The frame of an opening is that of :mod:`scenewright.building.joinery`.
 from __future__ import annotations
 
 from scenewright.building.door_uses import DoorUse
-from scenewright.building.glazing import DARK_FRAME, FRAME, GLASS, make_glazing, make_part
+from scenewright.building.glazing import DARK_FRAME, FRAME, GLASS, LINING, make_glazing, make_part
 from scenewright.core.catalog import Material, Part
 from scenewright.core.space import Opening
 from scenewright.geometry.mesh import Mesh
 from scenewright.geometry.prisms import box
 
-LINING = 0.03
 WIDE = 1.5
 """Width in metres from which on a door between rooms has two panels; others of plain boards."""
 WIDE_CLOSET = 0.9

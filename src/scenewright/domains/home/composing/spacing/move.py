@@ -3,7 +3,8 @@
 While a room is composed what a group costs is weighed against all else, and few of its places are
 tried. What still stands too near to something by the end (:mod:`.rules`) is tried once more, beside
 all else as it stands by then: either of the two groups, in its form or one hardly smaller, wherever
-along the walls no fault of composition is added, nothing is lost and no way of the home is barred.
+along the walls faults of composition grow by less than is gained, no wish that was met is given up,
+nothing is lost and no way of the home is barred.
 """
 
 from __future__ import annotations
@@ -15,7 +16,13 @@ from scenewright.core.catalog import Group
 from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask, find_blocked
 from scenewright.domains.home.composing.doorways import HOLDING
 from scenewright.domains.home.composing.forms import list_forms
-from scenewright.domains.home.composing.judging import Placed, RoomJudge, judge_of, sum_faults
+from scenewright.domains.home.composing.judging import (
+    Placed,
+    RoomJudge,
+    count_unmet,
+    judge_of,
+    sum_faults,
+)
 from scenewright.domains.home.composing.moving import with_margin
 from scenewright.domains.home.composing.placed_faults import measure_before_doors
 from scenewright.domains.home.composing.settling import try_in_home
@@ -81,13 +88,15 @@ def _list_apart(task: RoomTask, placed: Placed, at: int) -> Iterator[Placed]:
     bars no further way."""
     judge, now = judge_of(task, placed), measure_closeness(placed, task.fixed)
     before, faults = judge.cost_of(placed).cost, sum_faults(task, placed)
-    doors = measure_before_doors(placed[at], task.ground)
+    doors, unmet = measure_before_doors(placed[at], task.ground), count_unmet(task, placed)
     rooms = list[tuple[float, Placed]]()
     for other, cost in _list_moved(judge, placed, at, before + WORTH * now):
         gain = now - measure_closeness(other, task.fixed)
         if gain <= LEAST or cost - before >= WORTH * gain:
             continue
         if measure_before_doors(other[at], task.ground) > doors + HAIR:
+            continue
+        if count_unmet(task, other) > unmet:
             continue
         if sum_faults(task, other) - faults < FAULTS * gain:
             rooms.append((cost - WORTH * gain, other))

@@ -16,10 +16,10 @@ from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import FurnishedGroup
 from scenewright.domains.home.composing.case_faults import RUN
 from scenewright.domains.home.composing.fronts import MOVED, ON_FLOOR
+from scenewright.domains.home.furnishing.bed_rugs import BEDS
 from scenewright.domains.home.furnishing.enlarge import SOFAS
 from scenewright.geometry.boxes import Frame, beyond, common_area, make_frame
 
-BEDS = frozenset(("single_bed", "double_bed", "bunk_bed"))
 FRONT, BACK, ROUND = 0, 2, 4
 """The side of a piece on which floor is left free; all round it."""
 SEEN = 0.03
