@@ -63,11 +63,12 @@ def shape(zone: Zone) -> shapely.Polygon:
 
 
 def assert_divides(space: Space, wishes: Any, zones: tuple[Zone, ...]) -> None:
-    """Zones fill the floor, do not overlap and have the shares wished for."""
+    """Zones fill the floor, do not overlap and have the shares wished for. Points within a
+    millimetre are one in an outline, so that a sliver along an edge may be lost."""
     shapes, floor = [shape(zone) for zone in zones], floor_of(space)
     assert [zone.id for zone in zones] == [wish.id for wish in wishes]
     assert all(one.is_valid for one in shapes)
-    assert sum(one.area for one in shapes) == pytest.approx(floor.area, rel=1e-5)
+    assert sum(one.area for one in shapes) == pytest.approx(floor.area, rel=1e-4)
     filled = shapely.union_all(shapes, grid_size=GRID)
     assert filled.symmetric_difference(floor, grid_size=GRID).area < 1e-4 * floor.area
     total = sum(wish.area for wish in wishes)
