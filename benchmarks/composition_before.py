@@ -34,9 +34,11 @@ BEFORE: dict[str, float] = {
     "pieces": 32.0556,
     "valid flats": 1.0,
     "flats a minute and core": 281.48,
-    "flats a reference work": 0.0501,
+    "flats a reference work": 0.0429,
 }
-"""On every fourth flat, by the record's case."""
+"""On every fourth flat, by the record's case. The pace in reference works is that of three runs of
+the same version, taken in turn with today's on one machine (their median): on another machine the
+reference work takes another share of what furnishing takes."""
 
 BEFORE_ASIDE: dict[str, float] = {
     "no dining table": 0.6587,
@@ -107,9 +109,10 @@ BEFORE_RESCALED: dict[str, float] = {
     "metres of storage": 4.1526,
     "pieces": 43.5516,
     "valid flats": 1.0,
+    "flats a reference work": 0.0485,
 }
 """On every fourth flat, rescaled (:mod:`benchmarks.rescaled_r2v`): the same version, counted as it
-is today, which on flats as they are gives :data:`BEFORE` again. Pace was not measured."""
+is today, which on flats as they are gives :data:`BEFORE` again; its pace on every eighth flat."""
 
 BEFORE_ASIDE_RESCALED: dict[str, float] = {
     "no dining table": 0.4724,

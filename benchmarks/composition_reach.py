@@ -5,7 +5,8 @@ In every room that has such a bed each place parallel to a wall is tried for it 
 bed of its kind) by :mod:`benchmarks.bed_places`: in the room as if it were empty, there without any
 other fault of beds as well, there beside a wardrobe of a metre, and beside all that stands. What no
 place can be found for is a fault of the plan. The baseline is the number of rooms with the fault.
-Of the same flats as ``bench composition`` (every fiftieth if quick).
+Of the same flats as ``bench composition`` (every fiftieth if quick), with ``--rescaled`` at their
+true scale, too.
 """
 
 from __future__ import annotations
@@ -26,6 +27,7 @@ from benchmarks.composition_faults import (
 )
 from benchmarks.plans_r2v import PLANS, adapt, raw_plans
 from benchmarks.real_data import data_set
+from benchmarks.rescaled_r2v import rescale
 from benchmarks.spread import spread
 
 Record = dict[str, Any]
@@ -47,16 +49,21 @@ class Found(NamedTuple):
     places: tuple[bool, bool, bool, bool]
 
 
-def records(quick: bool = False, progress: stages.Progress | None = None) -> Iterator[Record]:
-    """A record a fault and metric; of an interrupted run those of the flats that are done."""
+def records(
+    quick: bool = False, progress: stages.Progress | None = None, rescaled: bool = False
+) -> Iterator[Record]:
+    """A record a fault and metric; of an interrupted run those of the flats that are done.
+    ``rescaled``: of flats at their true scale."""
     data_set(PLANS)
-    flats = _try_flats(QUICK if quick else USUAL, progress)
+    flats = _try_flats(QUICK if quick else USUAL, progress, rescaled)
     yield from stages.tally(flats, _tally)
 
 
-def _try_flats(step: int, progress: stages.Progress | None) -> Iterator[list[Found]]:
+def _try_flats(
+    step: int, progress: stages.Progress | None, rescaled: bool
+) -> Iterator[list[Found]]:
     numbers = range(0, len(raw_plans()), step)
-    for done, found in enumerate(spread([partial(try_flat, n) for n in numbers])):
+    for done, found in enumerate(spread([partial(try_flat, n, rescaled) for n in numbers])):
         if progress:
             progress((done + 1) / len(numbers), f"{done + 1} of {len(numbers)} flats")
         yield found
@@ -79,12 +86,13 @@ def _tally(flats: list[list[Found]]) -> Iterator[Record]:
             }
 
 
-def try_flat(number: int) -> list[Found]:
+def try_flat(number: int, rescaled: bool = False) -> list[Found]:
     """Furnish one flat and look for places of its faulty beds."""
     from scenewright.building import plan
     from scenewright.domains.home.solving import solve
 
-    brief = adapt(raw_plans()[number]).brief
+    raw = raw_plans()[number]
+    brief = adapt(rescale(raw) if rescaled else raw).brief
     if brief is None:
         return []
     solution, spaces = solve(brief, seed=0, threads=1), plan.spaces(brief)

@@ -271,7 +271,7 @@ def bench(
     rescaled: Annotated[
         bool,
         typer.Option(
-            "--rescaled", help="Real flats with hinged doors of 0.75 m (composition, r2v)."
+            "--rescaled", help="Real flats at their true scale: hinged doors of 0.75 m."
         ),
     ] = False,
     outputs: Annotated[
