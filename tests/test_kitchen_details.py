@@ -20,7 +20,7 @@ from scenewright.domains.home.composing.kitchen_faults import (
 from scenewright.domains.home.composing.kitchens.corners import list_round_corners
 from scenewright.domains.home.composing.kitchens.fitted import FreeWalls, list_steps
 from scenewright.domains.home.composing.kitchens.free_walls import list_stretches
-from scenewright.domains.home.composing.kitchens.slits import SLIT, Slit, widen_end
+from scenewright.domains.home.composing.kitchens.slits import SLIT, Slit, close_slits, widen_end
 from scenewright.domains.home.composing.modest import find_few_places
 from scenewright.domains.home.composing.moving import dress_group, make_unplaced
 from scenewright.domains.home.composing.placed_faults import NEAR_DOOR, find_darkness
@@ -194,6 +194,14 @@ def test_no_run_ends_with_a_slit(wide):
     gaps = [min(ends, default=0.0), wide - max(ends, default=wide)]
     assert not [gap for gap in gaps if SLIT[0] < gap < 0.2]
     assert check(home).valid
+
+
+def test_a_kitchen_that_something_was_taken_off_keeps_its_slit():
+    task = task_of_room("kitchen", 3.4, 2.4)
+    whole = stood(task, "kitchen", "2.2 m kitchen run with fridge", 1.2)
+    less = whole._replace(pieces=whole.pieces[:-1])
+    assert run(close_slits, task, whole) != (whole,)
+    assert run(close_slits, task, less) == (less,)
 
 
 def test_shelves_of_a_large_store_are_deep_and_clear_of_its_door():

@@ -38,9 +38,12 @@ class Slit(NamedTuple):
 
 
 def close_slits(task: RoomTask, answer: RoomAnswer, barred: frozenset[str]) -> RoomAnswer:
-    """The answer with the slits at the ends of its kitchen closed where that bars no way."""
+    """The answer with the slits at the ends of its kitchen closed where that bars no way; as it
+    was where something was taken off the kitchen: laid out anew it would be back."""
     run = next((p for p in answer.placed if p.wish.group in RUNS and p.pieces), None)
     if run is None or run.wish.most is not None or task.library.own:
+        return answer
+    if len(run.pieces) < sum(run.dressed.stands):
         return answer
     for side in (-1, 1):
         for _ in range(2):  # a kitchen round a corner has two ends to either side at most
