@@ -8,18 +8,17 @@ import shapely
 
 from scenewright.core.piece_outlines import polygons_of
 from scenewright.core.scene import Piece, Pose, Size
-from scenewright.render.hiding import BEHIND_FURNITURE, BEHIND_WALLS, TALL, WALL, WIDE, find_hiding
+from scenewright.render.hiding import FLOOR, SHARE, TALL, WALL, WIDE, find_hiding
 
 
 def _hides(high: Piece, low: Piece, lean: np.ndarray) -> bool:
     rise = high.pose.z + high.size.height - low.pose.z - low.size.height / 2
     one, two = polygons_of((high, low))
-    rule = BEHIND_WALLS if high.category == WALL else BEHIND_FURNITURE
-    if rise <= 0 or low.category == WALL or two.area < rule.floor:
+    if rise <= 0 or low.category in (WALL, high.category) or two.area < FLOOR:
         return False
     points = shapely.get_coordinates(one)
     shadow = shapely.MultiPoint(np.vstack([points, points + rise * lean])).convex_hull
-    return bool(shadow.intersection(two).area >= rule.share * two.area)
+    return bool(shadow.intersection(two).area >= SHARE * two.area)
 
 
 def _find_slowly(pieces: list[Piece], towards: tuple[float, float, float]) -> frozenset[str]:

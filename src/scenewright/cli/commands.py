@@ -270,9 +270,7 @@ def bench(
     ] = False,
     rescaled: Annotated[
         bool,
-        typer.Option(
-            "--rescaled", help="Real flats at their true scale: hinged doors of 0.75 m."
-        ),
+        typer.Option("--rescaled", help="Real flats at their true scale: hinged doors of 0.75 m."),
     ] = False,
     outputs: Annotated[
         list[Path] | None,

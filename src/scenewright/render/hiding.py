@@ -41,17 +41,11 @@ SIDEWAYS = 0.6
 what hangs there."""
 
 
-class Rule(NamedTuple):
-    """From which ``share`` of its footprint a piece counts as hidden, and from how much ``floor``
-    it is looked for, square metres."""
-
-    share: float
-    floor: float
-
-
-BEHIND_WALLS, BEHIND_FURNITURE = Rule(0.35, 0.04), Rule(0.8, 1.0)
-"""What a partition hides; and what a piece hides, of which only so much counts as a bed, a sofa or
-a bath all but gone: a wardrobe of glass looks wrong at first glance."""
+SHARE, FLOOR = 0.8, 1.0
+"""What is hidden over so much of its floor, and has so many square metres of it, counts: an
+exhibit, a bed, a sofa or a bath all but gone. A wall or a wardrobe of glass looks wrong at first
+glance, so no lesser thing is worth one; what is hidden by its like is not either, as nobody misses
+the next rail of a row."""
 
 
 def find_hiding(pieces: Sequence[Piece], towards: tuple[float, float, float]) -> frozenset[str]:
@@ -59,10 +53,10 @@ def find_hiding(pieces: Sequence[Piece], towards: tuple[float, float, float]) ->
     direction; what looks straight down or up hides nothing.
 
     >>> from scenewright.core.scene import Pose, Size
-    >>> def piece(name, y, height):
+    >>> def piece(name, kind, y, height):
     ...     pose, size = Pose(0.0, y, 0.0, 0.0), Size(1.2, 1.0, height)
-    ...     return Piece(name, "wardrobe", "", "a", pose, size)
-    >>> two = [piece("high", 0.0, 2.2), piece("low", 0.9, 0.5)]
+    ...     return Piece(name, kind, "", "a", pose, size)
+    >>> two = [piece("high", "wardrobe", 0.0, 2.2), piece("low", "bed", 0.9, 0.5)]
     >>> sorted(find_hiding(two, (0.0, 0.7, -0.7))), find_hiding(two, (0.0, -0.7, -0.7))
     (['high'], frozenset())
     """
@@ -74,18 +68,12 @@ def find_hiding(pieces: Sequence[Piece], towards: tuple[float, float, float]) ->
     foot = np.array([p.pose.z for p in standing])
     height = np.array([p.size.height for p in standing])
     wide = np.array([p.size.width >= WIDE for p in standing], bool)
-    furniture = np.array([p.category != WALL for p in standing], bool)
+    names = np.array([p.category for p in standing], str)
     high = np.flatnonzero(wide & (foot + height >= TALL))
+    low = np.flatnonzero((names != WALL) & (shapely.area(outlines) >= FLOOR))
     lean = np.array(towards[:2]) / -towards[2]
-    seen = _Standing(outlines, foot + height, foot + height / 2)
-    found: set[str] = set()
-    for rule, tall in (
-        (BEHIND_WALLS, high[~furniture[high]]),
-        (BEHIND_FURNITURE, high[furniture[high]]),
-    ):
-        low = np.flatnonzero(furniture & (shapely.area(outlines) >= rule.floor))
-        found.update(standing[k].id for k in _pair_hidden(seen, tall, low, lean, rule.share))
-    return frozenset(found)
+    seen = _Standing(outlines, foot + height, foot + height / 2, names)
+    return frozenset(standing[k].id for k in _pair_hidden(seen, high, low, lean))
 
 
 def find_hanging_over(
@@ -118,19 +106,18 @@ def find_hanging_over(
 
 
 class _Standing(NamedTuple):
-    """Footprints (n,), their tops and middles (n,) above the floor, metres."""
+    """Footprints (n,), their tops and middles (n,) above the floor, metres, and categories (n,)."""
 
     outlines: NDArray[np.object_]
     tops: Floats
     middles: Floats
+    names: NDArray[np.str_]
 
 
-def _pair_hidden(
-    things: _Standing, high: Indices, low: Indices, lean: Floats, share: float
-) -> Indices:
-    """Those of ``high`` that hide any of ``low``: candidates meet the shadow that falls on the
-    lowest middle there is, and are hidden where a ``share`` of them lies in the shadow at their
-    own."""
+def _pair_hidden(things: _Standing, high: Indices, low: Indices, lean: Floats) -> Indices:
+    """Those of ``high`` that hide any of ``low``, their like apart: candidates meet the shadow that
+    falls on the lowest middle there is, and are hidden where :data:`SHARE` of them lies in the
+    shadow at their own."""
     if not len(high) or not len(low):
         return high[:0]
     deepest = np.maximum(things.tops[high] - things.middles[low].min(), 0.0)
@@ -138,11 +125,11 @@ def _pair_hidden(
     first, second = shapely.STRtree(things.outlines[low]).query(reach, "intersects")
     tall, other = high[first], low[second]
     rise = things.tops[tall] - things.middles[other]
-    behind = (rise > 0) & (tall != other)
+    behind = (rise > 0) & (things.names[tall] != things.names[other])
     tall, other, rise = tall[behind], other[behind], rise[behind]
     shadows = _sweep(things.outlines[tall], rise[:, None] * lean)
     hidden = shapely.area(shapely.intersection(shadows, things.outlines[other]))
-    return np.unique(tall[hidden >= share * shapely.area(things.outlines[other])])
+    return np.unique(tall[hidden >= SHARE * shapely.area(things.outlines[other])])
 
 
 def _sweep(outlines: NDArray[np.object_], steps: Floats) -> NDArray[np.object_]:
