@@ -163,6 +163,27 @@ def test_shoes_stand_in_one_hall_and_a_home_has_a_table():
     assert share_out(household, "living", (), frozenset(("dining",))) == ()
 
 
+def test_one_of_several_washrooms_has_the_washing_machine():
+    from scenewright.building.plan import spaces
+
+    washrooms = [
+        {
+            "id": f"washroom{k}",
+            "function": "washroom",
+            "outline": [[x, 0], [x + wide, 0], [x + wide, 2], [x, 2]],
+            "doors": [{"at": [x + 0.6, 0.0], "width": 0.7}],
+        }
+        for k, x, wide in ((0, 0.0, 1.6), (1, 6.0, 2.4))
+    ]
+    household = decide_household(spaces(Brief(rooms=[Room.model_validate(r) for r in washrooms])))
+    usual, asked = (Wish("basin", 0), Wish("washer", 0)), (Wish("washer", 0, required=True),)
+    assert share_out(household, "washroom1", usual, frozenset()) == usual
+    assert share_out(household, "washroom0", usual, frozenset()) == usual[:1]
+    assert share_out(household, "washroom0", asked, frozenset()) == asked
+    without = decide_household([])
+    assert share_out(without, "bathroom", usual, frozenset()) == usual
+
+
 def test_explain_tells_the_programme(composed):
     _, _brief, solution = composed
     told = explained_document(solution)["programme"]

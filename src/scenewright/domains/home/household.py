@@ -1,10 +1,10 @@
 """One programme for the whole home: what it has once, and in which of its rooms.
 
 Rooms are furnished one by one, and each would bring what its function asks for. What a home has
-once is decided first: where its people eat, where shoes stand, where one works. Residents are
-counted from the bedrooms: two in a room for two, one in any other, two where children share.
-Where a brief states how many live there, beds and seats follow: bunks where beds are short, a table
-and sofas with a place for each.
+once is decided first: where its people eat, where shoes stand, where one works and where the
+washing is done. Residents are counted from the bedrooms: two in a room for two, one in any other,
+two where children share. Where a brief states how many live there, beds and seats follow: bunks
+where beds are short, a table and sofas with a place for each.
 """
 
 from __future__ import annotations
@@ -56,17 +56,20 @@ SOFAS = {"sofa": 3, "loveseat": 2, "corner_sofa": 4, "armchair": 1}
 DESKS = frozenset(("desk", "kids_desk", "corner_desk"))
 TABLES = frozenset(("dining", "dining_wall"))
 SEATS = frozenset(("dining_chair", "stool"))
+WASHER = "washer"
 STORING = frozenset(
     ("wardrobe", "chest_of_drawers", "bookcase", "sideboard", "shelf_unit", "storage_shelf")
 )
-WET = ("bathroom", "toilet", "washroom")
+WASHROOM = "washroom"
+WET = ("bathroom", "toilet", WASHROOM)
 
 
 class Household(NamedTuple):
     """What is decided for a home as a whole: how many live there, in how many bedrooms; the rooms
     (their ids, empty: none) where they eat, where shoes stand and where one works; the wet rooms;
     where a number of residents is ``stated``, the rooms that get ``bunks``, those large enough for
-    two children in which one sleeps ``alone``, and the area of each room, square metres.
+    two children in which one sleeps ``alone``; the area of each room, square metres; and which
+    washroom has the washing machine.
     """
 
     residents: int
@@ -79,6 +82,7 @@ class Household(NamedTuple):
     bunks: tuple[str, ...] = ()
     alone: tuple[str, ...] = ()
     areas: Mapping[str, float] = MappingProxyType({})
+    washes_in: str = ""
 
 
 def decide_household(rooms: Sequence[Space], stated: int | None = None) -> Household:
@@ -120,6 +124,7 @@ def decide_household(rooms: Sequence[Space], stated: int | None = None) -> House
         bunks=_bunks(uses, areas, (stated or 0) - sum(beds)),
         alone=_alone(uses, areas, sum(beds) - (stated or sum(beds))),
         areas=areas,
+        washes_in=largest((WASHROOM,)),
     )
 
 
@@ -168,8 +173,8 @@ def share_out(
     household: Household, room: str, wishes: tuple[Wish, ...], others: frozenset[str]
 ) -> tuple[Wish, ...]:
     """The wishes of a room as the household has them: shoes stand in one room, elsewhere is a rack
-    for coats; a home none of whose rooms brings a table eats where it has room. ``others`` are the
-    groups that all rooms wish for.
+    for coats; of several washrooms one has the washing machine; a home none of whose rooms brings a
+    table eats where it has room. ``others`` are the groups that all rooms wish for.
 
     >>> home = Household(3, 2, "living", "hall", "", ())
     >>> [wish.group for wish in share_out(home, "landing", (Wish("shoes", 1),), frozenset())]
@@ -181,6 +186,8 @@ def share_out(
         racks = [wish._replace(group="coats") for wish in away]
         found = [w for w in found if w not in away and not (racks and w.group == "coats")]
         found += racks
+    if household.washes_in not in ("", room):
+        found = [wish for wish in found if wish.group != WASHER or wish.required]
     if any(wish.group in TABLES and wish.required for wish in found):
         found = [wish for wish in found if wish.group not in TABLES or wish.required]
     if room == household.eats_in and not others & TABLES:
