@@ -17,7 +17,8 @@ from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.space import Space
 from scenewright.domains import check
 from scenewright.domains.home.furnishing.bed_rugs import BEDS
-from scenewright.domains.home.furnishing.floor_mats import SOFAS, lay_mats
+from scenewright.domains.home.furnishing.floor_mats import lay_mats
+from scenewright.domains.home.furnishing.sofa_rugs import SOFAS
 from scenewright.domains.home.ground import ground_of
 from scenewright.domains.home.problem import Ground
 from scenewright.domains.home.solving import solve
@@ -138,6 +139,35 @@ def test_a_rug_before_a_sofa_without_a_table_reaches_under_its_middle():
     (rug,) = _rug_of(living, sofa, table)
     assert rug.pose.x == pytest.approx(2.2)
     assert _floor(rug).bounds[1] == pytest.approx(0.6)
+
+
+def test_a_rug_of_a_sofa_in_the_corner_ends_with_it_and_reaches_beyond_its_other_side():
+    living = {"id": "a", "function": "living", "outline": [[0, 0], [5, 0], [5, 3], [0, 3]]}
+    sofa = _piece("sofa", Pose(0.92, 0.4, 0.0, pi / 2), 1.8, 0.8, 0.8, room="a")
+    (rug,) = _rug_of(living, sofa)
+    west, _, east, _ = _floor(rug).bounds
+    assert west == pytest.approx(0.02)
+    assert east >= 1.82 + 0.2
+
+
+@pytest.mark.parametrize(
+    ("door", "laid"),
+    [
+        ({"swing": "slide", "width": 1.2}, True),
+        ({"swing": "out", "width": 0.8}, True),
+        ({"swing": "in", "width": 0.8}, False),
+    ],
+)
+def test_a_rug_lies_before_a_door_but_not_where_its_leaf_opens(door, laid):
+    """The room ends 1.4 m before the sofa, with a door there."""
+    living = {
+        "id": "a",
+        "function": "living",
+        "outline": [[0, 0], [1.9, 0], [1.9, 1.65], [0, 1.65]],
+    }
+    living["doors"] = [{"at": [0.95, 1.65], **door}]
+    sofa = _piece("sofa", Pose(0.95, 0.4, 0.0, pi / 2), 1.6, 0.8, 0.8, room="a")
+    assert bool(_rug_of(living, sofa)) is laid
 
 
 def _open_plan(*functions: str) -> tuple[Space, Ground]:

@@ -73,7 +73,7 @@ def door_zone(space: Space, gate: DoorApproach) -> list[list[float]]:
     wide = opening.hinge == 0 and opening.width > WIDE
     kept = max(PASSAGE, SHARE * opening.width) if wide else opening.width
     zones = [before(gate, kept, depth + _beyond_face(gate))]
-    if opening.hinge and opening.swing and _opens_here(gate):
+    if opening.hinge and opening.swing and opens_here(gate):
         zones += _sweep(gate)
     return zones
 
@@ -111,7 +111,8 @@ def room_depth(space: Space, gate: DoorApproach) -> float:
     return float(ahead.min()) if ahead.size else THRESHOLD
 
 
-def _opens_here(gate: DoorApproach) -> bool:
+def opens_here(gate: DoorApproach) -> bool:
+    """Whether the leaf of a door opens into the room it is approached from."""
     left = np.array([-gate.opening.uy, gate.opening.ux])
     return bool(gate.opening.swing * (left @ gate.inward) > 0)
 

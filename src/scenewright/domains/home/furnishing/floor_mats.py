@@ -1,9 +1,9 @@
 """Mats and rugs on floor that is left free: before the bath or a sofa, in the hall, at a bed.
 
 A mat bars no way, so it is laid last: the largest that lies on free floor, clear of doors, between
-what stands there. It belongs to something: it reaches under the sofa or the bed
-(:mod:`.bed_rugs`), or has the middle of the cupboards of a hall. Rooms with a rug of their own have
-enough.
+what stands there. It belongs to something: it reaches under the sofa or the bed (:mod:`.sofa_rugs`,
+:mod:`.bed_rugs`), or has the middle of the cupboards of a hall. One walks over it before a door
+that does not open into the room. Rooms with a rug of their own have enough.
 """
 
 from __future__ import annotations
@@ -17,8 +17,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from scenewright.building.door_approach import door_zone, gates, opens_here
 from scenewright.core.catalog import Catalog
-from scenewright.core.piece_outlines import outline_of
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.space import Space
 from scenewright.domains.home.furnishing.bed_rugs import BEDS, list_bed_rugs
@@ -29,6 +29,12 @@ from scenewright.domains.home.furnishing.obstacles import (
     flat_kinds,
     join_standing,
     standing_of,
+)
+from scenewright.domains.home.furnishing.sofa_rugs import (
+    LOW_TABLE,
+    SOFAS,
+    list_sofa_rugs,
+    stands_well,
 )
 from scenewright.domains.home.problem import Ground
 
@@ -53,12 +59,6 @@ BATH = ((1.2, 0.7), (1.0, 0.6), (0.9, 0.6), (0.8, 0.5), (0.6, 0.5), (0.5, 0.4))
 USUAL = 0.9  # width of a mat that may be longer than what it lies before, metres
 BATHS = ("bathtub", "shower", "basin", "pedestal_basin")
 """What one steps from onto a mat, the first there is."""
-SOFAS = ("sofa", "corner_sofa", "loveseat")
-BEYOND = (0.6, 0.4, 0.2)  # a rug before a sofa is so much wider, metres
-DEPTHS = (1.6, 1.4, 1.2, 1.0, 0.8)  # and so deep, metres
-LOW_TABLE = "coffee_table"  # what stands well on such a rug, or not at all
-WELL_ON = 0.15  # of a rug reaches beyond a table that stands on it, metres
-TUCKED = 0.2  # of a rug lies under the sofa it belongs to, metres
 BESIDE = 0.05  # free round a rug at a bed, metres
 DOUBLE = "double_bed"
 LARGE = 2.8  # a rug of so many square metres may lie amid a room with a bed for one
@@ -122,11 +122,14 @@ def _choose_boxes(
             sizes = tuple(s for s in BATH if s[0] <= max(bath.size.width, USUAL))
             for side in _open_sides(bath):
                 yield from _before(side, sizes, ground, standing)
+    walked = ground._replace(keep_free=_without_thresholds(space, ground.keep_free))
     if "living" in space.functions:
         tables = [p for p in here if p.category == LOW_TABLE]
         for sofa in (p for p in here if p.category in SOFAS):
-            others = standing_of(_without(solid, sofa, *tables), frozenset())
-            yield from _under(sofa, ground, join_standing(others, fronts), tables)
+            boxes, rest = list_sofa_rugs(sofa), _without(solid, sofa, *tables)
+            others = join_standing(standing_of(rest, frozenset()), fronts)
+            free = boxes[_lie_free(boxes, walked, others, 0.0)]
+            yield from (box for box in free if all(stands_well(t, box) for t in tables))
     if BUSY.isdisjoint(space.functions):
         along = here if "hall" in space.functions else ()
         for rug in (RUGS[f] for f in space.functions if f in RUGS):
@@ -135,7 +138,16 @@ def _choose_boxes(
     beds = [p for p in here if p.category in BEDS]
     for bed in sorted(beds, key=lambda p: -p.size.width):
         boxes, others = list_bed_rugs(bed), standing_of(_without(solid, bed), frozenset())
-        yield from boxes[_lie_free(boxes, ground, join_standing(others, fronts), BESIDE)]
+        yield from boxes[_lie_free(boxes, walked, join_standing(others, fronts), BESIDE)]
+
+
+def _without_thresholds(space: Space, keep_free: Floats) -> Floats:
+    """Boxes (k, 5) that are kept free without those before openings of which no leaf opens into the
+    room: one walks over a rug there."""
+    doors = (gate for gate in gates(space) if gate.opening.kind != "window")
+    zones = [door_zone(space, gate) for gate in doors if not opens_here(gate)]
+    walked = np.array([box for zone in zones for box in zone]).reshape(-1, 5)
+    return keep_free[~(keep_free[:, None] == walked).all(axis=2).any(axis=1)]
 
 
 def _fit_beside(rug: Margin, here: Sequence[Piece]) -> Margin:
@@ -148,29 +160,6 @@ def _fit_beside(rug: Margin, here: Sequence[Piece]) -> Margin:
 
 def _without(solid: Sequence[Piece], *pieces: Piece) -> tuple[Piece, ...]:
     return tuple(p for p in solid if not any(p is one for one in pieces))
-
-
-def _under(
-    sofa: Piece, ground: Ground, standing: StandingObstacles, tables: Sequence[Piece] = ()
-) -> Iterator[Floats]:
-    """Rugs that reach under a sofa, before its middle, the largest first; low ``tables``
-    stand well on them or beside them."""
-    (x, y, _, heading), half = sofa.pose, sofa.size.depth / 2 - TUCKED
-    rows = [
-        (half + deep / 2, sofa.size.width + more, deep) for deep, more in product(DEPTHS, BEYOND)
-    ]
-    c, s = cos(heading), sin(heading)
-    boxes = np.array([(x + c * out, y + s * out, heading, wide, deep) for out, wide, deep in rows])
-    free = boxes[_lie_free(boxes, ground, standing, 0.0)]
-    yield from (box for box in free if all(_is_even(box, table) for table in tables))
-
-
-def _is_even(rug: Floats, table: Piece) -> bool:
-    """Whether a table stands on a rug (5,) with :data:`WELL_ON` all round, or beside it."""
-    c, s = cos(rug[2]), sin(rug[2])
-    off = outline_of(table) - rug[:2]
-    beyond = np.maximum(np.abs(off @ (s, -c)) - rug[3] / 2, np.abs(off @ (c, s)) - rug[4] / 2)
-    return bool((beyond <= -WELL_ON).all() or (beyond > 0.0).all())
 
 
 def _open_sides(bath: Piece) -> Iterator[Piece]:
