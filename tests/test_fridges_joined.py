@@ -1,0 +1,129 @@
+"""A fridge that stands apart from its kitchen when a home is done, and the kitchen in one piece."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from scenewright.building.plan import spaces
+from scenewright.catalog.loading import catalog_of
+from scenewright.core.brief import Brief, Room
+from scenewright.domains.home.attempt import RoomAnswer, find_blocked
+from scenewright.domains.home.bed_first import with_narrow_ways
+from scenewright.domains.home.cases.library import cases
+from scenewright.domains.home.composing.held import holds_less, measure_held
+from scenewright.domains.home.composing.kitchens.fridge_places import list_ends, list_joined
+from scenewright.domains.home.composing.kitchens.fridges import has_far_fridge, join_fridges
+from scenewright.domains.home.composing.moving import dress_group, make_unplaced
+from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
+from scenewright.domains.home.groups.fitted_kitchen import (
+    FittedKitchen,
+    KitchenWall,
+    UnitLine,
+    assemble,
+)
+from scenewright.domains.home.presets import PRESETS
+from scenewright.domains.home.programme import Wish
+from scenewright.domains.home.solving import prepare_rooms
+
+RUN = (
+    ("drawer_cabinet", 0.3),
+    ("hob_cabinet", 0.6),
+    ("drawer_cabinet", 0.6),
+    ("sink_cabinet", 0.6),
+)
+WIDE, DEEP = 4.2, 3.4
+SOUTH = KitchenWall(0.0, 0.0, 1.0, 0.0)
+NORTH = KitchenWall(WIDE, DEEP, -1.0, 0.0)
+
+
+def task_of(wide=WIDE):
+    room = {
+        "id": "live",
+        "function": ["living", "kitchen"],
+        "outline": [[0, 0], [wide, 0], [wide, DEEP], [0, DEEP]],
+        "doors": [{"at": [wide - 0.6, DEEP], "width": 0.8, "swing": "out"}],
+        "windows": [{"at": [0.0, 1.7], "width": 1.0, "sill": 0.9}],
+    }
+    brief = Brief(rooms=[Room.model_validate(room)])
+    preset, rooms = PRESETS["default"], spaces(brief)
+    return prepare_rooms(brief, rooms, catalog_of(()), preset, preset.solver, 0)[0][0]
+
+
+def put(task, name, case, box, beside=()):
+    group = make_unplaced(task, beside, Wish(name, 0), case)
+    standing = standing_of([p for g in beside for p in g.pieces], flat_kinds(task.catalog))
+    dressed = dress_group(task, group, case, np.array(box), standing)
+    assert dressed is not None
+    return dressed
+
+
+def kitchen(task, start=0.0, fridge=3.4):
+    """A run at the south wall and its fridge at the north wall."""
+    lines = (UnitLine(SOUTH, start, RUN), UnitLine(NORTH, fridge, (("fridge", 0.6),)))
+    return put(task, "kitchen", *assemble(FittedKitchen(lines)))
+
+
+def chest(task, x, beside):
+    case = next(c for c in cases("chest").groups if c.width <= 1.0)
+    box = [x + case.width / 2, case.depth / 2, np.pi / 2, case.width, case.depth]
+    return put(task, "chest", case, box, beside)
+
+
+def join(task, *placed, opened=list):
+    (answer,) = join_fridges([task], [RoomAnswer(0.0, placed, (), (), None, 0.0, 0)], opened)
+    return answer.placed
+
+
+def cold(placed):
+    return next(p for g in placed for p in g.pieces if p.category == "fridge")
+
+
+def test_a_fridge_stands_at_the_end_of_its_run_instead_of_across_the_room():
+    task = task_of()
+    before = kitchen(task)
+    assert has_far_fridge((before,)) and cold((before,)).pose.y > 2.9
+    after = join(task, before)
+    assert not has_far_fridge(after) and not find_blocked(with_narrow_ways(task), after)
+    assert not holds_less(measure_held(after), measure_held((before,)))
+
+
+def test_a_fridge_takes_the_place_of_a_chest_beside_the_run_which_goes_elsewhere():
+    task = task_of()
+    run = kitchen(task)
+    before = (run, chest(task, 2.1, (run,)))
+    after = join(task, *before)
+    assert not has_far_fridge(after)
+    moved = next(g for g in after if g.wish.group == "chest")
+    assert moved.dressed.case.width >= before[1].dressed.case.width - 0.25
+    assert np.hypot(*(moved.dressed.box - before[1].dressed.box)[:2]) > 0.3
+
+
+def test_a_fridge_that_would_bar_a_way_of_the_home_stays():
+    task = task_of()
+    before = kitchen(task)
+
+    def barred(answers):
+        return [answer._replace(gone=(*answer.gone, "way")) for answer in answers]
+
+    assert join(task, before, opened=barred) == (before,)
+
+
+def test_a_fridge_near_its_run_is_left_alone():
+    task = task_of()
+    near = kitchen(task, 0.7)
+    case = next(c for c, _ in list_ends(near.dressed.case))
+    joined = put(task, "kitchen", case, near.dressed.box)
+    assert not has_far_fridge((joined,))
+    assert join(task, joined) == (joined,)
+
+
+def test_the_ends_of_a_run_are_where_nothing_of_it_follows():
+    task = task_of()
+    run = kitchen(task, 0.7)
+    ends = [fridge for _, fridge in list_ends(run.dressed.case)]
+    along = sorted(round(f.x, 2) for f in ends)
+    half = sum(wide for _, wide in RUN) / 2
+    assert along == pytest.approx([-half - 0.3, -half - 0.25, half + 0.25, half + 0.3])
+    away = [len(joined.away) for joined in list_joined(task, (run,))]
+    assert away and not any(away)
