@@ -1,4 +1,4 @@
-"""A fridge at the ends of the lines of its kitchen, in the place of what stands there if need be."""
+"""A fridge at the ends of the lines of its kitchen, where need be in the place of what is there."""
 
 from __future__ import annotations
 

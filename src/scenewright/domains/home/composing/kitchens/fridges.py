@@ -4,8 +4,7 @@ While a room is composed a fridge by itself is weighed against all else and agai
 grid, so that one may end up across the room though a kitchen in one piece has a place. Such a
 kitchen is looked for when the ways of the home are open: beside the rest, else before all others,
 which follow it; what is merely welcome may give way. It stays if nothing that is counted gets worse
-(:func:`~..windows.count_faults`), the room holds no less (:func:`~..held.measure_held`) and no way
-of the home is barred.
+(:mod:`..no_worse`) and no way of the home is barred.
 """
 
 from __future__ import annotations
@@ -17,7 +16,6 @@ from math import inf
 from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import Missing, RoomAnswer, RoomTask, find_blocked
 from scenewright.domains.home.composing.case_faults import RAISED, RUN
-from scenewright.domains.home.composing.held import holds_less, measure_held
 from scenewright.domains.home.composing.judging import Placed, judge_of
 from scenewright.domains.home.composing.kitchens.fridge_places import list_traded
 from scenewright.domains.home.composing.kitchens.mend import (
@@ -29,18 +27,13 @@ from scenewright.domains.home.composing.kitchens.mend import (
 )
 from scenewright.domains.home.composing.kitchens.reform import KitchenStep, list_fitted
 from scenewright.domains.home.composing.moving import with_margin
-from scenewright.domains.home.composing.placed_faults import cost_of_screen
+from scenewright.domains.home.composing.no_worse import is_no_worse
 from scenewright.domains.home.composing.settling import try_in_home
-from scenewright.domains.home.composing.spacing.rules import measure_closeness
-from scenewright.domains.home.composing.views import cost_of_view, list_columns
-from scenewright.domains.home.composing.windows import count_faults
 from scenewright.domains.home.second_try import Opened
 from scenewright.geometry.boxes import common_area, make_frame
 
 FAR = 0.7  # a fridge farther than this from all other units is apart from its kitchen, metres
 WORTH = 30.0  # what a room may cost more for a kitchen in one piece
-NEARER, SEEN = 4.5, 1.0
-"""By how much groups may stand nearer to one another for it, and screens be seen less well."""
 WALKED = 2  # kitchens of one make-up that are walked to through the whole home
 MAKE_UPS = {0: FAR, 2: FAR, 3: 1.0}
 """Steps of the kitchens made to measure that have their fridge in a line with other units, each for
@@ -149,22 +142,4 @@ def _with(before: RoomAnswer, placed: Placed, gone: tuple[Missing, ...]) -> Room
 
 def _is_sound(task: RoomTask, before: Placed, after: Placed) -> bool:
     """Whether no fridge stands apart ``after`` and nothing else is worse."""
-    if has_far_fridge(after) or holds_less(measure_held(after), measure_held(before)):
-        return False
-    if any(
-        a > b for a, b in zip(count_faults(task, after), count_faults(task, before), strict=True)
-    ):
-        return False
-    near = [measure_closeness(placed, task.fixed) for placed in (after, before)]
-    if near[0] > near[1] + NEARER:
-        return False
-    views = [_cost_of_sight(task, placed) for placed in (after, before)]
-    costs = [judge_of(task, placed).cost_of(placed).cost for placed in (after, before)]
-    return views[0] <= views[1] + SEEN and costs[0] + near[0] <= costs[1] + near[1] + WORTH
-
-
-def _cost_of_sight(task: RoomTask, placed: Placed) -> float:
-    """What is wrong with the screen of a room and with how it is seen."""
-    costs = task.preset.settings.composing.costs
-    view = cost_of_view(placed, costs, list_columns(task.space))
-    return view + cost_of_screen(placed, task.ground, costs.screen)
+    return not has_far_fridge(after) and is_no_worse(task, before, after, WORTH)
