@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from scenewright.domains.home.attempt import RoomAnswer, RoomTask
 from scenewright.domains.home.composing.bedsides import add_nightstands
 from scenewright.domains.home.composing.doorways import clear_doorways
-from scenewright.domains.home.composing.kitchens.fridges import join_fridges
 from scenewright.domains.home.composing.kitchens.mend import mend_kitchens
+from scenewright.domains.home.composing.kitchens.remade import remake_kitchens
 from scenewright.domains.home.composing.mend_bedrooms import mend_bedrooms
 from scenewright.domains.home.composing.windows import clear_windows
 from scenewright.domains.home.second_try import Opened
@@ -23,5 +23,5 @@ def mend_rooms(
     found = mend_bedrooms(tasks, found, opened)
     found = clear_doorways(tasks, found, opened)
     found = clear_windows(tasks, found, opened)
-    found = join_fridges(tasks, found, opened)
+    found = remake_kitchens(tasks, found, opened)
     return add_nightstands(tasks, found, opened)

@@ -12,8 +12,9 @@ from scenewright.domains.home.attempt import RoomAnswer, find_blocked
 from scenewright.domains.home.bed_first import with_narrow_ways
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.held import holds_less, measure_held
+from scenewright.domains.home.composing.kitchens.far_fridges import has_far_fridge
 from scenewright.domains.home.composing.kitchens.fridge_places import list_ends, list_joined
-from scenewright.domains.home.composing.kitchens.fridges import has_far_fridge, join_fridges
+from scenewright.domains.home.composing.kitchens.remade import find_faults, remake_kitchens
 from scenewright.domains.home.composing.moving import dress_group, make_unplaced
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.domains.home.groups.fitted_kitchen import (
@@ -71,7 +72,7 @@ def chest(task, x, beside):
 
 
 def join(task, *placed, opened=list):
-    (answer,) = join_fridges([task], [RoomAnswer(0.0, placed, (), (), None, 0.0, 0)], opened)
+    (answer,) = remake_kitchens([task], [RoomAnswer(0.0, placed, (), (), None, 0.0, 0)], opened)
     return answer.placed
 
 
@@ -128,3 +129,17 @@ def test_the_ends_of_a_run_are_where_nothing_of_it_follows():
     half = sum(wide for _, wide in RUN) / 2
     assert along == pytest.approx([-half - 0.3, -half - 0.25, half + 0.25, half + 0.3])
     assert {joined.away for joined in list_joined(task, (run,))} == {()}
+
+
+def test_a_hob_before_a_window_finds_a_place_beside_it():
+    task = task_of()
+    east = KitchenWall(WIDE, 0.0, 0.0, 1.0)
+    west = KitchenWall(0.0, DEEP, 0.0, -1.0)
+    units = (*RUN, ("fridge", 0.6))
+    before = put(task, "kitchen", *assemble(FittedKitchen((UnitLine(west, 0.6, units),))))
+    bright = put(task, "kitchen", *assemble(FittedKitchen((UnitLine(east, 0.2, units),))))
+    assert (find_faults(task, (before,)), find_faults(task, (bright,))) == ((0, 1), (0, 0))
+    after = join(task, before)
+    assert find_faults(task, after) == (0, 0)
+    assert not holds_less(measure_held(after), measure_held((before,)))
+    assert join(task, bright) == (bright,)
