@@ -13,8 +13,10 @@ from scenewright.domains.home.bed_first import with_narrow_ways
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.held import holds_less, measure_held
 from scenewright.domains.home.composing.kitchens.far_fridges import has_far_fridge
-from scenewright.domains.home.composing.kitchens.fridge_places import list_ends, list_joined
+from scenewright.domains.home.composing.kitchens.fridge_places import list_ends, list_fridge_moves
+from scenewright.domains.home.composing.kitchens.loose_cabinets import join_cabinets
 from scenewright.domains.home.composing.kitchens.remade import find_faults, remake_kitchens
+from scenewright.domains.home.composing.kitchens.trades import list_moved
 from scenewright.domains.home.composing.moving import dress_group, make_unplaced
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.domains.home.groups.fitted_kitchen import (
@@ -23,6 +25,7 @@ from scenewright.domains.home.groups.fitted_kitchen import (
     UnitLine,
     assemble,
 )
+from scenewright.domains.home.groups.kitchen import short_counters
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.solving import prepare_rooms
@@ -33,6 +36,8 @@ RUN = (
     ("drawer_cabinet", 0.6),
     ("sink_cabinet", 0.6),
 )
+SCANT = (*RUN[:2], ("drawer_cabinet", 0.3), RUN[3])
+"""The same with hardly any worktop."""
 WIDE, DEEP = 4.2, 3.4
 SOUTH = KitchenWall(0.0, 0.0, 1.0, 0.0)
 NORTH = KitchenWall(WIDE, DEEP, -1.0, 0.0)
@@ -128,7 +133,8 @@ def test_the_ends_of_a_run_are_where_nothing_of_it_follows():
     along = sorted(round(f.x, 2) for f in ends)
     half = sum(wide for _, wide in RUN) / 2
     assert along == pytest.approx([-half - 0.3, -half - 0.25, half + 0.25, half + 0.3])
-    assert {joined.away for joined in list_joined(task, (run,))} == {()}
+    moved = list(list_moved(task, (run,), list_fridge_moves(task, (run,))))
+    assert {away for _, away in moved} == {()}
 
 
 def test_a_hob_before_a_window_finds_a_place_beside_it():
@@ -143,3 +149,30 @@ def test_a_hob_before_a_window_finds_a_place_beside_it():
     assert find_faults(task, after) == (0, 0)
     assert not holds_less(measure_held(after), measure_held((before,)))
     assert join(task, bright) == (bright,)
+
+
+def join_second_run(task, units, opened=list):
+    """A room with a run at the south wall and one cabinet across, before and after."""
+    line = UnitLine(SOUTH, 0.05, (("fridge", 0.6), *units))
+    run = put(task, "kitchen", *assemble(FittedKitchen((line,))))
+    case = next(c for c in short_counters() if c.width == 0.6)
+    box = [0.7, DEEP - case.depth / 2, -np.pi / 2, case.width, case.depth]
+    placed = (run, put(task, "counter", case, box, (run,)))
+    answer = RoomAnswer(0.0, placed, (), (), None, 0.0, 0)
+    return placed, join_cabinets([task], [answer], opened)[0]
+
+
+def test_a_single_cabinet_goes_beside_the_run():
+    before, after = join_second_run(task_of(), RUN)
+    (cabinet,) = (g for g in after.placed if g.wish.group == "counter")
+    assert cabinet.dressed.box[1] < 1.0
+    assert measure_held(after.placed) == pytest.approx(measure_held(before))
+    assert not after.missing
+
+
+@pytest.mark.parametrize(("units", "stays"), [(RUN, False), (SCANT, True)])
+def test_a_single_cabinet_with_no_place_there_stays_only_for_want_of_worktop(units, stays):
+    before, after = join_second_run(task_of(2.8), units)
+    names = [g.name for g in before if stays or g.name != "counter"]
+    assert [g.name for g in after.placed] == names
+    assert [m.wish.group for m in after.missing] == ([] if stays else ["counter"])

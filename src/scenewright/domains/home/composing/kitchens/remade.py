@@ -18,7 +18,7 @@ from scenewright.domains.home.attempt import Missing, RoomAnswer, RoomTask, find
 from scenewright.domains.home.composing.case_faults import RUN
 from scenewright.domains.home.composing.judging import Placed, judge_of
 from scenewright.domains.home.composing.kitchens.far_fridges import has_far_fridge, has_low_fridge
-from scenewright.domains.home.composing.kitchens.fridge_places import list_traded
+from scenewright.domains.home.composing.kitchens.fridge_places import list_fridge_moves
 from scenewright.domains.home.composing.kitchens.mend import (
     KITCHEN,
     Place,
@@ -27,6 +27,7 @@ from scenewright.domains.home.composing.kitchens.mend import (
     take_place,
 )
 from scenewright.domains.home.composing.kitchens.reform import KitchenStep, list_fitted
+from scenewright.domains.home.composing.kitchens.trades import list_traded
 from scenewright.domains.home.composing.moving import with_margin
 from scenewright.domains.home.composing.no_worse import is_no_worse
 from scenewright.domains.home.composing.placed_faults import DARK, measure_before_windows
@@ -88,7 +89,8 @@ def _list_traded(task: RoomTask, before: RoomAnswer) -> Iterator[Iterable[RoomAn
     """The room with a fridge that stands apart at an end of its run, the cheapest first."""
     if has_far_fridge(before.placed):
         most = judge_of(task, before.placed).cost_of(before.placed).cost + WORTH
-        rooms = list_traded(task, before.placed, most)
+        moves = list_fridge_moves(task, before.placed)
+        rooms = list_traded(task, before.placed, moves, most)
         missing = before.missing
         yield _sort(task, (before._replace(placed=p, missing=(*missing, *m)) for p, m in rooms))
 
