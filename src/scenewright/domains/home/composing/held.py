@@ -12,7 +12,7 @@ STORAGE = frozenset(
     ("wardrobe", "chest_of_drawers", "bookcase", "sideboard", "shelf_unit", "storage_shelf")
 )
 CHAIRS = frozenset(("dining_chair", "stool"))
-LESS = (0.1, 0.25, 0.0, 0.0)
+LESS = (0.1, 0.0, 0.0, 0.0)
 """By how much less of each is not less, metres and places."""
 HAIR = 1e-6
 
