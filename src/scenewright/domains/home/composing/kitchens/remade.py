@@ -113,7 +113,7 @@ def _may_be(number: int, placed: Placed) -> bool:
     """Whether kitchens of one step come in question."""
     if number == LOW:
         return has_low_fridge(placed) or has_far_fridge(placed, ACROSS)
-    return number != APART or not has_far_fridge(placed)
+    return number != APART
 
 
 def _list_first(
