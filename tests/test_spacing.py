@@ -43,6 +43,16 @@ def test_beds_keep_off_kitchens_and_doors_of_wardrobes(metres, kind, near):
     assert (rules.measure_closeness(gap_of(metres, kind)) > 0.0) == near
 
 
+@pytest.mark.parametrize(
+    ("metres", "kind", "near"),
+    [(0.02, "hob_cabinet", True), (0.31, "hob_cabinet", False), (0.02, "bookcase", False)],
+)
+def test_a_screen_keeps_off_the_units_of_a_kitchen_beside_it(metres, kind, near):
+    stand = group("media", "tv_stand", 0.0, 0.0, pi / 2, 1.4, 0.4)
+    unit = group("kitchen", kind, 0.7 + metres + 0.3, 0.0, pi / 2, 0.6, 0.6)
+    assert (rules.measure_closeness([stand, unit]) > 0.0) == near
+
+
 def test_the_nearer_the_worse():
     costs = [rules.measure_closeness(gap_of(metres)) for metres in (0.0, 0.1, 0.2)]
     assert costs == sorted(costs, reverse=True)
