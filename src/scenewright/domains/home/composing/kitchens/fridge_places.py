@@ -21,7 +21,7 @@ CORNER, FRIDGE = "corner_cabinet", "fridge"
 def list_fridge_moves(task: RoomTask, placed: Placed) -> Iterator[Move]:
     """A fridge at one end of a line of its run after the other: one of the run in its width and
     slim, one that is a group of its own."""
-    for run in find_run(placed):
+    for run in (p for p in find_run(placed) if len(p.pieces) == sum(p.dressed.stands)):
         for case, fridge in list_ends(run.dressed.case):
             floor = place_member(fridge, run.dressed.box[None])[0]
             yield Move(run, case, run.dressed.box, floor)

@@ -35,6 +35,7 @@ from scenewright.domains.home.composing.settling import try_in_home
 from scenewright.domains.home.second_try import Opened
 
 WORTH = 30.0  # what a room may cost more for a kitchen without such a fault
+FOLLOWED = 3  # kitchens of one make-up that stand first and are followed by all others
 WALKED = 2  # kitchens of one make-up that are walked to through the whole home
 APART, LOW = 1, 3
 """Steps of the kitchens made to measure that have their fridge by itself, or under the worktop."""
@@ -73,8 +74,7 @@ def _remake(
     faults = find_faults(task, before.placed)
 
     def is_sound(answer: RoomAnswer) -> bool:
-        less = find_faults(task, answer.placed)
-        fewer = less != faults and all(a <= b for a, b in zip(less, faults, strict=True))
+        fewer = _are_fewer(find_faults(task, answer.placed), faults)
         return fewer and is_no_worse(task, before.placed, answer.placed, WORTH)
 
     for answers in chain(_list_traded(task, before), _list_make_ups(task, place, before)):
@@ -121,12 +121,15 @@ def _list_first(
 ) -> Iterator[RoomAnswer]:
     """The room with kitchens that have fewer faults and all others after them."""
     faults = find_faults(task, before.placed)
-    for start in step(inf):
-        less = find_faults(task, start.placed)
-        if less != faults and all(a <= b for a, b in zip(less, faults, strict=True)):
-            followed = follow_kitchen(task, start, place, barred)
-            if followed is not None:
-                yield _with(before, *followed)
+    starts = (start for start in step(inf) if _are_fewer(find_faults(task, start.placed), faults))
+    for start in islice(starts, FOLLOWED):
+        followed = follow_kitchen(task, start, place, barred)
+        if followed is not None:
+            yield _with(before, *followed)
+
+
+def _are_fewer(new: Faults, old: Faults) -> bool:
+    return new != old and all(a <= b for a, b in zip(new, old, strict=True))
 
 
 def _sort(task: RoomTask, answers: Iterable[RoomAnswer]) -> list[RoomAnswer]:
