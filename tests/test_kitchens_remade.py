@@ -12,6 +12,7 @@ from scenewright.domains.home.attempt import RoomAnswer, find_blocked
 from scenewright.domains.home.bed_first import with_narrow_ways
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.held import holds_less, measure_held
+from scenewright.domains.home.composing.kitchens import remade
 from scenewright.domains.home.composing.kitchens.far_fridges import has_far_fridge
 from scenewright.domains.home.composing.kitchens.fridge_places import list_ends, list_fridge_moves
 from scenewright.domains.home.composing.kitchens.loose_cabinets import join_cabinets
@@ -144,9 +145,9 @@ def test_a_hob_before_a_window_finds_a_place_beside_it():
     units = (*RUN, ("fridge", 0.6))
     before = put(task, "kitchen", *assemble(FittedKitchen((UnitLine(west, 0.6, units),))))
     bright = put(task, "kitchen", *assemble(FittedKitchen((UnitLine(east, 0.2, units),))))
-    assert (find_faults(task, (before,)), find_faults(task, (bright,))) == ((0, 1), (0, 0))
+    assert (find_faults(task, (before,)), find_faults(task, (bright,))) == ((0, 1, 0), (0, 0, 0))
     after = join(task, before)
-    assert find_faults(task, after) == (0, 0)
+    assert find_faults(task, after) == (0, 0, 0)
     assert not holds_less(measure_held(after), measure_held((before,)))
     assert join(task, bright) == (bright,)
 
@@ -176,3 +177,14 @@ def test_a_single_cabinet_with_no_place_there_stays_only_for_want_of_worktop(uni
     names = [g.name for g in before if stays or g.name != "counter"]
     assert [g.name for g in after.placed] == names
     assert [m.wish.group for m in after.missing] == ([] if stays else ["counter"])
+
+
+def test_neither_a_fridge_nor_a_window_is_worth_a_sink_away_from_its_hob():
+    task = task_of()
+    west = KitchenWall(0.0, DEEP, 0.0, -1.0)
+    lines = (UnitLine(SOUTH, 2.0, RUN[:3]), UnitLine(west, 0.1, (("fridge", 0.6), RUN[3])))
+    apart = put(task, "kitchen", *assemble(FittedKitchen(lines)))
+    assert find_faults(task, (apart,))[2] == 1
+    assert remade._are_fewer((0, 0, 0), (1, 0, 0))
+    assert not remade._are_fewer((0, 0, 1), (1, 0, 0))
+    assert not remade._are_fewer((0, 0, 0), (0, 0, 1))

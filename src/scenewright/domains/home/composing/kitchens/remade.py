@@ -15,7 +15,7 @@ from itertools import chain, islice
 from math import inf
 
 from scenewright.domains.home.attempt import Missing, RoomAnswer, RoomTask, find_blocked
-from scenewright.domains.home.composing.case_faults import RUN
+from scenewright.domains.home.composing.case_faults import RUN, find_case_faults
 from scenewright.domains.home.composing.judging import Placed, judge_of
 from scenewright.domains.home.composing.kitchens.far_fridges import has_far_fridge, has_low_fridge
 from scenewright.domains.home.composing.kitchens.fridge_places import list_fridge_moves
@@ -30,7 +30,11 @@ from scenewright.domains.home.composing.kitchens.reform import KitchenStep, list
 from scenewright.domains.home.composing.kitchens.trades import list_traded
 from scenewright.domains.home.composing.moving import with_margin
 from scenewright.domains.home.composing.no_worse import is_no_worse
-from scenewright.domains.home.composing.placed_faults import DARK, measure_before_windows
+from scenewright.domains.home.composing.placed_faults import (
+    DARK,
+    list_standing,
+    measure_before_windows,
+)
 from scenewright.domains.home.composing.settling import try_in_home
 from scenewright.domains.home.second_try import Opened
 
@@ -53,17 +57,20 @@ def remake_kitchens(
     found = answers
     for room, task in enumerate(tasks):
         may = task.preset.settings.exact and not task.accessible and not task.cancelled()
-        if may and any(find_faults(task, found[room].placed)):
+        if may and any(find_faults(task, found[room].placed)[:2]):
             place = take_place(task, found[room])
             found = found if place is None else _remake(room, task, place, found, opened)
     return found
 
 
 def find_faults(task: RoomTask, placed: Placed) -> Faults:
-    """Whether the fridge of a room stands apart, and how many windows its kitchen stands before."""
+    """Whether the fridge of a room stands apart, how many windows its kitchen stands before, and
+    whether hob and sink are apart."""
     units = [p for p in placed if p.wish.group in KITCHEN]
     windows = (measure_before_windows(p, task.ground) > DARK for p in units)
-    return int(has_far_fridge(placed)), sum(any(w) for w in zip(*windows, strict=True))
+    split = any("split" in dict(find_case_faults(list_standing(p))) for p in units)
+    taken = sum(any(w) for w in zip(*windows, strict=True))
+    return int(has_far_fridge(placed)), taken, int(split)
 
 
 def _remake(
@@ -129,7 +136,8 @@ def _list_first(
 
 
 def _are_fewer(new: Faults, old: Faults) -> bool:
-    return new != old and all(a <= b for a, b in zip(new, old, strict=True))
+    """Whether the fridge or a window is better off and nothing else worse."""
+    return new[:2] != old[:2] and all(a <= b for a, b in zip(new, old, strict=True))
 
 
 def _sort(task: RoomTask, answers: Iterable[RoomAnswer]) -> list[RoomAnswer]:
