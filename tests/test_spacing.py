@@ -11,6 +11,7 @@ from scenewright.core.brief import Brief
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains import check
 from scenewright.domains.home.attempt import FurnishedGroup
+from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.spacing import move, rules
 from scenewright.domains.home.furnishing.enlarge import without_overlaps
 from scenewright.domains.home.programme import Wish
@@ -41,6 +42,23 @@ def gap_of(metres, kind="fridge"):
 )
 def test_beds_keep_off_kitchens_and_doors_of_wardrobes(metres, kind, near):
     assert (rules.measure_closeness(gap_of(metres, kind)) > 0.0) == near
+
+
+@pytest.mark.parametrize(
+    ("metres", "kind", "near"),
+    [(0.02, "hob_cabinet", True), (0.31, "hob_cabinet", False), (0.02, "bookcase", False)],
+)
+def test_a_screen_keeps_off_the_units_of_a_kitchen_beside_it(metres, kind, near):
+    stand = group("media", "tv_stand", 0.0, 0.0, pi / 2, 1.4, 0.4)
+    unit = group("kitchen", kind, 0.7 + metres + 0.3, 0.0, pi / 2, 0.6, 0.6)
+    assert (rules.measure_closeness([stand, unit]) > 0.0) == near
+
+
+def test_a_stand_may_be_narrower_without_its_plant_but_never_without_its_screen():
+    stands = {round(case.width, 1): case for case in cases("media").groups}
+    assert [move._holds(stands[w], stands[2.2]) for w in (1.8, 2.0, 1.6)] == [True, True, False]
+    bare = stands[1.8]._replace(members=stands[1.8].members[:1])
+    assert not move._holds(bare, stands[2.2])
 
 
 def test_the_nearer_the_worse():

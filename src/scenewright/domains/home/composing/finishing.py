@@ -7,7 +7,9 @@ from collections.abc import Sequence
 from scenewright.domains.home.attempt import RoomAnswer, RoomTask
 from scenewright.domains.home.composing.bedsides import add_nightstands
 from scenewright.domains.home.composing.doorways import clear_doorways
+from scenewright.domains.home.composing.kitchens.loose_cabinets import join_cabinets
 from scenewright.domains.home.composing.kitchens.mend import mend_kitchens
+from scenewright.domains.home.composing.kitchens.remade import remake_kitchens
 from scenewright.domains.home.composing.mend_bedrooms import mend_bedrooms
 from scenewright.domains.home.composing.windows import clear_windows
 from scenewright.domains.home.second_try import Opened
@@ -22,4 +24,6 @@ def mend_rooms(
     found = mend_bedrooms(tasks, found, opened)
     found = clear_doorways(tasks, found, opened)
     found = clear_windows(tasks, found, opened)
+    found = remake_kitchens(tasks, found, opened)
+    found = join_cabinets(tasks, found, opened)
     return add_nightstands(tasks, found, opened)

@@ -68,8 +68,8 @@ def _is_near(box: list[float], pieces: Sequence[Piece]) -> bool:
 def cost_of_washer(groups: Sequence[FurnishedGroup], cost: float) -> float:
     """What is wrong with a washing machine in a kitchen with no unit of the run at its side, or
     with none but the fridge, which then no longer ends the run (:data:`AT_FRIDGE`)."""
-    if _is_away(groups, "washer", RUN - {"fridge"}):
-        return cost * (1.0 if _is_away(groups, "washer") else AT_FRIDGE)
+    if is_away(groups, "washer", RUN - {"fridge"}):
+        return cost * (1.0 if is_away(groups, "washer") else AT_FRIDGE)
     return 0.0
 
 
@@ -78,11 +78,11 @@ def cost_of_fridge(
 ) -> float:
     """What is wrong with a fridge of its own that stands away from the units one cooks at."""
     return (
-        rule.costs.fridge_alone * share_in(ground.area, "fridge_alone") * _is_away(groups, "fridge")
+        rule.costs.fridge_alone * share_in(ground.area, "fridge_alone") * is_away(groups, "fridge")
     )
 
 
-def _is_away(groups: Sequence[FurnishedGroup], name: str, kinds: frozenset[str] = RUN) -> bool:
+def is_away(groups: Sequence[FurnishedGroup], name: str, kinds: frozenset[str] = RUN) -> bool:
     """Whether there are units of some kinds in the other groups, but none at the side of the group
     so named."""
     own = next((g for g in groups if g.wish.group == name), None)

@@ -79,11 +79,7 @@ def find_place(task: RoomTask, answer: RoomAnswer) -> Place | None:
     if task.accessible or not task.preset.settings.exact or task.library.own or islands:
         return None
     if run is not None and not lost:
-        if not may_reform(task, answer.placed) or not _is_at_fault(answer):
-            return None
-        parts = tuple(p for p in parts_of(answer.placed, run) if p.wish.group in KITCHEN)
-        rest = tuple(p for p in answer.placed if all(p is not part for part in parts))
-        return Place(run, parts, rest)
+        return take_place(task, answer) if _is_at_fault(answer) else None
     if not lost or lost[0].most or lost[0].required:
         return None
     parts = tuple(p for p in answer.placed if p.wish.group in KITCHEN)
@@ -91,6 +87,18 @@ def find_place(task: RoomTask, answer: RoomAnswer) -> Place | None:
     core = lost[0].core or any(p.wish.core for p in parts)
     wish = lost[0]._replace(group="kitchen", rank=0, core=core)
     return Place(make_unplaced(task, rest, wish, cases("kitchen").groups[0]), parts, rest)
+
+
+def take_place(task: RoomTask, answer: RoomAnswer) -> Place | None:
+    """What another kitchen takes the place of in a room that has one; None where that may not be
+    changed."""
+    run = next((p for p in answer.placed if p.wish.group in RUNS), None)
+    islands = any(p.wish.group == "island" for p in answer.placed)
+    if run is None or islands or not may_reform(task, answer.placed):
+        return None
+    parts = tuple(p for p in parts_of(answer.placed, run) if p.wish.group in KITCHEN)
+    rest = tuple(p for p in answer.placed if all(p is not part for part in parts))
+    return Place(run, parts, rest)
 
 
 def _see_gone(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
@@ -148,22 +156,22 @@ def _list_answers(task: RoomTask, place: Place, before: RoomAnswer) -> Iterator[
     for judged in islice(beside, BESIDE):
         yield before._replace(placed=judged.placed, missing=missing)
     most = sum_faults(task, place.parts) if place.parts else inf
-    for step in list_fitted(task, (), place.run, frozenset(), likeness=_measure):
+    for step in list_fitted(task, (), place.run, frozenset(), likeness=measure_kitchen):
         for start in step(inf):
             if sum_faults(task, start.placed) >= most:
                 continue
-            followed = _follow(task, start, place, barred)
+            followed = follow_kitchen(task, start, place, barred)
             if followed is not None:
                 placed, gone = followed
                 yield before._replace(placed=placed, missing=(*missing, *gone))
 
 
-def _measure(kitchen: FittedKitchen) -> Hashable:
+def measure_kitchen(kitchen: FittedKitchen) -> Hashable:
     """The walls along which a kitchen stands, and for how many metres of each."""
     return tuple((line.wall, round(width_of(line.units), 1)) for line in kitchen.lines)
 
 
-def _follow(
+def follow_kitchen(
     task: RoomTask, start: JudgedRoom, place: Place, barred: frozenset[str]
 ) -> tuple[Placed, tuple[Missing, ...]] | None:
     """The rest beside a kitchen, the essential and the largest first, and what of it had to give
@@ -173,7 +181,7 @@ def _follow(
         following = _set_beside(task, best.placed, other, barred)
         if following is not None:
             best = following
-        elif place.parts and not _may_go(other):
+        elif place.parts and not may_go(other):
             return None
         else:
             gone.append(Missing(other.wish, "it makes room for the kitchen"))
@@ -190,7 +198,7 @@ def _set_beside(
     return next(open_, None)
 
 
-def _may_go(group: FurnishedGroup) -> bool:
+def may_go(group: FurnishedGroup) -> bool:
     """Whether a group is merely welcome, or a second run."""
     wish = group.wish
     welcome = wish.rank == WELCOME and not wish.required and not is_essential(wish)

@@ -43,6 +43,8 @@ LEAST = 1.0  # what is gained at least
 CUT = 0.75  # of its width a group keeps at least so much, all of it if it holds things
 WALKED = 2  # rooms that are walked through with their home, for each group
 ROUNDS = 2
+SPARE = frozenset(("plant",))
+"""What stands on a group and may be lost for it."""
 HAIR = 1e-6
 
 
@@ -126,8 +128,12 @@ def _list_like(task: RoomTask, group: FurnishedGroup) -> Iterator[Group]:
 
 
 def _holds(form: Group, now: Group) -> bool:
-    """Whether a form has all that a group has ``now``, hardly narrower."""
-    if sorted(m.category for m in form.members) != sorted(m.category for m in now.members):
+    """Whether a form has all that a group has ``now``, a plant on it apart, hardly narrower."""
+    if _list_kinds(form) != _list_kinds(now):
         return False
     least = now.width if form.function in HOLDING else CUT * now.width
     return least - HAIR < form.width < now.width + HAIR
+
+
+def _list_kinds(form: Group) -> list[str]:
+    return sorted(m.category for m in form.members if m.category not in SPARE)

@@ -39,6 +39,7 @@ class Distance(NamedTuple):
 
 DISTANCES = (
     Distance(BEDS | {*SOFAS, "armchair"}, ROUND, 0.3, RUN, 10.0),
+    Distance(frozenset(("tv_stand",)), ROUND, 0.3, RUN, 6.0),
     Distance(frozenset(("wardrobe",)), FRONT, 0.5, frozenset(), 8.0),
     Distance(
         frozenset(("chest_of_drawers", "sideboard", "tv_stand")), FRONT, 0.5, frozenset(), 6.0
