@@ -1,11 +1,12 @@
 """Small objects that belong to something: planters, trees in pots, totems, baskets, racks for
-coats, litter bins, bar stools.
+coats, benches before exhibits, litter bins, bar stools.
 
 Where they stand follows from what is already there, so they are set once everything else stands:
 planters and trees in pairs beside a way in or a stage, at ends of benches, in corners, at walls;
 totems before those who come in, beside the door and off their way, and beside islands; baskets and
-racks for coats at the wall next to the entrance; bins beside doors and where one eats; bar stools
-at counters and high tables. Those whose place or pattern a brief states are laid out with the rest.
+racks for coats at the wall next to the entrance; benches before pictures and islands; bins beside
+doors and where one eats; bar stools at counters and high tables. Those whose place or pattern a
+brief states are laid out with the rest.
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ from typing import NamedTuple
 
 from scenewright.core.scene import Size
 from scenewright.domains.hall.accessories.baskets import find_basket_spots
+from scenewright.domains.hall.accessories.benches import find_bench_spots, may_look
 from scenewright.domains.hall.accessories.bins import find_bin_spots
 from scenewright.domains.hall.accessories.planters import find_planter_spots
 from scenewright.domains.hall.accessories.setting import Setting
@@ -45,6 +47,7 @@ ACCESSORIES: dict[str, Accessory] = {
     "sign_totem": Accessory(find_totem_spots, 0, 0.9, 1.25),
     "basket_stack": Accessory(find_basket_spots, 1, 0.9),
     "coat_rack": Accessory(find_basket_spots, 2, 0.9),
+    "bench": Accessory(find_bench_spots, 3, 1.2, 0.9, belongs=may_look),
     "litter_bin": Accessory(find_bin_spots, 3, 1.2),
     "planter": Accessory(find_planter_spots, 4, 1.2),
     "potted_tree": Accessory(find_planter_spots, 4, 0.9),
