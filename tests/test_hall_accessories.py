@@ -278,3 +278,19 @@ def off_sight(bench: Piece, picture: Piece) -> float:
 def test_benches_where_no_picture_is_keep_their_rows() -> None:
     solution = solve(SHOWCASES, {"category": "bench", "count": 4})
     assert {g.pattern for g in solution.detail.layout.groups if g.demand == "bench"} != {"single"}
+
+
+def test_ropes_stand_round_the_exhibit_they_guard() -> None:
+    island = {"category": "exhibit_island", "size": [4, 2, 2]}
+    solution = solve(island, SHOWCASES, {"category": "rope_barrier", "count": 6})
+    ropes, (guarded,) = of_kind(solution, "rope_barrier"), of_kind(solution, "exhibit_island")
+    assert len(ropes) == 6
+    c, s = math.cos(guarded.pose.heading), math.sin(guarded.pose.heading)
+    offs = [(r.pose.x - guarded.pose.x, r.pose.y - guarded.pose.y) for r in ropes]
+    ahead, aside = np.array([(x * c + y * s, y * c - x * s) for x, y in offs]).T
+    out = np.maximum(np.abs(ahead) - 1.0, np.abs(aside) - 2.0)
+    assert (np.abs(out - 1.0) < 0.3).all()
+    assert (
+        len({(round(x), round(y)) for x, y in zip(np.sign(ahead), np.sign(aside), strict=True)}) > 2
+    )
+    assert sw.check(solution).valid

@@ -15,7 +15,6 @@ from scenewright.domains.hall.accessories.spots import (
     measure_crowd,
 )
 from scenewright.domains.hall.holdings import HallDemand
-from scenewright.domains.hall.problem import Floats
 
 PICTURE, ISLAND = "wall_exhibit", "exhibit_island"
 LARGE, LONGEST = 2.0, 2.5
