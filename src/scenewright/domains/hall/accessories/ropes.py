@@ -55,7 +55,7 @@ def _line_side(island: Piece, side: int, size: Size, cost: float) -> Spots:
     front = np.array([np.cos(heading), np.sin(heading)])
     pitch = size.width + BETWEEN
     count = max(int((long + GAP) / pitch), 1)
-    along: Floats = (np.arange(count) - 0.5 * (count - 1)) * pitch
+    along: Floats = (np.arange(count, dtype=np.float64) - 0.5 * (count - 1)) * pitch
     points = np.array(island.pose[:2]) + (0.5 * (deep + size.depth) + GAP) * front
     points = points + along[:, None] * np.array([front[1], -front[0]])
     return make_spots(
