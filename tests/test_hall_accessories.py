@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from itertools import pairwise
+from functools import partial
+from itertools import combinations, pairwise
 from typing import Any
 
 import numpy as np
@@ -251,3 +252,45 @@ def test_nothing_is_hidden_behind_a_desk() -> None:
     trees = of_kind(sw.solve(brief, steps=1500, threads=1), "potted_tree")
     assert len(trees) == 8
     assert not any(tree.pose.x > 14.6 and 7.1 < tree.pose.y < 8.9 for tree in trees)
+
+
+def test_benches_stand_apart_before_the_pictures_they_look_at() -> None:
+    pictures = {"id": "paintings", "category": "wall_exhibit", "count": 14}
+    solution = solve(pictures, {"category": "bench", "count": 3})
+    benches, hung = of_kind(solution, "bench"), of_kind(solution, "wall_exhibit")
+    assert len(benches) == 3
+    assert all(min(map(partial(off_sight, bench), hung)) < 0.05 for bench in benches)
+    ways = [math.dist(a.pose[:2], b.pose[:2]) for a, b in combinations(benches, 2)]
+    assert min(ways) > 3.0
+    assert sw.check(solution).valid
+
+
+def off_sight(bench: Piece, picture: Piece) -> float:
+    """How far a bench is from a place 2 to 3 m before a picture that looks at it, metres and
+    radians."""
+    x, y = bench.pose.x - picture.pose.x, bench.pose.y - picture.pose.y
+    c, s = math.cos(picture.pose.heading), math.sin(picture.pose.heading)
+    far = x * c + y * s - 0.5 * picture.size.depth
+    turned = abs(math.remainder(bench.pose.heading - picture.pose.heading - math.pi, math.tau))
+    return abs(y * c - x * s) + max(2.0 - far, far - 3.0, 0.0) + turned
+
+
+def test_benches_where_no_picture_is_keep_their_rows() -> None:
+    solution = solve(SHOWCASES, {"category": "bench", "count": 4})
+    assert {g.pattern for g in solution.detail.layout.groups if g.demand == "bench"} != {"single"}
+
+
+def test_ropes_stand_round_the_exhibit_they_guard() -> None:
+    island = {"category": "exhibit_island", "size": [4, 2, 2]}
+    solution = solve(island, SHOWCASES, {"category": "rope_barrier", "count": 6})
+    ropes, (guarded,) = of_kind(solution, "rope_barrier"), of_kind(solution, "exhibit_island")
+    assert len(ropes) == 6
+    c, s = math.cos(guarded.pose.heading), math.sin(guarded.pose.heading)
+    offs = [(r.pose.x - guarded.pose.x, r.pose.y - guarded.pose.y) for r in ropes]
+    ahead, aside = np.array([(x * c + y * s, y * c - x * s) for x, y in offs]).T
+    out = np.maximum(np.abs(ahead) - 1.0, np.abs(aside) - 2.0)
+    assert (np.abs(out - 1.0) < 0.3).all()
+    assert (
+        len({(round(x), round(y)) for x, y in zip(np.sign(ahead), np.sign(aside), strict=True)}) > 2
+    )
+    assert sw.check(solution).valid

@@ -14,6 +14,7 @@ from scenewright.core.brief import Brief
 from scenewright.core.piece_outlines import polygons_of
 from scenewright.domains.hall.rails import RowOfGates, find_way_in, lay_rails, reach
 from scenewright.domains.hall.retouch.audience import measure_audience as sits_aside
+from scenewright.domains.hall.retouch.ropes import Anchor, measure_before
 from scenewright.domains.hall.retouch.tills import measure_tills
 from scenewright.domains.hall.solving import problems
 
@@ -274,3 +275,11 @@ def test_where_not_all_ropes_find_room_fewer_stand_before_their_desk() -> None:
     front = np.array([math.cos(desk.pose.heading), math.sin(desk.pose.heading)])
     ahead = [(np.array(p.pose[:2]) - desk.pose[:2]) @ front for p in ropes]
     assert min(ahead) > 0.5 * desk.size.depth + 0.6
+
+
+def test_ropes_in_several_lines_before_an_exhibit_guard_nothing_more_than_one() -> None:
+    whale = Anchor(np.array([0.0, 0.0, 0.0, 12.0, 3.0]), queue=False)
+    line = np.array([(2.7, y, 0.0, 1.5, 0.3) for y in (-1.5, 0.0, 1.5)])
+    lines = np.concatenate([line, line + np.array([1.5, 0, 0, 0, 0])])
+    assert measure_before(line, whale) == pytest.approx(0.0)
+    assert measure_before(lines, whale) > 1.0

@@ -69,6 +69,7 @@ def _lay_carpet(
         if (group.space, group.zone) == (zone.space, zone.id)
     ]
     standing = [row for row in held if any(p.category in EXHIBITS | SEATS for p in row[1])]
+    standing = [row for row in standing if not _sit_apart(*row)]
     if not standing:
         return None
     whole = shapely.union_all([_surround(some, name in RINGS) for name, some in standing])
@@ -83,6 +84,11 @@ def _lay_carpet(
     name = f"{zone.space}/{zone.id}/carpet"
     rings = tuple(map(_rings, parts))
     return GroundSurface(name, zone.space, colour, rings, 0.0, PILE) if parts else None
+
+
+def _sit_apart(pattern: str, held: tuple[Piece, ...]) -> bool:
+    """Whether pieces are benches set one by one before what they look at, each without a carpet."""
+    return pattern == "single" and all(piece.category == "bench" for piece in held)
 
 
 def _surround(held: tuple[Piece, ...], ring: bool) -> Geometry:

@@ -150,10 +150,11 @@ def _choose_spots(
     free: FreeFloor, setting: Setting, wish: HallDemand, size: Size, taken: Floats
 ) -> Floats:
     """Boxes (k, 5) for one object of a demand, the best first; anywhere on the floor where there is
-    none else. ``taken`` (n, 5) are those of small objects set before."""
+    none else and it may stand adrift. ``taken`` (n, 5) are those of small objects set before."""
     row = ACCESSORIES[wish.category]
     pairs = len(wish.sizes) - len(setting.others) > 1
-    for make in (row.spots, partial(spread_spots, free.floor.bounds)):
+    anywhere = (partial(spread_spots, free.floor.bounds),) if row.adrift else ()
+    for make in (row.spots, *anywhere):
         spots = make(setting, size)
         own = row.used_at and make is row.spots
         stand = find_free(free, spots.boxes, own) & ~_overlap(spots.boxes, taken)

@@ -140,11 +140,12 @@ def measure_ropes(problem: HallProblem, kept: Kept, boxes: Floats, unit: int) ->
     in metres; 0 where there is nothing of that."""
     mine = boxes[slice(*problem.units.spans[unit])]
     anchors = find_anchors(problem, kept, boxes, unit)
-    return min((_fault(mine, anchor) for anchor in anchors), default=0.0)
+    return min((measure_before(mine, anchor) for anchor in anchors), default=0.0)
 
 
-def _fault(ropes: Floats, anchor: Anchor) -> float:
-    """How far some ropes (n, 5) are from their place before an anchor, in metres."""
+def measure_before(ropes: Floats, anchor: Anchor) -> float:
+    """How far some ropes (n, 5) are from their place before an anchor, in metres: in lines where
+    people queue, else in one line, as several guard nothing more."""
     box = anchor.box
     front = np.array([np.cos(box[2]), np.sin(box[2])])
     run = np.array([-np.sin(ropes[0, 2]), np.cos(ropes[0, 2])])
@@ -161,7 +162,8 @@ def _fault(ropes: Floats, anchor: Anchor) -> float:
     if along < 0.7 or box[3] > LONG:
         near = NEARER * max(GAPS[0] - 0.1 - gap, 0.0)
     far = max(near, gap - GAPS[1] - 0.3)
-    turned = ALONG * (1.0 - along) if anchor.queue else TURNED * along
+    deeper = max(float(seen[4]) - float(ropes[0, 4]), 0.0)
+    turned = ALONG * (1.0 - along) if anchor.queue else TURNED * along + min(deeper, MOST_OFF)
     return anchor.less + turned + min(far, MOST_OFF) + ASIDE * min(max(aside, 0.0), MOST_OFF)
 
 

@@ -1,0 +1,67 @@
+"""Benches before what is looked at: one by one, with a few metres to see the whole of it."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from scenewright.core.scene import Piece, Size
+from scenewright.domains.hall.accessories.setting import Setting
+from scenewright.domains.hall.accessories.spots import (
+    Spots,
+    face,
+    join_spots,
+    line_walls,
+    make_spots,
+    measure_crowd,
+)
+from scenewright.domains.hall.holdings import HallDemand
+
+PICTURE, ISLAND = "wall_exhibit", "exhibit_island"
+LARGE, LONGEST = 2.0, 2.5
+"""Sides of an island as long as this are sat before, and benches longer than this are pews, which
+stand in rows; metres."""
+FARS, OFF = (2.5, 2.2, 2.8, 2.0, 3.0), 0.5
+"""Metres from what one looks at to the middle of a bench, the best first, and what a metre more or
+less than that costs."""
+AT_WALL = 4.0
+"""What a place with its back at a wall costs, where nothing is to be sat before."""
+PITCH = 3.0
+"""Metres of a side of an island for each bench."""
+NEAR, CROWD = 5.0, 0.4
+"""Within how many metres benches are too many, and what each metre of that costs."""
+
+
+def may_look(wish: HallDemand, wishes: list[HallDemand]) -> bool:
+    """Whether some picture or island may stand in a zone of benches."""
+    return max(size.width for size in wish.sizes) <= LONGEST and any(
+        other.category in (PICTURE, ISLAND)
+        and (other.category == PICTURE or max(other.sizes[0][:2]) >= LARGE)
+        and (not wish.zones or not other.zones or set(wish.zones) & set(other.zones))
+        for other in wishes
+    )
+
+
+def find_bench_spots(setting: Setting, size: Size) -> Spots:
+    """Spots before pictures and the long sides of islands, turned to these; cheaper away from the
+    benches that stand; else at walls."""
+    parts = [make_spots(line_walls(setting.walls, size)[0], AT_WALL)]
+    for piece in setting.pieces:
+        sides = (0,) if piece.category == PICTURE else range(4) if piece.category == ISLAND else ()
+        parts += [_face_side(piece, side, size, far) for side in sides for far in FARS]
+    found = join_spots(parts)
+    crowd = CROWD * measure_crowd(found.boxes, setting.others, NEAR)
+    return found._replace(costs=found.costs + crowd)
+
+
+def _face_side(piece: Piece, side: int, size: Size, far: float) -> Spots:
+    """Spots so ``far`` before one side of a piece, counted from its front, at even distances."""
+    long, deep = piece.size[:2] if side % 2 == 0 else piece.size[1::-1]
+    if piece.category == ISLAND and long < LARGE:
+        return make_spots(np.zeros((0, 5)), 0.0)
+    heading = piece.pose.heading + 0.5 * np.pi * side
+    front = np.array([np.cos(heading), np.sin(heading)])
+    count = max(int(long / PITCH), 1)
+    along = ((np.arange(count) + 0.5) / count - 0.5) * long
+    points = np.array(piece.pose[:2]) + (0.5 * deep + far) * front
+    points = points + along[:, None] * np.array([front[1], -front[0]])
+    return make_spots(face(points, heading + np.pi, size), OFF * abs(far - FARS[0]))
