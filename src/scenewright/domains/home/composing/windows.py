@@ -6,7 +6,8 @@ free (:mod:`.bright_places`), by itself or together with what is in its way; a b
 first, all others after it (:mod:`.bright_beds`); a hob changes places in its line
 (:mod:`.kitchens.hob_places`). A change stays if nothing that is counted gets worse: no other window
 or wide door, no bed adrift or with a closed side, no nightstand, no half wardrobe, no seat, nothing
-lost. Where there is none, a window is worth a nightstand or a hand's breadth of a wide door.
+lost. Where there is none, a bed's window is worth a nightstand or a
+hand's breadth of a wide door.
 """
 
 from __future__ import annotations
@@ -30,6 +31,7 @@ from scenewright.domains.home.composing.placed_faults import (
     measure_before_doors,
     measure_before_windows,
 )
+from scenewright.domains.home.programme import BEDS
 from scenewright.domains.home.second_try import Opened
 
 WORTH = 30.0
@@ -41,8 +43,8 @@ one gets in from both of its sides."""
 
 GIVEN = (2, 4)
 """The numbers of wide doors and nightstands among what :func:`count_faults` counts."""
-SLIVER = 0.3
-"""A window is worth so much of a wide door, metres."""
+SLIVER, ROOMY = 0.3, 8.0
+"""A bed's window is worth so much of a wide door, metres, in rooms of so many square metres."""
 DOUBLE = "sleeping"
 
 Counted = tuple[int, ...]
@@ -100,11 +102,13 @@ def is_brighter(new: Counted, old: Counted) -> bool:
 
 
 def _is_worth_it(task: RoomTask, new: Placed, old: Placed, counted: Counted) -> bool:
-    """Whether a room is brighter and its groups stand before hardly more of its wide doors."""
+    """Whether a room is brighter and hardly more of its wide doors is stood before."""
     if not is_brighter(count_faults(task, new), counted):
         return False
-    more = (sum(measure_before_doors(p, task.ground) for p in placed) for placed in (new, old))
-    return next(more) <= next(more) + SLIVER
+    now, before = (
+        sum(measure_before_doors(p, task.ground) for p in placed) for placed in (new, old)
+    )
+    return now <= before + (SLIVER if task.ground.area >= ROOMY else 0.0)
 
 
 def _clear(
@@ -128,6 +132,7 @@ def _list_open(task: RoomTask, placed: Placed, at: int) -> Iterator[Placed]:
     counted: Counted = ()
     barred: frozenset[str] = frozenset()
     narrow, dearer = with_narrow_ways(task), list[Placed]()
+    is_bed = placed[at].wish.group in BEDS
     for other in chain(_list_moved(task, placed, at), _list_around(task, placed, at)):
         if not counted:
             counted = count_faults(task, placed)
@@ -135,7 +140,7 @@ def _list_open(task: RoomTask, placed: Placed, at: int) -> Iterator[Placed]:
         better = is_better(count_faults(task, other), counted)
         if better and barred.issuperset(find_blocked(narrow, other)):
             yield other
-        elif not better and _is_worth_it(task, other, placed, counted):
+        elif not better and is_bed and _is_worth_it(task, other, placed, counted):
             dearer.append(other)
     yield from (other for other in dearer if barred.issuperset(find_blocked(narrow, other)))
 
