@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 import shapely
@@ -14,6 +16,7 @@ from scenewright.core.piece_outlines import outline_of
 from scenewright.domains.home.attempt import Missing, RoomAnswer, find_blocked
 from scenewright.domains.home.bed_first import with_narrow_ways
 from scenewright.domains.home.cases.library import cases
+from scenewright.domains.home.composing.bed_sides import count_closed_beds
 from scenewright.domains.home.composing.forms import list_further
 from scenewright.domains.home.composing.kitchens.hob_places import find_line, lay_out, list_orders
 from scenewright.domains.home.composing.moving import dress_group, make_unplaced
@@ -22,7 +25,12 @@ from scenewright.domains.home.composing.placed_faults import (
     measure_before_windows,
     measure_cases_before_windows,
 )
-from scenewright.domains.home.composing.windows import clear_windows, count_faults, is_better
+from scenewright.domains.home.composing.windows import (
+    clear_windows,
+    count_faults,
+    is_better,
+    is_brighter,
+)
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.programme import Wish
@@ -151,6 +159,54 @@ def test_nothing_counted_may_be_worse():
     assert not is_better((1, 2, 0, 1), before)
     assert not is_better((1, 1, 1, 1), before)
     assert not is_better((2, 1, 0, 0), before)
+
+
+def test_a_window_is_worth_a_nightstand_and_a_part_of_a_door_but_no_side_of_a_bed():
+    before = (2, 0, 1, 0, 1, 0)
+    assert is_brighter((1, 0, 2, 0, 2, 0), before)
+    assert not is_brighter((1, 0, 3, 0, 1, 0), before)
+    assert not is_brighter((1, 0, 1, 0, 3, 0), before)
+    assert not is_brighter((1, 0, 1, 1, 1, 0), before)
+    assert not is_brighter((2, 0, 1, 0, 1, 0), before)
+
+
+CORNER = ROOM | {
+    "outline": [[0, 0], [3.4, 0], [3.4, 3], [0, 3]],
+    "windows": [{"at": [1.2, 3.0], "width": 1.8, "sill": 0.9}],
+    "doors": [
+        {"at": [0.0, 0.9], "width": 1.0, "swing": "slide"},
+        {"at": [1.6, 0.0], "width": 1.0, "swing": "slide"},
+        {"at": [3.4, 0.6], "width": 1.0, "swing": "slide"},
+    ],
+}
+"""A bedroom with 1.9 m of wall that is neither below its window nor beside it."""
+
+
+def test_a_bed_for_two_leaves_a_window_with_one_nightstand_and_both_sides_open():
+    task = task_of(CORNER)
+    bed = stand(task, "sleeping", 1.7, 3.0, -NORTH, lambda c: round(c.width, 2) == 2.3)
+    chest = stand(task, "chest", 3.4, 2.4, np.pi, lambda c: c.width == 0.6, (bed,))
+    moved = clear(task, bed, chest)
+    assert (dark(task, (bed, chest)), dark(task, moved)) == (1, 0)
+    assert sorted(p.wish.group for p in moved) == ["chest", "sleeping"]
+    units = list_units(next(p for p in moved if p.wish.group == "sleeping"))
+    assert units.count("nightstand") == 1
+    assert count_closed_beds(moved, task.ground) == 0
+    assert not find_blocked(with_narrow_ways(task), moved)
+
+
+def test_a_side_of_a_bed_is_closed_by_a_wall_and_by_a_chest():
+    task = task_of(CORNER)
+    bed = stand(task, "sleeping", 1.7, 3.0, -NORTH, lambda c: round(c.width, 2) == 2.3)
+    assert count_closed_beds((bed,), task.ground) == 0
+    beside = stand(task, "chest", 3.4, 1.8, np.pi, lambda c: c.width == 0.6, (bed,))
+    chest = beside.pieces[0]
+    near = replace(chest, pose=chest.pose._replace(x=bed.pieces[0].pose.x + 1.0))
+    assert count_closed_beds((bed, beside), task.ground) == 0
+    assert count_closed_beds((bed, beside._replace(pieces=(near,))), task.ground) == 1
+    first = bed.pieces[0]
+    aside = replace(first, pose=first.pose._replace(x=2.4))
+    assert count_closed_beds((bed._replace(pieces=(aside,)),), task.ground) == 1
 
 
 def find_run(task):

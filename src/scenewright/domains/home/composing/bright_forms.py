@@ -8,8 +8,9 @@ from itertools import zip_longest
 from scenewright.core.catalog import Group
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
 from scenewright.domains.home.composing.case_faults import FULL, count_seats
-from scenewright.domains.home.composing.doorways import list_lasting_forms
-from scenewright.domains.home.composing.forms import list_forms
+from scenewright.domains.home.composing.doorways import holds_as_much, list_lasting_forms
+from scenewright.domains.home.composing.forms import cost_of_case, list_forms
+from scenewright.domains.home.groups.sleeping import beside_walls
 from scenewright.domains.home.programme import BEDS
 
 HALF = 0.5
@@ -34,3 +35,13 @@ def _list_forms(task: RoomTask, group: FurnishedGroup) -> Iterator[Group]:
         return (form for form in list_forms(task, group) if form.width > least)
     lasting = list_lasting_forms(task, group)
     return (form for form in lasting if count_seats(form) >= count_seats(now))
+
+
+def list_forms_of_bed(task: RoomTask, group: FurnishedGroup) -> list[Group]:
+    """The forms of a bed for two that is as large as it is, or of 1.4 m, those with less wrong
+    first; with one nightstand also narrow ones, unless its size is given."""
+    given, now = group.wish.most is not None, group.dressed.case
+    forms = [*list_forms(task, group), *(() if given else beside_walls())]
+    rule, area = task.preset.settings.composing, task.ground.area
+    kept = (form for form in dict.fromkeys(forms) if holds_as_much(form, now))
+    return sorted(kept, key=lambda form: (cost_of_case(form, area, rule), form.width))

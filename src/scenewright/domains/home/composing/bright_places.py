@@ -29,7 +29,6 @@ from scenewright.domains.home.composing.placed_faults import (
     DARK,
     cost_of_openings,
     list_adrift,
-    measure_before_doors,
     measure_before_windows,
     measure_cases_before_windows,
 )
@@ -47,7 +46,7 @@ WAYS = 2  # sets of groups in the way that are tried
 AHEAD, LARGE = 0.31, 9.0
 """Seats stand so far before a window at their back, metres, in rooms of so many square metres."""
 DEAR = 1000.0
-"""What a pair may not have: a window before it, a bed adrift, a wide door it left free."""
+"""What a pair may not have: a window behind it, a bed adrift."""
 FEW = {"pair_forms": 4, "pair_places": 40}
 """Of pairs the forms of either, and places of each form."""
 STAYS = frozenset(("plant",))
@@ -210,21 +209,19 @@ def _list_together(
 
 
 def _list_pairs(task: RoomTask, pair: Placed, rest: Placed, worth: float) -> Iterator[Placed]:
-    """The groups of a room with two at places beside the rest that are before no window and no wide
-    door, a bed along a wall, the cheapest first."""
+    """The groups of a room with two at places beside the rest that are before no window, a bed
+    along a wall, the cheapest first."""
     pieces = (p for group in rest for p in group.pieces)
     beside = task._replace(beside=(*task.beside, *pieces))
     most = judge_of(beside, pair).cost_of(pair).cost + worth
-    strict = _make_dear(beside, not any(measure_before_doors(p, task.ground) for p in pair))
+    strict = _make_dear(beside)
     for judged in furnish_pairs(judge_of(strict, pair), pair, most, list_bright_forms):
         yield (*rest, *judged.placed)
 
 
-def _make_dear(task: RoomTask, doors: bool) -> RoomTask:
-    """The task with windows, beds adrift and wide ``doors`` at such a price that no pair is worth
-    one."""
+def _make_dear(task: RoomTask) -> RoomTask:
+    """The task with windows and beds adrift at such a price that no pair is worth one."""
     rule = task.preset.settings.composing
     costs = rule.costs._replace(window=DEAR, adrift=DEAR)
-    costs = costs._replace(opening=DEAR) if doors else costs
     settings = task.preset.settings._replace(composing=rule._replace(costs=costs, **FEW))
     return task._replace(preset=task.preset._replace(settings=settings))

@@ -142,11 +142,11 @@ def list_lasting_forms(task: RoomTask, group: FurnishedGroup) -> Iterator[Group]
     least = LEAST[group.wish.group]() if group.wish.group in LEAST else ()
     given, now = group.wish.most is not None, group.dressed.case
     for form in dict.fromkeys([*(() if given else least), *list_forms(task, group)]):
-        if len(form.members) >= len(now.members) and _holds(form, now):
+        if len(form.members) >= len(now.members) and holds_as_much(form, now):
             yield form
 
 
-def _holds(form: Group, now: Group) -> bool:
+def holds_as_much(form: Group, now: Group) -> bool:
     """Whether a form holds as much as a group does ``now``, or hardly less."""
     if form.function in BEDS:
         pairs = zip(_size_of(form), _size_of(now), BED, strict=True)

@@ -2,18 +2,22 @@
 
 While a room is composed a window costs what half a wardrobe does, and of each form a few places are
 tried. What still stands before one is therefore tried at all places along the walls that leave it
-free (:mod:`.bright_places`), by itself or together with what is in its way; a hob changes places in
-its line (:mod:`.kitchens.hob_places`). A change stays if nothing that is counted gets worse: no
-other window or wide door, no bed adrift, no nightstand, no half wardrobe, no seat, nothing lost.
+free (:mod:`.bright_places`), by itself or together with what is in its way; a bed for two also
+first, all others after it (:mod:`.bright_beds`); a hob changes places in its line
+(:mod:`.kitchens.hob_places`). A change stays if nothing that is counted gets worse: no other window
+or wide door, no bed adrift or with a closed side, no nightstand, no half wardrobe, no seat, nothing
+lost. Where there is none, a bed's window is worth a nightstand or a hand's breadth of a wide door.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from itertools import islice
+from itertools import chain, islice
 
 from scenewright.domains.home.attempt import RoomAnswer, RoomTask, find_blocked
 from scenewright.domains.home.bed_first import with_narrow_ways
+from scenewright.domains.home.composing.bed_sides import count_closed_beds
+from scenewright.domains.home.composing.bright_beds import list_around_bed
 from scenewright.domains.home.composing.bright_places import list_brighter
 from scenewright.domains.home.composing.case_faults import find_case_faults
 from scenewright.domains.home.composing.doorways import UNITS
@@ -26,15 +30,21 @@ from scenewright.domains.home.composing.placed_faults import (
     measure_before_doors,
     measure_before_windows,
 )
+from scenewright.domains.home.programme import BEDS
 from scenewright.domains.home.second_try import Opened
 
 WORTH = 30.0
 """What a room may cost more for a window that is free, or a bed along a wall."""
 TRIED = 2  # rooms that are walked through with their home
-COUNTED = frozenset(
-    ("wardrobe", "nightstand", "one_side", "seats", "worktop", "hob_at_sink", "hob_at_end")
-)
-"""Faults of cases that no window is worth."""
+COUNTED = ("nightstand", "wardrobe", "seats", "worktop", "hob_at_sink", "hob_at_end")
+"""Faults of cases that no window is worth, but the first: a bed for two with one nightstand is, if
+one gets in from both of its sides."""
+
+GIVEN = (2, 4)
+"""The numbers of wide doors and nightstands among what :func:`count_faults` counts."""
+SLIVER, ROOMY = 0.1, 8.0
+"""A bed's window is worth so much of a wide door, metres, in rooms of so many square metres."""
+DOUBLE = "sleeping"
 
 Counted = tuple[int, ...]
 
@@ -72,7 +82,8 @@ def count_faults(task: RoomTask, placed: Placed) -> Counted:
         sum(any(window) for window in zip(*dark, strict=True)),
         len(list_adrift(placed, task.ground)),
         sum(measure_before_doors(p, task.ground) > 0.0 for p in placed),
-        *(sum(name in dict(faults) for faults in cases) for name in sorted(COUNTED)),
+        count_closed_beds(placed, task.ground),
+        *(sum(name in dict(faults) for faults in cases) for name in COUNTED),
         count_unmet(task, placed),
     )
 
@@ -80,6 +91,23 @@ def count_faults(task: RoomTask, placed: Placed) -> Counted:
 def is_better(new: Counted, old: Counted) -> bool:
     """Whether nothing is worse, and fewer windows are taken or beds adrift."""
     return all(a <= b for a, b in zip(new, old, strict=True)) and new[:2] != old[:2]
+
+
+def is_brighter(new: Counted, old: Counted) -> bool:
+    """Whether fewer windows are taken and nothing is worse but that one wide door more has
+    something before it, or one bed more has one nightstand."""
+    least = (max(a - (k in GIVEN), 0) for k, a in enumerate(new))
+    return new[0] < old[0] and is_better((*least,), old)
+
+
+def _is_worth_it(task: RoomTask, new: Placed, old: Placed, counted: Counted) -> bool:
+    """Whether a room is brighter and hardly more of its wide doors is stood before."""
+    if not is_brighter(count_faults(task, new), counted):
+        return False
+    now, before = (
+        sum(measure_before_doors(p, task.ground) for p in placed) for placed in (new, old)
+    )
+    return now <= before + (SLIVER if task.ground.area >= ROOMY else 0.0)
 
 
 def _clear(
@@ -98,24 +126,39 @@ def _clear(
 
 
 def _list_open(task: RoomTask, placed: Placed, at: int) -> Iterator[Placed]:
-    """The better ones of the rooms with a group elsewhere that bar no further way on a grid with
-    narrower ways."""
+    """The rooms with a group elsewhere that bar no further way on a grid with narrower ways: the
+    better ones, then those that are brighter at a small price."""
     counted: Counted = ()
     barred: frozenset[str] = frozenset()
-    narrow = with_narrow_ways(task)
-    for other in _list_moved(task, placed, at):
+    narrow, dearer = with_narrow_ways(task), list[Placed]()
+    is_bed = placed[at].wish.group in BEDS
+    for other in chain(_list_moved(task, placed, at), _list_around(task, placed, at)):
         if not counted:
             counted = count_faults(task, placed)
             barred = frozenset(find_blocked(narrow, placed))
         better = is_better(count_faults(task, other), counted)
         if better and barred.issuperset(find_blocked(narrow, other)):
             yield other
+        elif not better and is_bed and _is_worth_it(task, other, placed, counted):
+            dearer.append(other)
+    yield from (other for other in dearer if barred.issuperset(find_blocked(narrow, other)))
 
 
 def _list_moved(task: RoomTask, placed: Placed, at: int) -> Iterator[Placed]:
     if placed[at].wish.group in RUNS:
         yield from move_hob(task, placed, at)
     elif placed[at].wish.group not in UNITS:
-        own = task.library.own.keys() | UNITS
-        fixed = frozenset(p.name for p in placed if p.wish.group in own)
+        fixed = _find_fixed(task, placed)
         yield from (j.placed for j in list_brighter(task, placed, at, fixed, WORTH))
+
+
+def _list_around(task: RoomTask, placed: Placed, at: int) -> list[Placed]:
+    if placed[at].wish.group != DOUBLE:
+        return []
+    return list_around_bed(task, placed, at, _find_fixed(task, placed))
+
+
+def _find_fixed(task: RoomTask, placed: Placed) -> frozenset[str]:
+    """The names of the groups of a room that stay where they are."""
+    own = task.library.own.keys() | UNITS
+    return frozenset(p.name for p in placed if p.wish.group in own)
