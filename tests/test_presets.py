@@ -41,7 +41,7 @@ CHANGED: list[tuple[str, str, str, Any, str, int]] = [
     ("hall", "moves", "called", 0.9, "anneal", 3200),
     ("hall", "moves", "form", 0.5, "anneal", 3200),
     ("hall", "moves", "far", 0.9, "anneal", 3200),
-    ("hall", "moves", "block", 4, "anneal", 6400),
+    ("hall", "moves", "block", 4, "anneal", 9600),
     ("hall", "guided", "rate", 5.0, "gd-mh", 300),
     ("hall", "guided", "stuck", 1, "gd-mh", 300),
     ("hall", "guided", "draws", 1, "gd-mh", 300),
