@@ -7,11 +7,8 @@ from scenewright.core.scene import Piece
 from scenewright.domains.home.composing.case_faults import RAISED, WORKTOP, count_seats
 from scenewright.domains.home.composing.judging import Placed
 from scenewright.domains.home.composing.placed_faults import list_standing
+from scenewright.domains.home.household import SEATS, STORING
 
-STORAGE = frozenset(
-    ("wardrobe", "chest_of_drawers", "bookcase", "sideboard", "shelf_unit", "storage_shelf")
-)
-CHAIRS = frozenset(("dining_chair", "stool"))
 LESS = (0.1, 0.0, 0.0, 0.0)
 """By how much less of each is not less, metres and places."""
 HAIR = 1e-6
@@ -28,9 +25,9 @@ def measure_held(placed: Placed) -> Held:
     pieces = [p for g in placed for p in g.pieces]
     return (
         sum(p.size.width for p in pieces if _has_worktop(p)),
-        sum(p.size.width for p in pieces if p.category in STORAGE),
+        sum(p.size.width for p in pieces if p.category in STORING),
         sum(count_seats(list_standing(g)) for g in placed),
-        sum(p.category in CHAIRS for p in pieces),
+        sum(p.category in SEATS for p in pieces),
     )
 
 
