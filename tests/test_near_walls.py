@@ -101,6 +101,22 @@ def test_a_shower_is_cut_with_the_lowest_wall_it_stands_at(scene: Scene) -> None
     assert shower_at(scene, 1.5, np.pi / 2) > 1.5
 
 
+def test_a_shelf_at_a_lowered_wall_stays_under_what_stands_on_it(scene: Scene) -> None:
+    shelf = Piece(
+        *("shelf", "wall_shelf", "wall_shelf", "south"),
+        *(Pose(1.0, 0.1, 0.55, np.pi / 2), Size(1.4, 0.16, 0.15)),
+    )
+    pose, size = Pose(1.0, 0.1, 0.7, np.pi / 2), Size(1.3, 0.12, 0.8)
+    screen = Piece("screen", "tv", "tv", "south", pose, size, on="shelf")
+
+    def list_drawn(*pieces: Piece) -> set[str]:
+        shown = things(replace(scene, pieces=pieces), shipped(), INDOORS.cut, INDOORS.towards)
+        return {thing.name for thing in shown} & {"shelf", "screen"}
+
+    assert list_drawn(shelf) == set()
+    assert list_drawn(shelf, screen) == {"shelf", "screen"}
+
+
 @pytest.fixture(scope="module")
 def shafted() -> Scene:
     """A room with a shaft before its south-west and one behind its north-west corner."""

@@ -128,10 +128,12 @@ def things(
         seen = towards if cut is not None else None
         clear = find_hiding(pieces, seen) if seen else frozenset()
         over = find_hanging_over(pieces, seen) if seen else frozenset()
+        bearing = {piece.on for piece in pieces}  # a shelf with a screen on it stays under it
         for piece in pieces:
             if piece.id in over:
                 continue
-            one = _piece(piece, level.id, catalog, cut and _cut_of(piece, near, cut))
+            top = cut if piece.id in bearing else cut and _cut_of(piece, near, cut)
+            one = _piece(piece, level.id, catalog, top)
             if piece.id in clear:
                 one = one._replace(key=(one.key, "clear"), parts=make_clear(one.parts))
             found += [one] if one.parts or cut is None else []
