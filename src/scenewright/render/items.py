@@ -129,9 +129,7 @@ def things(
         clear = find_hiding(pieces, seen) if seen else frozenset()
         over = find_hanging_over(pieces, seen) if seen else frozenset()
         bearing = {piece.on for piece in pieces}  # a shelf with a screen on it stays under it
-        for piece in pieces:
-            if piece.id in over:
-                continue
+        for piece in (p for p in pieces if p.id not in over):
             top = cut if piece.id in bearing else cut and _cut_of(piece, near, cut)
             one = _piece(piece, level.id, catalog, top)
             if piece.id in clear:
