@@ -15,7 +15,7 @@ from scenewright.domains.home.composing.held import holds_less, measure_held
 from scenewright.domains.home.composing.kitchens import remade
 from scenewright.domains.home.composing.kitchens.far_fridges import has_far_fridge
 from scenewright.domains.home.composing.kitchens.fridge_places import list_ends, list_fridge_moves
-from scenewright.domains.home.composing.kitchens.loose_cabinets import join_cabinets
+from scenewright.domains.home.composing.kitchens.loose_cabinets import _join, join_cabinets
 from scenewright.domains.home.composing.kitchens.remade import find_faults, remake_kitchens
 from scenewright.domains.home.composing.kitchens.trades import list_moved
 from scenewright.domains.home.composing.moving import dress_group, make_unplaced
@@ -177,6 +177,15 @@ def test_a_single_cabinet_with_no_place_there_stays_only_for_want_of_worktop(uni
     names = [g.name for g in before if stays or g.name != "counter"]
     assert [g.name for g in after.placed] == names
     assert [m.wish.group for m in after.missing] == ([] if stays else ["counter"])
+
+
+def test_a_cabinet_that_moved_for_another_is_not_left_out():
+    task = task_of(2.8)
+    before, _ = join_second_run(task, RUN)
+    run, cabinet = before
+    again = cabinet._replace(name="elsewhere")
+    moved = RoomAnswer(0.0, (run, again), (), (), None, 0.0, 0)
+    assert _join(0, task, cabinet, [moved], list) == [moved]
 
 
 def test_neither_a_fridge_nor_a_window_is_worth_a_sink_away_from_its_hob():

@@ -69,6 +69,11 @@ class HallDemand(NamedTuple):
         return self.patterns == ("wall",)
 
 
+def may_stand_together(one: HallDemand, other: HallDemand) -> bool:
+    """Whether the objects of two demands may go to the same zone."""
+    return not one.zones or not other.zones or bool(set(one.zones) & set(other.zones))
+
+
 def collect_demands(
     brief: Brief, number: int, locked: tuple[Piece, ...], catalog: Catalog
 ) -> list[HallDemand]:

@@ -14,7 +14,7 @@ from scenewright.domains.hall.accessories.spots import (
     make_spots,
     measure_crowd,
 )
-from scenewright.domains.hall.holdings import HallDemand
+from scenewright.domains.hall.holdings import HallDemand, may_stand_together
 
 PICTURE, ISLAND = "wall_exhibit", "exhibit_island"
 LARGE, LONGEST = 2.0, 2.5
@@ -34,11 +34,14 @@ NEAR, CROWD = 5.0, 0.4
 def may_look(wish: HallDemand, wishes: list[HallDemand]) -> bool:
     """Whether some picture or island may stand in a zone of benches."""
     return max(size.width for size in wish.sizes) <= LONGEST and any(
-        other.category in (PICTURE, ISLAND)
-        and (other.category == PICTURE or max(other.sizes[0][:2]) >= LARGE)
-        and (not wish.zones or not other.zones or set(wish.zones) & set(other.zones))
+        (other.category == PICTURE or is_large_island(other)) and may_stand_together(wish, other)
         for other in wishes
     )
+
+
+def is_large_island(wish: HallDemand) -> bool:
+    """Whether a demand is for islands large enough to sit before and to rope off."""
+    return wish.category == ISLAND and max(wish.sizes[0][:2]) >= LARGE
 
 
 def find_bench_spots(setting: Setting, size: Size) -> Spots:

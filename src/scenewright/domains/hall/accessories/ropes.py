@@ -6,10 +6,10 @@ from __future__ import annotations
 import numpy as np
 
 from scenewright.core.scene import Piece, Size
-from scenewright.domains.hall.accessories.benches import ISLAND, LARGE
+from scenewright.domains.hall.accessories.benches import ISLAND, LARGE, is_large_island
 from scenewright.domains.hall.accessories.setting import Setting
 from scenewright.domains.hall.accessories.spots import Spots, face, join_spots, make_spots
-from scenewright.domains.hall.holdings import HallDemand
+from scenewright.domains.hall.holdings import HallDemand, may_stand_together
 from scenewright.domains.hall.problem import Floats
 
 QUEUED_AT = ("counter", "checkout")
@@ -24,18 +24,12 @@ ALONG, SHORT, NEXT = 0.01, 1.0, 5.0
 
 def may_guard(wish: HallDemand, wishes: list[HallDemand]) -> bool:
     """Whether a large island may stand in a zone of ropes, and nothing one queues at."""
-    beside = [
-        other
-        for other in wishes
-        if not wish.zones or not other.zones or set(wish.zones) & set(other.zones)
-    ]
+    beside = [other for other in wishes if may_stand_together(wish, other)]
     queued = any(
         other.category in QUEUED_AT or (other.category == DESK and bool(wish.zones))
         for other in beside
     )
-    return not queued and any(
-        other.category == ISLAND and max(other.sizes[0][:2]) >= LARGE for other in beside
-    )
+    return not queued and any(map(is_large_island, beside))
 
 
 def find_rope_spots(setting: Setting, size: Size) -> Spots:

@@ -11,7 +11,7 @@ from scenewright.catalog.kinds.usual import is_high
 from scenewright.core.scene import Piece, Size
 from scenewright.domains.hall.accessories.setting import Setting
 from scenewright.domains.hall.accessories.spots import Spots, face, join_spots, make_spots
-from scenewright.domains.hall.holdings import HallDemand
+from scenewright.domains.hall.holdings import HallDemand, may_stand_together
 from scenewright.domains.hall.problem import Floats
 
 COUNTER = "counter"
@@ -26,7 +26,7 @@ def may_sit_high(wish: HallDemand, wishes: list[HallDemand]) -> bool:
     """Whether some counter or high table may stand in a zone of stools."""
     return any(
         (other.category == COUNTER or is_high(other.category, other.sizes[0].height))
-        and (not wish.zones or not other.zones or set(wish.zones) & set(other.zones))
+        and may_stand_together(wish, other)
         for other in wishes
     )
 

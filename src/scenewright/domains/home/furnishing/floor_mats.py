@@ -23,6 +23,7 @@ from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.space import Space
 from scenewright.domains.home.furnishing.bed_rugs import BEDS, list_bed_rugs
 from scenewright.domains.home.furnishing.cupboard_axes import find_cupboard_axis, front_boxes
+from scenewright.domains.home.furnishing.enlarge import SOFAS
 from scenewright.domains.home.furnishing.obstacles import (
     StandingObstacles,
     find_faults,
@@ -30,12 +31,7 @@ from scenewright.domains.home.furnishing.obstacles import (
     join_standing,
     standing_of,
 )
-from scenewright.domains.home.furnishing.sofa_rugs import (
-    LOW_TABLE,
-    SOFAS,
-    list_sofa_rugs,
-    stands_well,
-)
+from scenewright.domains.home.furnishing.sofa_rugs import LOW_TABLE, list_sofa_rugs, stands_well
 from scenewright.domains.home.problem import Ground
 
 Floats = NDArray[np.float64]

@@ -14,7 +14,6 @@ from scenewright.core.scene import Piece
 
 Floats = NDArray[np.float64]
 
-SOFAS = ("sofa", "corner_sofa", "loveseat")
 BEYOND = (0.6, 0.4, 0.2)  # a rug before a sofa is so much wider, metres
 DEPTHS = (1.6, 1.4, 1.2, 1.0, 0.8)  # and so deep, metres
 SIDES = (0.0, 0.5, -0.5)  # and lies by this share of what it is wider to the left of its middle

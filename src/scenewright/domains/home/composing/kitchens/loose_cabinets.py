@@ -62,6 +62,8 @@ def _join(
 ) -> list[RoomAnswer]:
     """The answers with a second run beside the first, left out, or as they were."""
     before = found[room]
+    if all(p is not group for p in before.placed):  # it moved for the one before
+        return found
     for answer in islice(_list_joined(task, before, group), WALKED):
         trial = try_in_home(room, answer, found, opened)
         if trial is not None:
