@@ -167,6 +167,27 @@ def test_a_home_without_a_living_room_has_a_soft_seat_where_it_sleeps():
     assert all(a is b for a, b in zip(again, found, strict=True))
 
 
+def _seat_beside(*pieces: Piece) -> list[tuple[float, float]]:
+    """Where armchairs are put in a bedroom of 5 by 4 m beside what stands there."""
+    kitchen = _room("kitchen", "kitchen", 0, 1.2, 1.4)
+    tasks = _tasks(_flat(kitchen, _room("bed", "bedroom", 10.0, 5.0), BATH))
+    bed = next(k for k, task in enumerate(tasks) if task.space.id == "bed")
+    tasks[bed] = tasks[bed]._replace(fixed=(*tasks[bed].fixed, *pieces))
+    answers = [RoomAnswer(0.0, (), (), (), None, 0.0, 0) for _ in tasks]
+    found = add_soft_seat(tasks, answers, list)
+    seats = [p for a in found for g in a.placed for p in g.pieces if p.category in SOFT]
+    return [p.pose[:2] for p in seats]
+
+
+def test_no_armchair_stands_amid_the_floor_by_itself():
+    """With all walls taken two stand there."""
+    taken = [
+        *(_piece("chest_of_drawers", x, y, 0.3, d) for x, y, d in ((12.5, 0.15, 5), (12, 3.85, 4))),
+        *(_piece("chest_of_drawers", x, 2.0, 3.0, 0.3) for x in (10.15, 14.85)),
+    ]
+    assert [len(_seat_beside()), len(_seat_beside(*taken))] == [1, 2]
+
+
 def _piece(category: str, x: float, y: float, width: float, depth: float) -> Piece:
     return Piece(category, category, "", "a", Pose(x, y, 0.0, 0.0), Size(width, depth, 0.5))
 

@@ -118,6 +118,19 @@ def test_a_large_study_may_hold_an_exercise_bike() -> None:
     assert "exercise" not in groups(20.0, "living", "study")
 
 
+def test_one_lives_in_a_large_bedroom_where_no_room_is_for_living() -> None:
+    outline = np.array([[0, 0], [5, 0], [5, 4], [0, 4]], float)
+    space = Space("r", "", ("bedroom",), "0", outline)
+
+    def groups(area: float, *home: str) -> set[str]:
+        wishes = programme(space, area, frozenset(home))
+        return {wish.group for wish in wishes} & {"seating", "media", "reading"}
+
+    assert groups(20.0, "kitchen") == {"seating", "media"}
+    assert groups(20.0, "kitchen", "living") == {"reading"}
+    assert groups(16.0, "kitchen") == set()
+
+
 def test_groups_of_single_pieces_have_names_of_their_own() -> None:
     assert set(own_groups()) <= set(GROUPS)
     assert set(ANCHORS.values()) <= set(GROUPS)

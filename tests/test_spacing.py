@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from math import pi
+from types import SimpleNamespace
 
 import pytest
 
@@ -72,6 +73,32 @@ def test_chairs_can_be_pushed_back():
     sofa = group("seating", "sofa", -0.25 - 0.2 - 0.45, 0.0, pi, 2.0, 0.9)
     (close,) = rules.list_close([chair, sofa])
     assert (close.group, close.other) == ("dining", "seating")
+
+
+def test_tables_keep_off_the_units_of_a_kitchen():
+    table = group("dining", "dining_table", 0.0, 0.0, 0.0, 1.2, 0.8)
+    near, far = (
+        group("kitchen", "drawer_cabinet", 0.4 + gap + 0.3, 0.0, pi, 0.6, 0.6)
+        for gap in (0.1, 0.31)
+    )
+    assert rules.measure_closeness([table, near]) > 0.0 == rules.measure_closeness([table, far])
+
+
+def test_chairs_may_go_to_other_sides_of_a_table_but_none_is_lost():
+    tables = {(case.name, case.depth): case for case in cases("dining_wall").groups}
+    front, ends = tables["1.0 m wall table for 2", 1.15], tables["1.0 m wall table for 2", 0.65]
+    assert ends.width > front.width
+    assert move._holds(ends, front)
+    assert not move._holds(tables["1.0 m wall table for 3", 1.15], front)
+    assert not move._holds(tables["0.9 m wall table for 1", 1.1], front)
+
+
+def test_another_form_is_walked_past_before_the_same_once_more():
+    at = [group(str(k), "dining_table", k, 0.0, 0.0, 1.0, 1.0) for k in range(4)]
+    forms = cases("dining_wall").groups
+    dressed = [g._replace(dressed=SimpleNamespace(case=forms[k // 3])) for k, g in enumerate(at)]
+    rooms = [(float(k), (g,)) for k, g in enumerate(dressed)]
+    assert [room[0].name for room in move._take_turns(rooms, 0)] == ["0", "3", "1", "2"]
 
 
 def test_rugs_do_not_overlap_and_fixed_ones_stay():

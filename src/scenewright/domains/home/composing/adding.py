@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import cos, hypot, sin
 
-from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import (
     FurnishedGroup,
     Missing,
@@ -16,13 +14,9 @@ from scenewright.domains.home.attempt import (
 from scenewright.domains.home.composing.additions import forms_to_add, is_wanted, list_additions
 from scenewright.domains.home.composing.judging import Placed, judge_of
 from scenewright.domains.home.composing.moving import make_unplaced, with_margin
+from scenewright.domains.home.composing.talking import joins_sofa
 from scenewright.domains.home.composing.trials import try_forms
-from scenewright.domains.home.furnishing.enlarge import SOFAS
 from scenewright.domains.home.programme import WELCOME, Wish
-
-TALK = 2.5
-"""People talk at most so many metres from seat to seat (Panero, Zelnik 1979)."""
-AHEAD = 0.9  # where those on a sofa look at one another, metres before its middle
 
 
 def add_groups(
@@ -75,24 +69,10 @@ def _best_added(
         if judged.cost > alone + worth:
             break
         added = judged.placed[-1]
-        if wish.group == "reading" and not _joins(added, placed):
+        if wish.group == "reading" and not joins_sofa(added, placed):
             continue
         if not added.dressed.lost and barred.issuperset(
             find_blocked(with_margin(task), judged.placed)
         ):
             return added
     return None
-
-
-def _joins(added: FurnishedGroup, placed: Placed) -> bool:
-    """Whether an armchair is near enough to a sofa to talk, and not turned away from it."""
-    chair = next(p for p in added.pieces if p.category == "armchair")
-    sofas = [p for g in placed for p in g.pieces if p.category in SOFAS]
-    return any(_talks(chair, sofa) for sofa in sofas)
-
-
-def _talks(chair: Piece, sofa: Piece) -> bool:
-    """Within :data:`TALK` metres, with what the sofa looks at before the armchair's sides."""
-    (x, y, _, turn), (a, b, _, way) = sofa.pose, chair.pose
-    x, y = x + AHEAD * cos(turn) - a, y + AHEAD * sin(turn) - b
-    return hypot(sofa.pose.x - a, sofa.pose.y - b) <= TALK and x * cos(way) + y * sin(way) >= 0.0

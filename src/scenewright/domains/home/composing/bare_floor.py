@@ -25,6 +25,7 @@ from scenewright.domains.home.composing.moving import (
     stand_at,
     with_margin,
 )
+from scenewright.domains.home.composing.talking import is_left_alone
 from scenewright.domains.home.composing.voids import (
     Void,
     find_circle,
@@ -176,7 +177,9 @@ def _list_added(
     faults, found = sum_faults(task, placed), 0
     for box in order_boxes(task, (*placed, group), _list_boxes(task, group, standing, void)):
         added = dress_group(task, group, case, box, standing)
-        if added is not None and sum_faults(task, (*placed, added)) <= faults:
+        if added is None or (case.name not in FREE and is_left_alone(added, placed)):
+            continue
+        if sum_faults(task, (*placed, added)) <= faults:
             yield added
             found += 1
             if found == TRIED:

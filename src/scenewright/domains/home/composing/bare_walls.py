@@ -26,6 +26,7 @@ from scenewright.domains.home.composing.moving import (
     make_unplaced,
     with_margin,
 )
+from scenewright.domains.home.composing.talking import is_left_alone
 from scenewright.domains.home.composing.voids import Void, find_circle, open_floor
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles, flat_kinds, standing_of
 from scenewright.domains.home.programme import WELCOME, Wish
@@ -86,7 +87,7 @@ def _list_beside(
         for box in _list_boxes(task, (*placed, group), standing, void):
             added = dress_group(task, group, case, box, standing)
             whole = (*placed, *((added,) if added else ()))
-            if added is None or sum_faults(task, whole) > faults:
+            if added is None or is_left_alone(added, placed) or sum_faults(task, whole) > faults:
                 continue
             if barred.issuperset(find_blocked(margin, whole)):
                 yield added

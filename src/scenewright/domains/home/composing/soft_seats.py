@@ -25,8 +25,10 @@ from scenewright.domains.home.composing.settling import (
     may_take_in,
     try_in_home,
 )
+from scenewright.domains.home.composing.voids import may_stand_free
 from scenewright.domains.home.furnishing.enlarge import SOFAS
 from scenewright.domains.home.groups.least import LEAST
+from scenewright.domains.home.groups.living import talking
 from scenewright.domains.home.programme import WELCOME, Wish
 from scenewright.domains.home.second_try import Opened
 
@@ -72,23 +74,27 @@ def _list_trials(
 
 
 def _list_seated(task: RoomTask, before: Placed, forms: Sequence[Group]) -> Iterator[Placed]:
-    """The groups of a room with each of some seats beside them at its best sound place; none where
-    the least has no such place."""
+    """The groups of a room with each of some seats beside them at its best sound place at a wall;
+    none where the least has no such place. In a large one two armchairs stand amid the floor."""
     least = _seat_in(task, before, forms[-1])
     if least is not None:
         each = (_seat_in(task, before, case) for case in forms[:-1])
         yield from (placed for placed in each if placed is not None)
         yield least
+    elif task.ground.area >= LARGE:
+        pairs = (_seat_in(task, before, case, amid=True) for case in talking())
+        yield from (placed for placed in pairs if placed is not None)
 
 
-def _seat_in(task: RoomTask, before: Placed, case: Group) -> Placed | None:
-    """The groups of a room with a seat beside them at its best sound place, in a large one also
-    amid the floor."""
+def _seat_in(task: RoomTask, before: Placed, case: Group, amid: bool = False) -> Placed | None:
+    """The groups of a room with a seat beside them at its best sound place, at a wall or also
+    ``amid`` the floor."""
     if not may_take_in(task, case.function):
         return None
-    amid = task.ground.area >= LARGE
     found = list_placed(task, before, Wish(case.function, WELCOME), case, amid)
-    return next(list_sound(task, before, before, found), None)
+    pieces = pieces_of(task, before)
+    free = (p for p in found if not amid or may_stand_free(task, pieces, p.dressed.box))
+    return next(list_sound(task, before, before, free), None)
 
 
 def _rank(task: RoomTask) -> int:

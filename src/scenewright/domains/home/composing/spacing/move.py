@@ -9,6 +9,7 @@ nothing is lost and no way of the home is barred.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from itertools import islice
 
@@ -41,8 +42,10 @@ WORTH = 3.0  # what a room may cost more by its energy for each unit that stands
 FAULTS = 0.7  # and by how much what is wrong with it otherwise may rise for that
 LEAST = 1.0  # what is gained at least
 CUT = 0.75  # of its width a group keeps at least so much, all of it if it holds things
-WALKED = 2  # rooms that are walked through with their home, for each group
+WALKED = 4  # rooms that are walked through with their home, for each group
 ROUNDS = 2
+SEATED = frozenset(("dining", "dining_wall"))
+"""Groups whose chairs may go to other sides."""
 SPARE = frozenset(("plant",))
 """What stands on a group and may be lost for it."""
 HAIR = 1e-6
@@ -104,9 +107,19 @@ def _list_apart(task: RoomTask, placed: Placed, at: int) -> Iterator[Placed]:
             rooms.append((cost - WORTH * gain, other))
     margin = with_margin(task)
     barred = frozenset(find_blocked(margin, placed)) if rooms else frozenset()
-    for _, other in sorted(rooms, key=lambda row: row[0]):
+    for other in _take_turns(sorted(rooms, key=lambda row: row[0]), at):
         if barred.issuperset(find_blocked(margin, other)):
             yield other
+
+
+def _take_turns(rooms: Sequence[tuple[float, Placed]], at: int) -> list[Placed]:
+    """The rooms, the best first, but each with its group number ``at`` in another form before any
+    in the same once more."""
+    seen, turns = Counter[Group](), list[tuple[int, Placed]]()
+    for _, other in rooms:
+        seen[other[at].dressed.case] += 1
+        turns.append((seen[other[at].dressed.case], other))
+    return [other for _, other in sorted(turns, key=lambda turn: turn[0])]
 
 
 def _list_moved(
@@ -128,11 +141,12 @@ def _list_like(task: RoomTask, group: FurnishedGroup) -> Iterator[Group]:
 
 
 def _holds(form: Group, now: Group) -> bool:
-    """Whether a form has all that a group has ``now``, a plant on it apart, hardly narrower."""
+    """Whether a form has all that a group has ``now``, a plant on it apart, hardly narrower, and no
+    wider but for chairs on other sides of a table."""
     if _list_kinds(form) != _list_kinds(now):
         return False
     least = now.width if form.function in HOLDING else CUT * now.width
-    return least - HAIR < form.width < now.width + HAIR
+    return form.width > least - HAIR and (form.function in SEATED or form.width < now.width + HAIR)
 
 
 def _list_kinds(form: Group) -> list[str]:

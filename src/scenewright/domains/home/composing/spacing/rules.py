@@ -45,6 +45,7 @@ DISTANCES = (
         frozenset(("chest_of_drawers", "sideboard", "tv_stand")), FRONT, 0.5, frozenset(), 6.0
     ),
     Distance(frozenset(("dining_table", "round_table")), ROUND, 0.3, BEDS, 5.0),
+    Distance(frozenset(("dining_table", "round_table")), ROUND, 0.3, RUN, 4.0),
     Distance(frozenset(("dining_chair",)), BACK, 0.5, frozenset(), 5.0),
     Distance(frozenset(("armchair",)), FRONT, 0.4, frozenset(), 5.0),
 )

@@ -1,0 +1,37 @@
+"""Armchairs near enough to a sofa to talk to those who sit on it."""
+
+from __future__ import annotations
+
+from math import cos, hypot, sin
+
+from scenewright.core.scene import Piece
+from scenewright.domains.home.attempt import FurnishedGroup
+from scenewright.domains.home.composing.judging import Placed
+from scenewright.domains.home.furnishing.enlarge import SOFAS
+
+TALK = 2.5
+"""People talk at most so many metres from seat to seat (Panero, Zelnik 1979)."""
+AHEAD = 0.9  # where those on a sofa look at one another, metres before its middle
+
+
+def joins_sofa(added: FurnishedGroup, placed: Placed) -> bool:
+    """Whether an armchair is near enough to a sofa to talk, and not turned away from it."""
+    chair = next(p for p in added.pieces if p.category == "armchair")
+    return any(_talks(chair, sofa) for sofa in _list_sofas(placed))
+
+
+def is_left_alone(added: FurnishedGroup, placed: Placed) -> bool:
+    """Whether a group has an armchair in a room with a sofa, and none of the two talk."""
+    seated = any(p.category == "armchair" for p in added.pieces)
+    return seated and bool(_list_sofas(placed)) and not joins_sofa(added, placed)
+
+
+def _list_sofas(placed: Placed) -> list[Piece]:
+    return [p for group in placed for p in group.pieces if p.category in SOFAS]
+
+
+def _talks(chair: Piece, sofa: Piece) -> bool:
+    """Within :data:`TALK` metres, with what the sofa looks at before the armchair's sides."""
+    (x, y, _, turn), (a, b, _, way) = sofa.pose, chair.pose
+    x, y = x + AHEAD * cos(turn) - a, y + AHEAD * sin(turn) - b
+    return hypot(sofa.pose.x - a, sofa.pose.y - b) <= TALK and x * cos(way) + y * sin(way) >= 0.0
