@@ -66,3 +66,19 @@ def test_ten_times_the_pieces_take_not_a_hundred_times_as_long() -> None:
         return min(times)
 
     assert measure(3000) < 40 * measure(300)
+
+
+def test_a_partition_with_pictures_towards_the_eye_is_solid() -> None:
+    def make(name: str, kind: str, y: float, size: Size, heading: float = 0.0) -> Piece:
+        return Piece(name, kind, "", "a", Pose(0.0, y, 0.0, heading), size)
+
+    wall = make("wall", WALL, 0.0, Size(4.0, 0.1, 2.4), np.pi / 2)
+    stand = make("stand", "showcase", 0.7, Size(1.2, 1.0, 1.0))
+    towards = (0.0, 0.7, -0.7)
+    assert find_hiding([wall, stand], towards) == {"wall"}
+    front, back = (
+        make("art", "wall_exhibit", side * 0.25, Size(1.2, 0.4, 2.2), side * np.pi / 2)
+        for side in (-1.0, 1.0)
+    )
+    assert "wall" not in find_hiding([wall, stand, front], towards)
+    assert "wall" in find_hiding([wall, stand, back], towards)

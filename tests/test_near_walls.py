@@ -117,6 +117,19 @@ def test_a_shelf_at_a_lowered_wall_stays_under_what_stands_on_it(scene: Scene) -
     assert list_drawn(shelf, screen) == {"shelf", "screen"}
 
 
+def test_a_picture_at_a_lowered_wall_leaves_its_rail(scene: Scene) -> None:
+    def measure_top(y: float, heading: float, asset: str = "wall_exhibit_painting_1") -> float:
+        pose, size = Pose(1.0, y, 0.0, heading), Size(1.2, 0.4, 2.2)
+        piece = Piece("art", "wall_exhibit", asset, "south", pose, size)
+        shown = things(replace(scene, pieces=(piece,)), shipped(), INDOORS.cut, INDOORS.towards)
+        (drawn,) = [thing for thing in shown if thing.name == "art"]
+        return max(float(part.vertices[:, 2].max()) for part in drawn.parts)
+
+    assert 0.4 < measure_top(0.21, np.pi / 2) < 0.5
+    assert measure_top(6.79, -np.pi / 2) > 1.9
+    assert measure_top(0.21, np.pi / 2, "wall_exhibit") > 1.9
+
+
 @pytest.fixture(scope="module")
 def shafted() -> Scene:
     """A room with a shaft before its south-west and one behind its north-west corner."""

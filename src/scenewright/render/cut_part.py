@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from scenewright.core.catalog import Part
+
+APART = 0.3  # parts so far above all below them hang on the wall, metres
 
 
 def cut_part(part: Part, cut: float | None) -> Part | None:
@@ -18,3 +22,14 @@ def cut_part(part: Part, cut: float | None) -> Part | None:
     faces = part.faces[low[part.faces[:, 0]] < cut - 1e-6]
     short = part.vertices * [1, 1, 0] + np.minimum(part.vertices[:, 2:], cut) * [0, 0, 1]
     return Part(part.material, short, faces) if len(faces) else None
+
+
+def leave_out_hanging(parts: Sequence[Part]) -> tuple[Part, ...]:
+    """The parts of what stands on the floor, without those that hang on the wall over it: a picture
+    over its rail, a mirror over its table."""
+    kept, top = list[Part](), 0.0
+    for part in sorted(parts, key=lambda part: float(part.vertices[:, 2].min())):
+        if part.vertices[:, 2].min() <= top + APART:
+            kept.append(part)
+            top = max(top, float(part.vertices[:, 2].max()))
+    return tuple(kept)

@@ -30,8 +30,9 @@ WIDE = 0.8
 """So do only those as wide as this, metres: one looks past a plant."""
 CLEAR = 0.6
 """How opaque what hides others is drawn."""
-WALL = "partition"
-
+WALL, HUNG = "partition", "wall_exhibit"
+BEHIND = 0.02
+"""A partition so near at a picture, metres, is the wall it hangs on."""
 
 OVER, BEFORE = 1.2, 0.25
 """What hangs as high as this over the floor and is as deep as this, metres, hides what stands
@@ -69,11 +70,24 @@ def find_hiding(pieces: Sequence[Piece], towards: tuple[float, float, float]) ->
     height = np.array([p.size.height for p in standing])
     wide = np.array([p.size.width >= WIDE for p in standing], bool)
     names = np.array([p.category for p in standing], str)
-    high = np.flatnonzero(wide & (foot + height >= TALL))
+    bare = [p.category != WALL or not _carries(p, pieces, towards) for p in standing]
+    high = np.flatnonzero(wide & (foot + height >= TALL) & np.array(bare, bool))
     low = np.flatnonzero((names != WALL) & (shapely.area(outlines) >= FLOOR))
     lean = np.array(towards[:2]) / -towards[2]
     seen = _Standing(outlines, foot + height, foot + height / 2, names)
     return frozenset(standing[k].id for k in _pair_hidden(seen, high, low, lean))
+
+
+def _carries(wall: Piece, pieces: Sequence[Piece], towards: tuple[float, float, float]) -> bool:
+    """Whether pictures that face an eye looking ``towards`` a direction hang on a partition: on one
+    of glass they would float."""
+    outline = polygons_of((wall,))[0].buffer(BEHIND)
+    return any(
+        p.category == HUNG
+        and towards[0] * np.cos(p.pose.heading) + towards[1] * np.sin(p.pose.heading) < 0.0
+        and outline.intersects(polygons_of((p,))[0])
+        for p in pieces
+    )
 
 
 def find_hanging_over(

@@ -36,7 +36,7 @@ from scenewright.core.scene import STAIRS, GroundSurface, Piece, Prism, Scene, S
 from scenewright.core.space import Level, Opening, Space
 from scenewright.geometry.mesh import Floats, Mesh, merge
 from scenewright.geometry.prisms import box, face_normals, prism, sheet
-from scenewright.render.cut_part import cut_part
+from scenewright.render.cut_part import cut_part, leave_out_hanging
 from scenewright.render.hiding import find_hanging_over, find_hiding, make_clear
 from scenewright.render.near_walls import (
     ENCLOSED,
@@ -264,17 +264,8 @@ def _wall(wall: Wall, cut: float | None, near: NearWalls) -> RenderItem:
     parts = [Part(PLASTER, *merge(sides))] if sides else []
     parts += [Part(SECTION, *merge(caps))] if caps else []
     extras: dict[str, str | float] = {"category": "wall", "height": top}
-    return RenderItem(
-        wall.id,
-        "wall",
-        wall.level,
-        "",
-        ("wall", wall.level, wall.id),
-        tuple(parts),
-        (0, 0, 0),
-        0.0,
-        extras,
-    )
+    key = ("wall", wall.level, wall.id)
+    return RenderItem(wall.id, "wall", wall.level, "", key, tuple(parts), (0, 0, 0), 0.0, extras)
 
 
 def _open_prism(solid: Prism, top: float) -> tuple[Mesh, Mesh]:
@@ -331,6 +322,8 @@ def _piece(piece: Piece, level: str, catalog: Catalog, cut: float | None) -> Ren
         top = 0.0 if kind is not None and kind.support == "ceiling" else cut - z
         parts = tuple(p for part in parts if (p := cut_part(part, top)) is not None)
         key = (key, round(top, 4))
+    elif cut is not None and cut <= z:
+        key, parts = (key, "low"), leave_out_hanging(parts)
     return RenderItem(
         piece.id,
         "piece",
