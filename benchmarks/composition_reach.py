@@ -1,9 +1,10 @@
 """How far the beds of real flats could go: ``scenewright bench composition_reach``.
 
 Two rows of ``bench composition`` stay high: beds before a window and single beds away from walls.
-In every room that has such a bed each place parallel to a wall is tried for it (or for the least
-bed of its kind) by :mod:`benchmarks.bed_places`: in the room as if it were empty, there without any
-other fault of beds as well, there beside a wardrobe of a metre, and beside all that stands. What no
+In every room that has such a bed each place with its head, or a single one's long side, at a wall
+is tried for it (or for the least bed of its kind) by :mod:`benchmarks.bed_places`: in the room as
+if it were empty, there without any other fault of beds as well, there beside a wardrobe of a metre,
+and beside all that stands. What no
 place can be found for is a fault of the plan. The baseline is the number of rooms with the fault.
 Of the same flats as ``bench composition`` (every fiftieth if quick), with ``--rescaled`` at their
 true scale, too.
@@ -16,7 +17,7 @@ from functools import partial
 from typing import Any, NamedTuple
 
 from benchmarks import stages
-from benchmarks.bed_places import Case, find_beside_wardrobe, is_faulty, list_valid
+from benchmarks.bed_places import Case, find_beside_wardrobe, has_back, is_faulty, list_valid
 from benchmarks.composition import QUICK, USUAL
 from benchmarks.composition_faults import (
     Room,
@@ -115,8 +116,13 @@ def _try_room(case: Case, room: Room) -> Iterator[Found]:
 
 
 def _is_clear_of_windows(case: Case, room: Room) -> bool:
-    alone = tuple(p for p in room.pieces if p.category == case.bed.category)
-    return not before_window((room._replace(pieces=alone),)).faulty
+    """Whether no bed stands before a window and each has its head, or a single one a long side, at
+    a wall."""
+    beds = tuple(p for p in room.pieces if p.category == case.bed.category)
+    alone = room._replace(pieces=beds)
+    along = case.bed.category == "single_bed" and not bed_adrift((alone,)).faulty
+    stands = along or all(has_back(bed, case.space) for bed in beds)
+    return stands and not before_window((alone,)).faulty
 
 
 def _find(case: Case, room: Room, good: Good) -> tuple[bool, bool, bool, bool]:
