@@ -90,7 +90,8 @@ class VisitorPlan(NamedTuple):
     by, the main one first, ``exits`` (x, 2) those visitors leave by, ``ways_out`` (w, 2) all they
     may leave by; ``hiding`` (h, 5) boxes as high as the eyes that do not move; ``tall`` (n,) 1 for
     objects as high; ``roles`` (g,) of the units, as bits: 1 seen first, 2 a till, 4 the main
-    exhibit, 8 tills in lanes, 16 ropes, 32 lecterns; ``inward`` (1, 2) the unit direction in at the
+    exhibit, 8 tills in lanes, 16 ropes, 32 lecterns, 64 what keeps off columns, 128 lounge seats,
+    256 low tables; ``inward`` (1, 2) the unit direction in at the
     main entrance. Empty arrays: nobody comes."""
 
     entrances: Floats = _NONE

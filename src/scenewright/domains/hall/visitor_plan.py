@@ -13,7 +13,17 @@ from scenewright.domains.hall.doors import visitor_exits, ways_in, ways_out
 from scenewright.domains.hall.holdings import HallDemand
 from scenewright.domains.hall.problem import Floats, VisitorPlan
 from scenewright.domains.hall.roles import is_first, is_till
-from scenewright.domains.hall.terms.visitors import FIRST, GUIDE, LANE, MAIN, SPEAKER, TILL
+from scenewright.domains.hall.terms.visitors import (
+    ALOOF,
+    FIRST,
+    GUIDE,
+    LANE,
+    LOUNGE,
+    LOW,
+    MAIN,
+    SPEAKER,
+    TILL,
+)
 
 EYES = 1.6
 """What rises above this height hides what is behind it, in metres."""
@@ -25,6 +35,12 @@ LANES = ("checkout",)
 BELT = 0.78
 """Depth in metres of a till with a belt, at least; lesser ones have no lanes."""
 EXHIBITS = ("exhibit_island", "showcase", "plinth", "interactive_table", "stage", "screen")
+LOUNGES = frozenset(("lounge_seat", "armchair", "sofa", "pouf"))
+TABLES = frozenset(("reading_table", "dining_table", "round_table", "outdoor_table"))
+ON_SHOW = frozenset((*EXHIBITS[:4], "exhibit_panel", "display_table", "mannequin"))
+LOW_TABLES = frozenset(("coffee_table",))
+STANDING = ((ALOOF, LOUNGES | TABLES | LOW_TABLES | ON_SHOW), (LOUNGE, LOUNGES), (LOW, LOW_TABLES))
+"""Roles that depend on nothing but the category."""
 
 
 def plan_visitors(
@@ -86,4 +102,10 @@ def _roles(wishes: list[HallDemand], units: list[Unit]) -> Floats:
     ]
     if alone:
         roles[-max(alone)[1]] += MAIN
-    return roles
+    return roles + _standing(wishes, units)
+
+
+def _standing(wishes: list[HallDemand], units: list[Unit]) -> Floats:
+    """The roles (g,) of units that follow from what they are made of."""
+    kinds = [wishes[unit.demand].category for unit in units]
+    return np.array([sum(bit for bit, of in STANDING if kind in of) for kind in kinds], np.float64)

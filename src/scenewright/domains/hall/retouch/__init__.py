@@ -39,6 +39,11 @@ from scenewright.domains.hall.retouch.gates import (
 )
 from scenewright.domains.hall.retouch.lecterns import lecterns_adrift, propose_lecterns
 from scenewright.domains.hall.retouch.mending import LEAST, Retouch, SeenTouch, mend
+from scenewright.domains.hall.retouch.nearness import (
+    find_company,
+    measure_nearness,
+    propose_distances,
+)
 from scenewright.domains.hall.retouch.rings import propose_rings, rings_off
 from scenewright.domains.hall.retouch.ropes import forgive_queues, propose_ropes, ropes_adrift
 from scenewright.domains.hall.retouch.runs import measure_runs, propose_runs
@@ -70,6 +75,7 @@ RETOUCHES: dict[str, Retouch] = {
     "bare": Retouch(find_floor, measure_bare, propose_moves),
     "runs": Retouch(_whole, measure_runs, propose_runs, make_room=False),
     "spread": Retouch(find_columns, measure_spread, propose_spread, make_room=False),
+    "nearness": Retouch(find_company, measure_nearness, propose_distances, make_room=False),
 }
 """In the order in which they are made."""
 

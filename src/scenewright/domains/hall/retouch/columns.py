@@ -16,6 +16,7 @@ from scenewright.domains.hall.patterns import CHAIN, GRID
 from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.retouch.lines import count_objects, find_layers, forgive_space
 from scenewright.domains.hall.terms.state import Kept, PreparedHall, State
+from scenewright.domains.hall.terms.visitors import ALOOF
 
 LARGEST = 1.2
 OFF_LINE = 0.2
@@ -26,6 +27,8 @@ aisle, and what a seat counts whose view it crosses; metres."""
 SPREAD, AROUND, TOUCH = 2.2, 0.1, 0.05
 """Widest gap of a pitch that follows columns, the least gap round a column, and what two axes may
 differ by; metres."""
+CLEAR = 0.5
+"""Metres round a column that stay free of exhibits, tables and lounge seats."""
 ROWS = 8
 
 
@@ -100,13 +103,23 @@ def propose_pitches(columns: Columns, kept: Kept, boxes: Floats) -> Iterator[Kep
     """Layouts in which the rows of one unit have a pitch that divides that of the columns."""
     problem = columns.problem
     for unit in _rows_of(problem, kept):
-        if _fault(columns, kept, boxes, unit) <= 0.0:
-            continue
-        turn = kept.pose[unit, 2]
-        for heading in (turn, turn + 0.5 * np.pi):
-            lattice = _lattice(columns, unit, heading)
-            for form in _forms(problem, unit, lattice):
-                yield from _places(problem, kept, unit, heading, lattice, form)
+        if _fault(columns, kept, boxes, unit) > 0.0:
+            yield from propose_rows(columns, kept, unit)
+
+
+def propose_rows(columns: Columns, kept: Kept, unit: int) -> Iterator[Kept]:
+    """Layouts in which a unit stands in rows whose pitch divides that of the columns."""
+    problem, turn = columns.problem, kept.pose[unit, 2]
+    for heading in (turn, turn + 0.5 * np.pi):
+        lattice = _lattice(columns, unit, heading)
+        for form in _forms(problem, unit, lattice):
+            yield from _places(problem, kept, unit, heading, lattice, form)
+
+
+def keeps_off(problem: HallProblem, unit: int) -> bool:
+    """Whether the objects of a unit keep clear of columns."""
+    roles = problem.visitors.roles
+    return bool(len(roles) and int(roles[unit]) & ALOOF)
 
 
 def _rows_of(problem: HallProblem, kept: Kept) -> list[int]:
@@ -195,7 +208,8 @@ def _forms(problem: HallProblem, unit: int, lattice: Lattice) -> list[RowForm]:
     wide, deep = problem.units.sizes[first:last].max(0)
     close = problem.units.clear[first:last, 1::2].sum() == 0.0
     front, back = problem.units.clear[first:last, 0].max(), problem.units.clear[first:last, 2].max()
-    gap = max(float(lattice.halves[:, 0].max()) * 2 + 2 * AROUND, 0.6)
+    around = CLEAR if keeps_off(problem, unit) else AROUND
+    gap = max(float(lattice.halves[:, 0].max()) * 2 + 2 * around, 0.6)
     along = [wide] if close else _divide(lattice.pitch[0], wide + gap, wide + gap + SPREAD)
     ways = max(front + back, 0.6)
     across = _divide(lattice.pitch[1], deep + 0.5 * ways, deep + ways + SPREAD)
@@ -253,7 +267,7 @@ def _laid(
     wide, deep = problem.units.sizes[first:last].max(0)
     pose, layers, rows = kept.pose.copy(), kept.layers.copy(), kept.rows.copy()
     many = -(-number // form.each)
-    code = GRID if problem.units.choices[unit, GRID] else int(kept.rows[unit, 0])
+    code = GRID if problem.units.choices[unit, GRID] else CHAIN
     for k in range(many):
         each = number // many + (1 if k < number % many else 0)
         if code == GRID:
