@@ -1,5 +1,6 @@
 """Planters and trees in pots: in pairs beside ways in and stages, else at ends of benches, in
-corners, at walls."""
+corners, at walls and partitions, at ends of desks, gates and lockers, and on in a row with others:
+never amid the floor as long as one of these is free."""
 
 from __future__ import annotations
 
@@ -16,6 +17,7 @@ from scenewright.domains.hall.accessories.spots import (
     make_spots,
     measure_crowd,
 )
+from scenewright.domains.hall.desks import SERVING
 from scenewright.domains.hall.problem import Floats
 
 FRAMED, SEATS = ("stage", "screen"), ("bench",)
@@ -24,10 +26,14 @@ GAPS = (0.3, 0.6)
 """Metres between a planter and the door or stage beside which it stands."""
 PAIR, RANK, LATER = 0.0, 0.3, 0.15
 """What a spot of a pair costs, and more for each door after the main entrance and a wider gap."""
-BENCH, CORNER, WALL = 1.3, 1.0, 2.0
-"""What a spot costs at the end of a bench, in a corner, and at a wall."""
-IN_CORNER, END = 0.3, 0.12
-"""Metres from the end of a wall that count as its corner, and from a bench."""
+EDGED = (*SERVING, "ticket_gate", "lockers")
+"""What they border at its ends."""
+BENCH, CORNER, WALL, EDGE, ROW = 1.3, 1.0, 2.0, 2.3, 3.0
+"""What a spot costs at the end of a bench, in a corner, at a wall, at the end of a desk, and on in
+a row with planters."""
+IN_CORNER, END, TOUCH = 0.3, 0.12, 0.02
+"""Metres from the end of a wall that count as its corner, from a bench, and between planters of a
+row."""
 NEAR, CROWD = 4.0, 0.3
 """Within how many metres planters are too many, and what each metre of that costs."""
 
@@ -35,7 +41,8 @@ NEAR, CROWD = 4.0, 0.3
 def find_planter_spots(setting: Setting, size: Size) -> Spots:
     """Spots for the next planter, cheaper away from those that stand."""
     pairs = [_frame_doors(setting, size), _frame_stages(setting, size)]
-    found = join_spots([*pairs, _end_benches(setting, size), _line_walls(setting, size)])
+    edges = _border(setting, size), _go_on(setting, size)
+    found = join_spots([*pairs, _end_benches(setting, size), _line_walls(setting, size), *edges])
     crowd = CROWD * measure_crowd(found.boxes, setting.others, NEAR)
     return found._replace(costs=found.costs + crowd)
 
@@ -82,5 +89,35 @@ def _end(bench: Piece, size: Size) -> Floats:
 
 
 def _line_walls(setting: Setting, size: Size) -> Spots:
-    boxes, far = line_walls(setting.walls, size)
+    faces = [_list_faces(piece) for piece in setting.pieces if piece.category == "partition"]
+    boxes, far = line_walls(np.concatenate([setting.walls, *faces]), size)
     return make_spots(boxes, np.where(far < IN_CORNER, CORNER, WALL))
+
+
+def _list_faces(partition: Piece) -> Floats:
+    """Both faces (2, 4) of a partition, what is before them on the left."""
+    front = np.array([np.cos(partition.pose.heading), np.sin(partition.pose.heading)])
+    left, middle = np.array([-front[1], front[0]]), np.array(partition.pose[:2])
+    off, half = 0.5 * partition.size.depth * front, 0.5 * partition.size.width * left
+    ends = middle + off + half, middle + off - half, middle - off - half, middle - off + half
+    return np.array(ends).reshape(2, 4)
+
+
+def _border(setting: Setting, size: Size) -> Spots:
+    """At both ends of desks, gates and lockers, in line with their backs."""
+    parts = [np.zeros((0, 5))]
+    for piece in setting.pieces:
+        if piece.category in EDGED:
+            front = np.array([np.cos(piece.pose.heading), np.sin(piece.pose.heading)])
+            back = np.array(piece.pose[:2]) - 0.5 * piece.size.depth * front
+            parts.append(flank(back, front, piece.size.width, (END,), size))
+    return make_spots(np.concatenate(parts), EDGE)
+
+
+def _go_on(setting: Setting, size: Size) -> Spots:
+    """End to end with planters that stand."""
+    parts = [np.zeros((0, 5))]
+    for x, y, heading, wide, _ in setting.others:
+        along = (0.5 * (wide + size.width) + TOUCH) * np.array([np.sin(heading), -np.cos(heading)])
+        parts.append(face(np.array([x, y]) + np.array([along, -along]), heading, size))
+    return make_spots(np.concatenate(parts), ROW)
