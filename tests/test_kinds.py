@@ -129,6 +129,7 @@ def test_one_lives_in_a_large_bedroom_where_no_room_is_for_living() -> None:
     assert groups(20.0, "kitchen") == {"seating", "media"}
     assert groups(20.0, "kitchen", "living") == {"reading"}
     assert groups(16.0, "kitchen") == set()
+    assert groups(20.0) == {"reading"}
 
 
 def test_groups_of_single_pieces_have_names_of_their_own() -> None:

@@ -61,7 +61,7 @@ class Wish(NamedTuple):
 class ProgrammeRow(NamedTuple):
     """Wish for ``group`` in rooms of at least ``least`` m² (and less than ``below``), unless one
     of ``unless`` is among the room's functions or, prefixed ``home:``, those of the home's other
-    rooms or, prefixed ``no:``, is among neither."""
+    rooms or, prefixed ``no:``, is among neither; ``alone`` is a home of one room for one use."""
 
     group: str
     rank: int
@@ -98,8 +98,8 @@ _PROGRAMME: dict[str, tuple[ProgrammeRow, ...]] = {
         ProgrammeRow("sleeping", 0),
         ProgrammeRow("wardrobe", 0),
         ProgrammeRow("chest", 1, 11.5),
-        ProgrammeRow("seating", 1, 17, unless=("living", "home:living")),
-        ProgrammeRow("media", 1, 17, unless=("living", "home:living")),
+        ProgrammeRow("seating", 1, 17, unless=("living", "home:living", "alone")),
+        ProgrammeRow("media", 1, 17, unless=("living", "home:living", "alone")),
         ProgrammeRow("vanity", 2, 15),
         ProgrammeRow("plant", 2, 12),
         ProgrammeRow("reading", 2, 18, unless=("no:living",)),
@@ -272,7 +272,10 @@ def programme(
     shared = area >= ROOMY and bool({"living", "kitchen"} & set(functions))
     area = part_of(functions, area)
     avoid = set(functions) | {f"home:{f}" for f in home}
-    avoid |= {f"no:{f}" for f in PROGRAMME.keys() - home - set(functions)}
+    if home or len(functions) > 1:
+        avoid |= {f"no:{f}" for f in PROGRAMME.keys() - home - set(functions)}
+    else:
+        avoid.add("alone")
     wishes = [
         Wish(
             row.group,
