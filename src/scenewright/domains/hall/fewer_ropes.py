@@ -6,10 +6,12 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from scenewright.core.solution import LeftOut
+from scenewright.domains.hall.barring_ropes import count_missed_among
 from scenewright.domains.hall.build_problem import build_problem
 from scenewright.domains.hall.energy import capacity
 from scenewright.domains.hall.fit import Fitted
-from scenewright.domains.hall.idle_guides import ASTRAY, drop_units
+from scenewright.domains.hall.idle_guides import ASTRAY, BARRING, STRAY, drop_units, report_fewer
 from scenewright.domains.hall.problem import Floats
 from scenewright.domains.hall.retouch.lines import count_objects, find_layers, line_up
 from scenewright.domains.hall.retouch.ropes import forgive_queues, measure_ropes, propose_ropes
@@ -30,12 +32,29 @@ WEIGHT, DEAR, WALKED = 30.0, 120.0, 8
 and how many places are walked through."""
 
 
+def place_fewer_of_each(
+    search: HallSearch, fitted: Fitted, layout: MeasuredLayout, idle: dict[int, str], served: Floats
+) -> tuple[Fitted, MeasuredLayout, dict[int, str], tuple[LeftOut, ...]]:
+    """The layout with as many ropes of each ``idle`` unit as find room, the units that are idle
+    still, and what is left out by that."""
+    missing: tuple[LeftOut, ...] = ()
+    for unit, why in [row for row in idle.items() if row[1] in (STRAY, BARRING)]:
+        fewer = place_fewer(search, fitted, layout, unit, served)
+        if fewer is not None:
+            gone = report_fewer(search.hall, search.wishes, fitted, fewer[0], unit, why)
+            missing = (*missing, *gone)
+            (fitted, layout), idle = fewer, {u: why for u, why in idle.items() if u != unit}
+    return fitted, layout, idle, missing
+
+
 def place_fewer(
-    search: HallSearch, fitted: Fitted, layout: MeasuredLayout, unit: int
+    search: HallSearch, fitted: Fitted, layout: MeasuredLayout, unit: int, served: Floats
 ) -> tuple[Fitted, MeasuredLayout] | None:
     """The layout with as many ropes of a unit as find room before what they guide people to, and
-    let people by as the hall without them does; None if hardly any do."""
-    _, without = drop_units(search.hall, search.wishes, fitted, layout, [unit], search.catalog)
+    let people by, to where they are ``served`` (k, 5) too, as the hall without them does; None if
+    hardly any do."""
+    bare, without = drop_units(search.hall, search.wishes, fitted, layout, [unit], search.catalog)
+    least = count_missed_among(bare.problem, without, served)
     for count in range(int(count_objects(fitted.problem)[unit]), FEWEST - 1, -1):
         less = _shorten(search, fitted, layout.kept, unit, count)
         chain = begin_chain(less.problem, less.start, streams(0, 1)[0])
@@ -44,7 +63,8 @@ def place_fewer(
         boxes = np.delete(layout.boxes, gone, axis=0)
         for kept in _find_places(chain, less, boxes, unit, without.energy + DEAR):
             found = layout_of(chain._replace(best=kept))
-            if found.missed <= without.missed and found.lacking <= without.lacking + 1e-9:
+            open_ways = count_missed_among(less.problem, found, served) <= least
+            if open_ways and found.lacking <= without.lacking + 1e-9:
                 return less._replace(start=kept), found
     return None
 

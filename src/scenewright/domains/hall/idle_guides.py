@@ -1,5 +1,5 @@
 """What guides nobody is left out by name: gates beside which the way stays open, ropes before
-nothing."""
+nothing, and ropes that bar the way to what they guide people to."""
 
 from __future__ import annotations
 
@@ -11,12 +11,15 @@ from scenewright.core.catalog import Catalog
 from scenewright.core.scene import Piece
 from scenewright.core.solution import LeftOut
 from scenewright.domains.hall.barriers import BARRIERS
+from scenewright.domains.hall.barring_ropes import count_missed_among
 from scenewright.domains.hall.build_problem import HallContext, build_problem
 from scenewright.domains.hall.energy import capacity
 from scenewright.domains.hall.fit import Fitted
 from scenewright.domains.hall.holdings import HallDemand
+from scenewright.domains.hall.problem import Floats
 from scenewright.domains.hall.retouch.gates import find_gates
 from scenewright.domains.hall.retouch.ropes import find_ropes, measure_ropes
+from scenewright.domains.hall.search import HallSearch
 from scenewright.domains.hall.solvers.chains import begin_chain, layout_of
 from scenewright.domains.hall.solvers.outcome import MeasuredLayout
 from scenewright.domains.hall.terms.state import Kept
@@ -24,6 +27,7 @@ from scenewright.engine.draws import streams
 
 OPEN = "nowhere would they and the barriers beside them close the way in"
 STRAY = "there is no room for them before what they guide people to"
+BARRING = "they would bar the way to where people are served"
 ASTRAY = 1.5
 """Metres of fault from which on ropes guide nobody."""
 
@@ -42,6 +46,28 @@ def find_idle(fitted: Fitted, layout: MeasuredLayout, pieces: tuple[Piece, ...])
     return idle | dict.fromkeys(astray, STRAY)
 
 
+def find_barring(
+    search: HallSearch, fitted: Fitted, layout: MeasuredLayout, served: Floats
+) -> dict[int, str]:
+    """The ropes of a layout without which the route misses less of the fronts of boxes (k, 5) at
+    which people are ``served``, and why they are idle."""
+    ropes = [] if layout.loose else find_ropes(fitted.problem, layout.kept)
+    missed = count_missed_among(fitted.problem, layout, served) if ropes else 0.0
+    return {
+        unit: BARRING
+        for unit in ropes
+        if missed > _less_missed(search, fitted, layout, served, unit)
+    }
+
+
+def _less_missed(
+    search: HallSearch, fitted: Fitted, layout: MeasuredLayout, served: Floats, unit: int
+) -> float:
+    """What the route misses without a unit."""
+    less, found = drop_units(search.hall, search.wishes, fitted, layout, [unit], search.catalog)
+    return count_missed_among(less.problem, found, served)
+
+
 def report_idle(
     hall: HallContext, wishes: list[HallDemand], fitted: Fitted, idle: Mapping[int, str]
 ) -> tuple[LeftOut, ...]:
@@ -56,13 +82,18 @@ def report_idle(
 
 
 def report_fewer(
-    hall: HallContext, wishes: list[HallDemand], before: Fitted, after: Fitted, unit: int
+    hall: HallContext,
+    wishes: list[HallDemand],
+    before: Fitted,
+    after: Fitted,
+    unit: int,
+    reason: str = STRAY,
 ) -> tuple[LeftOut, ...]:
-    """The ropes of a unit that found no room beside the others of it."""
+    """The ropes of a unit that found no room beside the others of it, or not without harm."""
     wish = wishes[after.units[unit].demand]
     gone = before.units[unit].last - after.units[unit].last
     whole = f"{gone} of {len(wish.sizes)} {wish.name}"
-    return (LeftOut(hall.space.id, whole, STRAY, wish.required),) if gone else ()
+    return (LeftOut(hall.space.id, whole, reason, wish.required),) if gone else ()
 
 
 def drop_units(

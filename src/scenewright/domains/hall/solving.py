@@ -33,26 +33,21 @@ from scenewright.domains.hall.accessories.place import StandingHall
 from scenewright.domains.hall.asked_low_tables import set_low_tables
 from scenewright.domains.hall.assemble import Laid, assemble_solution
 from scenewright.domains.hall.barriers import place_barriers
+from scenewright.domains.hall.barring_ropes import find_served_at
 from scenewright.domains.hall.build_problem import HallContext, hall_of
 from scenewright.domains.hall.chairs import with_chairs
 from scenewright.domains.hall.compose import compose
 from scenewright.domains.hall.desk_chairs import desk_chairs
 from scenewright.domains.hall.desks import turn_desks
 from scenewright.domains.hall.energy import parts_of
-from scenewright.domains.hall.fewer_ropes import place_fewer
+from scenewright.domains.hall.fewer_ropes import place_fewer_of_each
 from scenewright.domains.hall.filling import fill_halls, settle_counts
 from scenewright.domains.hall.fit import Fitted
 from scenewright.domains.hall.free_to_sit import keep_reached_chairs
 from scenewright.domains.hall.furnish import furnish_hall, kept_groups, partitions, placed_groups
 from scenewright.domains.hall.hall_layout import HallLayout
 from scenewright.domains.hall.holdings import HallDemand, collect_demands, restrict_patterns
-from scenewright.domains.hall.idle_guides import (
-    STRAY,
-    drop_units,
-    find_idle,
-    report_fewer,
-    report_idle,
-)
+from scenewright.domains.hall.idle_guides import drop_units, find_barring, find_idle, report_idle
 from scenewright.domains.hall.lack import lacks, leaves_open, measure_lack
 from scenewright.domains.hall.move_borders import move_borders, read_slack, search_with_borders
 from scenewright.domains.hall.on_stage import put_on_stage
@@ -312,15 +307,14 @@ def _furnish_guided(
     """A furnished hall without gates beside which the way stays open and ropes before nothing."""
     hall, wishes, catalog = search.hall, search.wishes, search.catalog
     laid = furnish_layout(hall, wishes, fitted, best, locked, missing, seen, catalog)
-    idle = find_idle(fitted, best, laid.pieces) if may_retry(search) else {}
+    if not may_retry(search):
+        return laid
+    served = find_served_at(laid.pieces)
+    idle = find_barring(search, fitted, best, served) | find_idle(fitted, best, laid.pieces)
     if not idle:
         return laid
-    for unit in [unit for unit, why in idle.items() if why == STRAY]:
-        fewer = place_fewer(search, fitted, best, unit)
-        if fewer is not None:
-            missing = (*missing, *report_fewer(hall, wishes, fitted, fewer[0], unit))
-            (fitted, best), idle = fewer, {u: why for u, why in idle.items() if u != unit}
-    missing = (*missing, *report_idle(hall, wishes, fitted, idle))
+    fitted, best, idle, fewer = place_fewer_of_each(search, fitted, best, idle, served)
+    missing = (*missing, *fewer, *report_idle(hall, wishes, fitted, idle))
     fitted, best = drop_units(hall, wishes, fitted, best, idle, catalog)
     return furnish_layout(hall, wishes, fitted, best, locked, missing, seen, catalog)
 
