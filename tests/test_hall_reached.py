@@ -69,6 +69,40 @@ def test_a_shop_with_a_passage_too_narrow_is_laid_out_anew() -> None:
     assert not found.left_out
 
 
+LIBRARY: dict[str, Any] = {
+    "name": "School library",
+    "outline": [[0, 0], [15, 0], [15, 9], [0, 9]],
+    "doors": [
+        {"id": "corridor", "at": [2, 0], "width": 1.2},
+        {"id": "yard", "at": [15, 7.5], "width": 1.0, "swing": "out", "use": "exit"},
+    ],
+    "zones": [
+        {"id": "desk", "door": "corridor", "area": 18},
+        {"id": "work"},
+        {"id": "corner", "area": 30},
+    ],
+    "demands": [
+        {"category": "desk", "zone": "desk"},
+        {"category": "reading_table", "count": 6, "zone": "work"},
+        {"category": "bookcase", "count": 18, "zone": ["work", "corner"]},
+        {"category": "book_stack", "count": 8, "zone": "work"},
+        {"category": "pouf", "count": 8, "zone": "corner"},
+        {"category": "lounge_seat", "count": 4, "zone": "corner"},
+        {"category": "catalogue_terminal", "count": 2, "zone": "desk"},
+    ],
+}
+
+
+@pytest.mark.parametrize("seed", [1, 5])
+def test_a_library_too_full_gives_up_what_no_way_reaches(seed: int) -> None:
+    """However many first places find no room for what is left, some of it goes until one does."""
+    found = _solve(LIBRARY, seed)
+    assert scenewright.check(found).valid
+    assert all(row.required for row in found.left_out)
+    assert sum(piece.category == "reading_table" for piece in found.pieces) >= 4
+    assert sum(piece.category == "bookcase" for piece in found.pieces) >= 10
+
+
 def test_a_tour_stops_at_no_plants_or_bins() -> None:
     room = {
         "outline": [[0, 0], [12, 0], [12, 8], [0, 8]],

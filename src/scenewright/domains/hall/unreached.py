@@ -18,9 +18,10 @@ from scenewright.domains.hall.solvers.chains import first_layout
 from scenewright.domains.hall.solvers.outcome import HallFound, measure_layout
 from scenewright.domains.hall.terms.table import REACH
 
-AFRESH, AGAIN, NOTHING, GIVEN = 3, 7919, 1e-6, 0.3
+AFRESH, AGAIN, NOTHING, GIVEN, CHANCES = 3, 7919, 1e-6, 0.3, 6
 """How often all is tried at other places, the distance of the seeds of these, metres and objects
-that count as none, and the share of what is missed that is given up at a time."""
+that count as none, the share of what is missed that is given up at a time, and how many first
+places are tried for what is left."""
 
 
 class Reached(NamedTuple):
@@ -38,16 +39,17 @@ def drop_unreached(search: HallSearch, fitted: Fitted, found: HallFound) -> Reac
     nothing and no passage is too narrow, or nothing is left to give up. What cannot be solved
     without is kept, for the referee to find."""
     given_up, crowding = frozenset[int](), frozenset[int]()
-    fitted, found = try_elsewhere(search, fitted, found)
+    fitted, found = try_elsewhere(search, fitted, found, True)
     whole = _complete(search, fitted.units)
     for attempt in range(search.preset.settings.search.given_up):
         if measure_wrong(found.layouts[0]) <= NOTHING:
             break
         last = attempt + 1 == search.preset.settings.search.given_up
         units = _fewer(search, fitted, found, 1.0 if last else GIVEN)
-        if not units:
-            break
-        smaller = _fit_units(search, fitted, units, search.seed + 31 * (attempt + 1))
+        smaller = _fit_any(search, fitted, units, search.seed + 31 * (attempt + 1))
+        if smaller is None:  # less of them has room where more has none
+            units = _fewer(search, fitted, found, 2.0 * GIVEN)
+            smaller = _fit_any(search, fitted, units, search.seed + 31 * (attempt + 1))
         if smaller is None:
             break
         dropped = _demands_with_fewer(fitted.units, units)
@@ -56,16 +58,20 @@ def drop_unreached(search: HallSearch, fitted: Fitted, found: HallFound) -> Reac
         seen = found.evaluations
         fitted, found = search_layout(_tried_once(search), smaller, None, None)
         found = found._replace(evaluations=found.evaluations + seen)
-        fitted, found = try_elsewhere(search, fitted, found)
+        fitted, found = try_elsewhere(search, fitted, found, False)
         given_up |= dropped
     return Reached(fitted, found, given_up & whole, crowding & whole)
 
 
-def try_elsewhere(search: HallSearch, fitted: Fitted, found: HallFound) -> tuple[Fitted, HallFound]:
+def try_elsewhere(
+    search: HallSearch, fitted: Fitted, found: HallFound, patient: bool
+) -> tuple[Fitted, HallFound]:
     """The same groups from other first places where something is wrong: the first layout in which
-    everything is reached and no passage too narrow, else what was found. What is wrong weighs more
-    than all else meanwhile."""
-    once, seen = _tried_once(search), found.evaluations
+    everything is reached and no passage too narrow, else that of which least is wrong. What is
+    wrong weighs more than all else meanwhile. Who is not ``patient`` gives up where as much is
+    wrong twice."""
+    once, seen, best = _tried_once(search), found.evaluations, (fitted, found)
+    before = np.inf
     for attempt in range(AFRESH if measure_wrong(found.layouts[0]) > NOTHING else 0):
         again = _fit_units(search, fitted, fitted.units, search.seed + AGAIN * (attempt + 1))
         if again is None:
@@ -73,9 +79,15 @@ def try_elsewhere(search: HallSearch, fitted: Fitted, found: HallFound) -> tuple
         heavy = again._replace(problem=weigh_wrong(again.problem))
         _, other = search_layout(once, heavy, None, None)
         seen += other.evaluations
-        if measure_wrong(other.layouts[0]) <= NOTHING:
+        wrong = measure_wrong(other.layouts[0])
+        if wrong <= NOTHING:
             return again, other._replace(evaluations=seen)
-    return fitted, found._replace(evaluations=seen)
+        if wrong < measure_wrong(best[1].layouts[0]):
+            best = again, other
+        if wrong == before and not patient:  # the search ends there, wherever it begins
+            break
+        before = wrong
+    return best[0], best[1]._replace(evaluations=seen)
 
 
 def _complete(search: HallSearch, units: list[Unit]) -> frozenset[int]:
@@ -138,6 +150,13 @@ def _fit_units(search: HallSearch, fitted: Fitted, units: list[Unit], seed: int)
     tried = search.preset.settings.fit.tried
     start, lost = first_layout(problem, fitted.start.walls, seed, tried)
     return None if lost else Fitted(units, fitted.hosts, problem, start)
+
+
+def _fit_any(search: HallSearch, fitted: Fitted, units: list[Unit], seed: int) -> Fitted | None:
+    """As :func:`_fit_units`, by the first of some seeds that finds room; none without units."""
+    seeds = range(seed, seed + CHANCES) if units else range(0)
+    tries = (_fit_units(search, fitted, units, one) for one in seeds)
+    return next((one for one in tries if one is not None), None)
 
 
 def _demands_with_fewer(before: list[Unit], after: list[Unit]) -> frozenset[int]:
