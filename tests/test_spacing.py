@@ -11,9 +11,10 @@ import scenewright as sw
 from scenewright.core.brief import Brief
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains import check
-from scenewright.domains.home.attempt import FurnishedGroup
+from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.spacing import move, rules
+from scenewright.domains.home.composing.spacing.leave_out import leave_out_near
 from scenewright.domains.home.furnishing.enlarge import without_overlaps
 from scenewright.domains.home.programme import Wish
 
@@ -143,3 +144,30 @@ def test_no_wish_that_was_met_is_given_up_for_distance():
     }
     solution = sw.solve(Brief.model_validate({"rooms": [room]}), seed=0)
     assert [wish["fulfilled"] for wish in check(solution).figures["wishes"]] == [True]
+
+
+def _answer(*groups):
+    return RoomAnswer(0.0, tuple(groups), (), (), None, 0.0, 0)
+
+
+@pytest.mark.parametrize(
+    ("name", "category", "rank", "metres", "gone"),
+    [
+        ("counter", "drawer_cabinet", 1, 0.05, True),
+        ("counter", "drawer_cabinet", 0, 0.05, False),
+        ("counter", "drawer_cabinet", 1, 0.6, False),
+        ("console", "console_table", 2, 0.05, True),
+        ("chest", "chest_of_drawers", 2, 0.05, False),
+    ],
+    ids=["near", "essential", "apart", "welcome", "no-filling"],
+)
+def test_what_is_merely_welcome_gives_way_to_chairs_by_name(name, category, rank, metres, gone):
+    chair = group("dining", "dining_chair", 0.0, 0.0, 0.0, 0.46, 0.5)
+    other = group(name, category, -0.25 - metres - 0.2, 0.0, 0.0, 0.9, 0.4)
+    other = other._replace(wish=Wish(name, rank))
+    task = SimpleNamespace(
+        preset=SimpleNamespace(settings=SimpleNamespace(exact=True)), accessible=False, fixed=()
+    )
+    left = leave_out_near(task, _answer(chair, other))
+    assert [g.name for g in left.placed] == (["dining"] if gone else ["dining", name])
+    assert [m.wish.group for m in left.missing] == ([name] if gone else [])

@@ -91,7 +91,8 @@ class CompositionCosts(NamedTuple):
     bed away from walls, a bed in the entrance (``at_door``), a desk away from daylight (``dark``),
     too few shelves, too few seats, a screen too small for its distance, a sofa that does not look
     at it (``view``), is off its ``axis``, at a bad ``distance`` or behind what stands ``between``,
-    one on the wall (``hung``), a stand ``beside_run`` of a kitchen, a table with one chair
+    a sofa with something near before it (``outlook``), a screen on the wall (``hung``), a stand
+    ``beside_run`` of a kitchen, a table with one chair
     (``lone``), for fewer than its room has (``few_places``), away from daylight (``dim_table``) or
     ``beside_clothes`` in a kitchen one may eat in, one whose chairs all face the wall
     (``abreast_wall``), or with ``stools``, outdoor chairs side by side (``abreast``), a table
@@ -130,6 +131,7 @@ class CompositionCosts(NamedTuple):
     axis: float = 12.0
     distance: float = 8.0
     between: float = 16.0
+    outlook: float = 12.0
     hung: float = 8.0
     beside_run: float = 6.0
     lone: float = 16.0

@@ -23,6 +23,7 @@ from scenewright.domains.home.composing.kitchen_faults import (
     cost_of_table,
     cost_of_washer,
 )
+from scenewright.domains.home.composing.outlook import cost_of_outlook
 from scenewright.domains.home.composing.placed_faults import (
     cost_of_crowding,
     cost_of_group,
@@ -123,6 +124,7 @@ def sum_faults(task: RoomTask, placed: Placed, known: tuple[float, ...] = ()) ->
     shelves += cost_of_fronts(placed, rule.costs.doors, task.fixed)
     shelves += cost_of_washer(placed, rule.costs.loose) + cost_of_fridge(placed, task.ground, rule)
     shelves += cost_of_crowding(placed, rule.costs.crowded)
+    shelves += cost_of_outlook(placed, task.ground, rule.costs.outlook, task.fixed)
     shelves += cost_of_bed_ways(placed, task.ground, rule.costs.bed_way)
     shelves += cost_of_stand(placed, rule.costs.beside_run)
     if is_mere_kitchen(task):

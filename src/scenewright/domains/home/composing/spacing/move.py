@@ -27,6 +27,7 @@ from scenewright.domains.home.composing.judging import (
 from scenewright.domains.home.composing.moving import with_margin
 from scenewright.domains.home.composing.placed_faults import measure_before_doors
 from scenewright.domains.home.composing.settling import try_in_home
+from scenewright.domains.home.composing.spacing.leave_out import leave_out_near
 from scenewright.domains.home.composing.spacing.rules import list_close, measure_closeness
 from scenewright.domains.home.composing.walked_places import try_places
 from scenewright.domains.home.second_try import Opened
@@ -64,6 +65,8 @@ def keep_distances(
                 found = _spread(room, task, found, opened)
                 if found is before:
                     break
+            less = leave_out_near(task, found[room])
+            found = [less if k == room else other for k, other in enumerate(found)]
     return found
 
 

@@ -1,0 +1,45 @@
+"""What is merely welcome and still stands too near to something is left out by name."""
+
+from __future__ import annotations
+
+from scenewright.domains.home.attempt import FurnishedGroup, Missing, RoomAnswer, RoomTask
+from scenewright.domains.home.composing.case_faults import find_case_faults
+from scenewright.domains.home.composing.judging import RUNS, Placed
+from scenewright.domains.home.composing.placed_faults import list_standing
+from scenewright.domains.home.composing.spacing.rules import list_close
+from scenewright.domains.home.programme import WELCOME
+
+NEVER = 9
+YIELDING = {"counter": 1} | dict.fromkeys(("console", "plant", "shelf", "sideboard"), WELCOME)
+"""What a room looks no emptier without than it looks crowded with, from the rank of its wish on."""
+MUCH = 3.0
+"""What it costs at least that something stands so near that it goes."""
+
+
+def leave_out_near(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
+    """The answer without what nobody asked for that stands hard at chairs, doors of wardrobes or
+    beds; a counter stays where it is the only worktop."""
+    if not task.preset.settings.exact or task.accessible:
+        return answer
+    while (group := _find_near(task, answer.placed)) is not None:
+        lost = Missing(group.wish, "it would stand too near to what else is here")
+        placed = tuple(p for p in answer.placed if p is not group)
+        answer = answer._replace(placed=placed, missing=(*answer.missing, lost))
+    return answer
+
+
+def _find_near(task: RoomTask, placed: Placed) -> FurnishedGroup | None:
+    near = {name for c in list_close(placed, task.fixed) if c.cost >= MUCH for name in c[:2]}
+    for group in placed:
+        wish = group.wish
+        spare = wish.rank >= YIELDING.get(wish.group, NEVER) and not wish.required
+        if spare and group.name in near and not _is_needed(group, placed):
+            return group
+    return None
+
+
+def _is_needed(group: FurnishedGroup, placed: Placed) -> bool:
+    """Whether a counter is all the worktop of its kitchen."""
+    runs = [p for p in placed if p.wish.group in RUNS]
+    faults = {name for run in runs for name, _ in find_case_faults(list_standing(run))}
+    return group.wish.group == "counter" and bool(faults & {"worktop", "hob_at_end"})
