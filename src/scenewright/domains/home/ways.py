@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import lru_cache
+from math import cos, pi, sin
 from typing import NamedTuple
 
 import numpy as np
@@ -207,16 +208,10 @@ def used_from(piece: Piece, side: int, depth: float, slopes: Floats) -> list[flo
 def _access(piece: Piece, side: int, depth: float) -> list[float]:
     """The box outside one side of a piece, as long as that side."""
     pose, size = piece.pose, piece.size
-    heading = pose.heading + side * np.pi / 2
+    heading = pose.heading + side * pi / 2
     along, out = (size.width, size.depth) if side % 2 == 0 else (size.depth, size.width)
     shift = (out + depth) / 2
-    return [
-        pose.x + np.cos(heading) * shift,
-        pose.y + np.sin(heading) * shift,
-        heading,
-        along,
-        depth,
-    ]
+    return [pose.x + cos(heading) * shift, pose.y + sin(heading) * shift, heading, along, depth]
 
 
 def _rows(rows: list[list[float]]) -> Floats:

@@ -180,9 +180,20 @@ def place(wall: KitchenWall, start: float, width: float, depth: float, out: floa
 
 def middle_of(line: UnitLine, name: str) -> tuple[float, float]:
     """Where the middle of a unit of a line would stand, were it as deep as worktop."""
-    number = next(k for k, unit in enumerate(line.units) if unit[0] == name)
-    at = line.start + width_of(line.units[:number])
-    return point_at(line.wall, at + line.units[number][1] / 2, BACK + UNIT_DEPTH / 2)
+    return point_at(line.wall, line.start + _middle_in(line.units, name), BACK + UNIT_DEPTH / 2)
+
+
+@lru_cache(maxsize=4096)
+def _middle_in(units: tuple[Unit, ...], name: str) -> float:
+    """How far the middle of a unit is from where its line begins."""
+    number = next(k for k, unit in enumerate(units) if unit[0] == name)
+    return width_of(units[:number]) + units[number][1] / 2
+
+
+@lru_cache(maxsize=4096)
+def width_of_line(units: tuple[Unit, ...]) -> float:
+    """Metres of front of the units of one line; the same line is asked for many times."""
+    return width_of(units)
 
 
 def _name(kitchen: FittedKitchen) -> str:

@@ -31,6 +31,7 @@ from scenewright.domains.home.groups.fitted_kitchen import (
     middle_of,
     wash,
     width_of,
+    width_of_line,
 )
 from scenewright.domains.home.groups.kitchen import BEYOND, FRIDGE, Unit, fill
 from scenewright.domains.home.groups.low_fridges import LOW, SHORTEST, WIDE, pantry, take_in
@@ -205,7 +206,7 @@ def _taking_in(kitchens: Iterable[FittedKitchen]) -> Iterator[FittedKitchen]:
 def _left_beside(kitchen: FittedKitchen, stretch: KitchenStretch) -> list[tuple[float, float]]:
     """What the lines and corners of a kitchen leave of a stretch."""
     taken = [
-        (line.start, line.start + width_of(line.units))
+        (line.start, line.start + width_of_line(line.units))
         for line in kitchen.lines
         if line.wall == stretch.wall
     ]

@@ -27,7 +27,7 @@ from scenewright.domains.home.groups.fitted_kitchen import (
     UnitLine,
     middle_of,
     point_at,
-    width_of,
+    width_of_line,
 )
 from scenewright.domains.home.groups.kitchen import FRIDGE, UNIT_DEPTH, Unit
 from scenewright.domains.home.groups.low_fridges import LOW
@@ -163,10 +163,10 @@ def _has_lone_fridge(kitchen: FittedKitchen) -> bool:
             break
     if lone is None:
         return False
-    end, ends = lone.start + width_of(lone.units), [CORNER] * (lone.wall in kitchen.corners)
+    end, ends = lone.start + width_of_line(lone.units), [CORNER] * (lone.wall in kitchen.corners)
     for line in kitchen.lines:
         if line is not lone and line.wall == lone.wall:
-            ends += [line.start, line.start + width_of(line.units)]
+            ends += [line.start, line.start + width_of_line(line.units)]
     return all(min(abs(lone.start - at), abs(end - at)) > TOUCH for at in ends)
 
 
@@ -178,10 +178,11 @@ def _tell_split(kitchen: FittedKitchen) -> str:
     cooking, washing = _line_of(kitchen, "hob_cabinet"), _line_of(kitchen, "sink_cabinet")
     if cooking is washing:
         return ""
+    if cooking.wall.ux * washing.wall.ux + cooking.wall.uy * washing.wall.uy >= FACING:
+        return "split"
     one, other = middle_of(cooking, "hob_cabinet"), middle_of(washing, "sink_cabinet")
-    across = cooking.wall.ux * washing.wall.ux + cooking.wall.uy * washing.wall.uy < FACING
     near = hypot(one[0] - other[0], one[1] - other[1]) <= ACROSS
-    return "across" if across and near else "split"
+    return "across" if near else "split"
 
 
 def _off_triangle(kitchen: FittedKitchen) -> float:
@@ -189,14 +190,23 @@ def _off_triangle(kitchen: FittedKitchen) -> float:
     places: dict[int, tuple[float, float]] = {}
     lines: dict[int, UnitLine] = {}
     for line in kitchen.lines:
-        at = line.start
-        for name, wide in line.units:
-            if name in STATIONS:
-                deep = FRIDGE.depth if name == "fridge" else UNIT_DEPTH
-                places[STATIONS[name]] = point_at(line.wall, at + wide / 2, BACK + deep / 2)
-                lines[STATIONS[name]] = line
-            at += wide
+        for number, at, out in _stations_of(line.units):
+            places[number] = point_at(line.wall, line.start + at, out)
+            lines[number] = line
     legs = [hypot(a[0] - b[0], a[1] - b[1]) for a, b in combinations(places.values(), 2)]
     off = sum(max(1.0 - leg / LEG[0], leg / LEG[1] - 1.0, 0.0) for leg in legs)
     inline = len({line.wall for line in lines.values()}) == 1
     return min(1.0, (off + float(inline)) / 4)
+
+
+@lru_cache(maxsize=4096)
+def _stations_of(units: tuple[Unit, ...]) -> tuple[tuple[int, float, float], ...]:
+    """Sink, hob and fridge of a line by number: metres from where it begins to the middle of each,
+    and from the wall."""
+    found, at = [], 0.0
+    for name, wide in units:
+        if name in STATIONS:
+            deep = FRIDGE.depth if name == "fridge" else UNIT_DEPTH
+            found.append((STATIONS[name], at + wide / 2, BACK + deep / 2))
+        at += wide
+    return tuple(found)
