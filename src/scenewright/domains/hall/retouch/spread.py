@@ -24,8 +24,12 @@ SMALL, STRIP, MORE = 1.0, 2.0, 0.6
 them may be where they have no gaps, and by how much it may be wider than these; metres."""
 WIDEST, MOST = 2.6, 5.0
 """How wide gaps are made, and metres beyond what a strip may have that count at most."""
+BARE = 2.0
+"""Metres beyond what a strip may have from which on each counts twice: a third of a room is bare."""
 NEAR, GAP = 0.6, 0.1
 """How near the border of their zone things at walls stand, and the least that is a gap; metres."""
+ASIDE = 0.5
+"""Metres beside the middle of the strips, to either side, that are tried."""
 PARTS = (0.0, 0.5, 1.0)
 """Parts of what gaps could be wider that are tried."""
 
@@ -42,7 +46,8 @@ class Side(NamedTuple):
     def fault(self) -> float:
         """Metres by which the strips are too wide."""
         most = max(self.gap, STRIP) + MORE
-        return sum(min(max(strip - most, 0.0), MOST) for strip in (self.before, self.behind))
+        wide = [min(max(strip - most, 0.0), MOST) for strip in (self.before, self.behind)]
+        return sum(far + max(far - BARE, 0.0) for far in wide)
 
 
 def measure_spread(columns: Columns, kept: Kept, boxes: Floats) -> float:
@@ -134,7 +139,8 @@ def _shift(kept: Kept, units: list[int], off: Floats) -> Kept:
 def _widen(
     problem: HallProblem, kept: Kept, unit: int, sides: list[Side], off: Floats
 ) -> Iterator[Kept]:
-    """Layouts with a unit moved by ``off`` (2,) or not along each axis, and its gaps wider."""
+    """Layouts with a unit moved by ``off`` (2,), about that or not along each axis, and its
+    gaps wider."""
     rows = kept.rows[unit]
     first = find_layers(problem, unit)[0]
     mine = slice(first, first + int(rows[1]))
@@ -143,8 +149,8 @@ def _widen(
     gaps = kept.layers[mine, ALONG].max(initial=0.0) > GAP
     along = _find_room(sides[1 - ahead], int(kept.layers[mine, NUMBER].max()) - 1)
     across = _find_room(sides[ahead], int(rows[1]) - 1)
-    for moved in product((1.0, 0.0), repeat=2):
-        shifted = _shift(kept, [unit], off * moved)
+    for moved in product(*map(_list_moves, sides, off)):
+        shifted = _shift(kept, [unit], np.array(moved))
         yield shifted
         for part, other in product(PARTS, repeat=2) if gapped else ():
             if part * along * gaps + other * across > GAP:
@@ -152,6 +158,12 @@ def _widen(
                 layers[mine, ALONG] += part * along * gaps
                 layers[mine, ACROSS] += other * across
                 yield shifted._replace(layers=layers)
+
+
+def _list_moves(side: Side, off: float) -> tuple[float, ...]:
+    """Metres a unit is moved along an axis: to the middle or not, and a little to either side of it
+    where strips are wide, so that a gap of its rows meets a way out of the zone."""
+    return (off, 0.0) if side.fault <= 0.0 else (off, 0.0, off + ASIDE, off - ASIDE)
 
 
 def _find_room(side: Side, gaps: int) -> float:
