@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
+import shapely
 
+from scenewright.core.layout import corners
+from scenewright.core.piece_outlines import polygons_of
 from scenewright.core.scene import Piece, Size
-from scenewright.domains.hall.accessories.setting import Setting
+from scenewright.domains.hall.accessories.setting import Bools, Setting
 from scenewright.domains.hall.accessories.spots import (
     Spots,
     face,
@@ -14,7 +17,9 @@ from scenewright.domains.hall.accessories.spots import (
     make_spots,
     measure_crowd,
 )
+from scenewright.domains.hall.build_problem import HEAD_HEIGHT
 from scenewright.domains.hall.holdings import HallDemand, may_stand_together
+from scenewright.domains.hall.problem import Floats
 
 PICTURE, ISLAND = "wall_exhibit", "exhibit_island"
 LARGE, LONGEST = 2.0, 2.5
@@ -29,6 +34,9 @@ PITCH = 3.0
 """Metres of a side of an island for each bench."""
 NEAR, CROWD = 5.0, 0.4
 """Within how many metres benches are too many, and what each metre of that costs."""
+CLOSE, WEDGED = 0.8, 2.5
+"""Metres that a bench amid the floor keeps from whatever stands there, and what it costs nearer:
+wedged between two tables it looks pushed aside."""
 
 
 def may_look(wish: HallDemand, wishes: list[HallDemand]) -> bool:
@@ -47,13 +55,24 @@ def is_large_island(wish: HallDemand) -> bool:
 def find_bench_spots(setting: Setting, size: Size) -> Spots:
     """Spots before pictures and the long sides of islands, turned to these; cheaper away from the
     benches that stand; else at walls."""
-    parts = [make_spots(line_walls(setting.walls, size)[0], AT_WALL)]
+    at_walls = make_spots(line_walls(setting.walls, size)[0], AT_WALL)
+    parts = [make_spots(np.zeros((0, 5)), 0.0)]
     for piece in setting.pieces:
         sides = (0,) if piece.category == PICTURE else range(4) if piece.category == ISLAND else ()
         parts += [_face_side(piece, side, size, far) for side in sides for far in FARS]
-    found = join_spots(parts)
+    amid = join_spots(parts)
+    wedged = WEDGED * _stand_near(amid.boxes, setting.pieces)
+    found = join_spots([at_walls, amid._replace(costs=amid.costs + wedged)])
     crowd = CROWD * measure_crowd(found.boxes, setting.others, NEAR)
     return found._replace(costs=found.costs + crowd)
+
+
+def _stand_near(boxes: Floats, pieces: tuple[Piece, ...]) -> Bools:
+    """Which of boxes (k, 5) stand too near to some piece."""
+    tree = shapely.STRtree(polygons_of([p for p in pieces if p.pose.z < HEAD_HEIGHT]))
+    near = np.zeros(len(boxes), np.bool_)
+    near[tree.query(shapely.polygons(corners(boxes)), "dwithin", CLOSE)[0]] = True
+    return near
 
 
 def _face_side(piece: Piece, side: int, size: Size, far: float) -> Spots:
