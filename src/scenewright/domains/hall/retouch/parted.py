@@ -65,7 +65,7 @@ def _list_walls(problem: HallProblem, kept: Kept) -> Floats:
 
 
 def _cross(start: Floats, way: Floats, at: Floats, along: Floats) -> NDArray[np.bool_]:
-    """Whether lines from ``start`` by ``way`` (k, 2) cross the one from ``at`` by ``along`` (2,)."""
+    """Whether lines from ``start`` by ``way`` (k, 2) cross that from ``at`` by ``along`` (2,)."""
     off, over = start - at, start + way - at
     side = (along[0] * off[:, 1] - along[1] * off[:, 0]) * (
         along[0] * over[:, 1] - along[1] * over[:, 0]

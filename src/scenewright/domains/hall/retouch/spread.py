@@ -25,7 +25,7 @@ them may be where they have no gaps, and by how much it may be wider than these;
 WIDEST, MOST = 2.6, 5.0
 """How wide gaps are made, and metres beyond what a strip may have that count at most."""
 BARE = 2.0
-"""Metres beyond what a strip may have from which on each counts twice: a third of a room is bare."""
+"""Metres beyond what a strip may have from which on each counts twice: it is seen at once."""
 NEAR, GAP = 0.6, 0.1
 """How near the border of their zone things at walls stand, and the least that is a gap; metres."""
 ASIDE = 0.5
