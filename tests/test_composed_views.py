@@ -119,16 +119,26 @@ def test_a_screen_that_the_sofa_does_not_look_at_is_unseen(x, y, unseen):
     assert is_unseen((seats, _group("media", screen))) == unseen
     assert is_unseen((_group("media", screen),))
     chair = _group("reading", piece("armchair", 0.0, 0.0, 0.8, 0.8))
-    assert not is_unseen((chair, _group("media", screen)))
+    assert is_unseen((chair, _group("media", screen))) == unseen
     table = _group("dining", piece("dining_table", x / 2, y / 2, 1.2, 0.8))
     assert is_unseen((seats, _group("media", screen), table))
+
+
+def _room_with(column):
+    """The edges of a room of 6 m about the origin less a column or a stub of wall."""
+    x0, y0, x1, y1 = column
+    room = shapely.box(-3.0, -3.0, 4.0, 3.0).difference(shapely.box(x0, y0, x1, y1))
+    rings = [shapely.orient_polygons(room).exterior, *shapely.orient_polygons(room).interiors]
+    rows = [np.array(ring.coords) for ring in rings]
+    return np.concatenate([np.hstack([ring[:-1], ring[1:]]) for ring in rows])
 
 
 def test_a_column_and_what_stands_right_before_a_screen_hide_it():
     screen = replace(piece("tv", 3.0, 0.0, 0.9, 0.1), pose=Pose(3.0, 0.0, 0.5, pi))
     both = (_group("seating", piece("sofa", 0.0, 0.0, 2.0, 0.9)), _group("media", screen))
-    assert is_unseen(both, [(1.5, 0.0, 0.0, 0.4, 0.4)])
-    assert not is_unseen(both, [(1.5, 1.0, 0.0, 0.4, 0.4)])
+    assert is_unseen(both, _room_with((1.3, -0.2, 1.7, 0.2)))
+    assert not is_unseen(both, _room_with((1.3, 0.8, 1.7, 1.2)))
+    assert is_unseen(both, _room_with((1.3, -3.0, 1.6, 0.1)))
     chest = piece("chest_of_drawers", 2.7, 0.3, 0.4, 0.4)
     assert is_unseen((*both, _group("chest", chest)))
     amid = piece("chest_of_drawers", 1.5, 0.3, 0.4, 0.4)
@@ -144,7 +154,7 @@ def test_a_room_keeps_something_to_look_at_where_no_screen_is_seen(books):
     home = solve(Brief.model_validate(asked), seed=0, threads=1)
     there = {p.category for p in home.pieces} & {"tv", "bookcase"}
     assert there == ({"bookcase"} if books else {"tv"})
-    assert [out.what for out in home.left_out] == ["media"] * books
+    assert any(out.what == "media" for out in home.left_out) == books
     assert not any(out.required for out in home.left_out)
     assert not check(home).notes
 
@@ -152,8 +162,12 @@ def test_a_room_keeps_something_to_look_at_where_no_screen_is_seen(books):
 ASIDE = {
     "id": "living",
     "function": "living",
-    "outline": [[3.7, 0], [3.7, 1.8], [0, 1.8], [0, 0.6], [1.2, 0.6], [1.2, 0]],
-    "doors": [{"at": [1.5, 1.8], "width": 0.7}, {"at": [2.45, 0], "width": 2.3, "swing": "slide"}],
+    "outline": [[3.2, 0], [3.2, 1.8], [0, 1.8], [0, 0]],
+    "doors": [
+        {"at": [0.6, 1.8], "width": 0.7},
+        {"at": [0, 0.9], "width": 0.8},
+        {"at": [2.0, 0], "width": 2.2, "swing": "slide"},
+    ],
 }
 
 

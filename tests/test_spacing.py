@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import pi
 from types import SimpleNamespace
 
+import numpy as np
 import pytest
 
 import scenewright as sw
@@ -13,7 +14,7 @@ from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains import check
 from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer
 from scenewright.domains.home.cases.library import cases
-from scenewright.domains.home.composing.spacing import move, rules
+from scenewright.domains.home.composing.spacing import move, rules, shifts
 from scenewright.domains.home.composing.spacing.leave_out import leave_out_near
 from scenewright.domains.home.furnishing.enlarge import without_overlaps
 from scenewright.domains.home.programme import Wish
@@ -171,3 +172,36 @@ def test_what_is_merely_welcome_gives_way_to_chairs_by_name(name, category, rank
     left = leave_out_near(task, _answer(chair, other))
     assert [g.name for g in left.placed] == (["dining"] if gone else ["dining", name])
     assert [m.wish.group for m in left.missing] == ([name] if gone else [])
+
+
+def test_a_chair_with_a_wall_right_behind_it_is_wedged():
+    edges = np.array([[-1, -2, 3, -2], [3, -2, 3, 2], [3, 2, -1, 2], [-1, 2, -1, -2]], float)
+    near, far = (group("dining", "dining_chair", x, 0.0, 0.0, 0.46, 0.5) for x in (-0.65, -0.4))
+    (close,) = rules.list_close([near], (), edges)
+    assert close.group == "dining" and close.cost > rules.AT_WALL / 2
+    assert not rules.list_close([far], (), edges)
+
+
+@pytest.mark.parametrize(
+    ("x", "heading", "category", "counts"),
+    [
+        (1.3, 0.0, "sofa", True),
+        (1.3, pi, "sofa", False),
+        (3.0, 0.0, "sofa", False),
+        (1.2, 0.3, "dining_chair", True),
+        (1.2, 0.0, "bookcase", False),
+    ],
+    ids=["back", "front", "far", "chair", "other"],
+)
+def test_an_armchair_does_not_look_at_a_back(x, heading, category, counts):
+    armchair = group("reading", "armchair", 0.0, 0.0, 0.0, 0.8, 0.8)
+    other = group("other", category, x, 0.0, heading, 0.9, 0.5)
+    assert (rules.measure_closeness([armchair, other]) >= rules.BEHIND) == counts
+
+
+def test_a_table_is_shifted_and_turned_about_where_it_stands():
+    box = np.array([2.0, 1.0, 0.5, 1.8, 1.2])
+    boxes = shifts._shift(box)
+    off = np.hypot(*(boxes[:, :2] - box[:2]).T)
+    assert len(boxes) == 2 * (21 * 21 - 1) and 0.09 < off.min() < off.max() < 1.5
+    assert set(np.round(boxes[:, 2] - box[2], 6)) == {0.0, round(pi / 2, 6)}

@@ -54,7 +54,7 @@ from scenewright.domains.home.composing.placed_faults import (
 from scenewright.domains.home.composing.rows import close_gaps
 from scenewright.domains.home.composing.seats_for_three import seat_three
 from scenewright.domains.home.composing.trials import take_first, try_forms
-from scenewright.domains.home.composing.views import cost_of_view, list_between, list_columns
+from scenewright.domains.home.composing.views import cost_of_view, list_between
 from scenewright.domains.home.composing.wardrobes import trim_wardrobe
 from scenewright.domains.home.composing.wet_rooms import fill_wet_room
 from scenewright.domains.home.composing.widening import widen_groups
@@ -136,11 +136,7 @@ def _worst_first(task: RoomTask, placed: Placed) -> list[str]:
     """The names of groups with a fault, the costliest first, what stands between seats and screen
     before these; of all where a wish is not met."""
     rule = task.preset.settings.composing
-    view = (
-        0.0
-        if len(task.ground.hearths)
-        else cost_of_view(placed, rule.costs, list_columns(task.space))
-    )
+    view = 0.0 if len(task.ground.hearths) else cost_of_view(placed, rule.costs, task.ground.edges)
     whole = {
         "washer": cost_of_washer(placed, rule.costs.loose),
         "fridge": cost_of_fridge(placed, task.ground, rule),

@@ -31,7 +31,7 @@ from scenewright.domains.home.composing.placed_faults import (
     cost_of_screen,
     cost_of_shelves,
 )
-from scenewright.domains.home.composing.views import cost_of_view, list_columns
+from scenewright.domains.home.composing.views import cost_of_view
 from scenewright.domains.home.energy import energies_of, prepare, route_grid
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.learned.density import footing
@@ -132,7 +132,7 @@ def sum_faults(task: RoomTask, placed: Placed, known: tuple[float, ...] = ()) ->
     if len(task.ground.hearths):
         return each + shelves + cost_of_hearth(placed, task.ground, rule.costs.screen)
     screen = cost_of_screen(placed, task.ground, rule.costs.screen)
-    return each + shelves + screen + cost_of_view(placed, rule.costs, list_columns(task.space))
+    return each + shelves + screen + cost_of_view(placed, rule.costs, task.ground.edges)
 
 
 def share_of(task: RoomTask, placed: Placed) -> float:

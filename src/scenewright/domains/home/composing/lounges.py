@@ -28,7 +28,7 @@ from scenewright.domains.home.composing.lounge_places import list_lounges
 from scenewright.domains.home.composing.moving import with_margin
 from scenewright.domains.home.composing.pairs import do_overlap
 from scenewright.domains.home.composing.trials import take_best
-from scenewright.domains.home.composing.views import cost_of_view, list_columns
+from scenewright.domains.home.composing.views import cost_of_view
 from scenewright.domains.home.furnishing.whole import RAISED
 from scenewright.domains.home.programme import WELCOME
 
@@ -57,7 +57,7 @@ def gather_seats(task: RoomTask, best: JudgedRoom, barred: frozenset[str]) -> Ju
     view = (
         0.0
         if len(task.ground.hearths)
-        else cost_of_view(best.placed, rule.costs, list_columns(task.space))
+        else cost_of_view(best.placed, rule.costs, task.ground.edges)
     )
     if sum_faults(task, pair) + view < rule.least or any(
         p.wish.group in task.library.own for p in pair

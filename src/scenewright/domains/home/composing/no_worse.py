@@ -7,7 +7,7 @@ from scenewright.domains.home.composing.held import holds_less, measure_held
 from scenewright.domains.home.composing.judging import Placed, judge_of
 from scenewright.domains.home.composing.placed_faults import cost_of_screen
 from scenewright.domains.home.composing.spacing.rules import measure_closeness
-from scenewright.domains.home.composing.views import cost_of_view, list_columns
+from scenewright.domains.home.composing.views import cost_of_view
 from scenewright.domains.home.composing.windows import count_faults
 
 NEARER, SEEN = 4.5, 1.0
@@ -22,7 +22,7 @@ def is_no_worse(task: RoomTask, before: Placed, after: Placed, worth: float) -> 
         return False
     if holds_less(measure_held(after), measure_held(before)):
         return False
-    near = [measure_closeness(placed, task.fixed) for placed in (after, before)]
+    near = [measure_closeness(placed, task.fixed, task.ground.edges) for placed in (after, before)]
     if near[0] > near[1] + NEARER:
         return False
     sight = [_cost_of_sight(task, placed) for placed in (after, before)]
@@ -33,5 +33,5 @@ def is_no_worse(task: RoomTask, before: Placed, after: Placed, worth: float) -> 
 def _cost_of_sight(task: RoomTask, placed: Placed) -> float:
     """What is wrong with the screen of a room and with how it is seen."""
     costs = task.preset.settings.composing.costs
-    view = cost_of_view(placed, costs, list_columns(task.space))
+    view = cost_of_view(placed, costs, task.ground.edges)
     return view + cost_of_screen(placed, task.ground, costs.screen)

@@ -41,7 +41,7 @@ from scenewright.domains.home.composing.placed_faults import (
     measure_before_doors,
 )
 from scenewright.domains.home.composing.used_floor import measure_taken
-from scenewright.domains.home.composing.views import cost_of_view, list_columns
+from scenewright.domains.home.composing.views import cost_of_view
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.second_try import Opened
@@ -143,7 +143,7 @@ def _measure_harm(task: RoomTask, placed: Placed, rest: Placed) -> tuple[float, 
         measure_taken(pieces, others),
         sum(measure_before_doors(group, task.ground) for group in new),
         cost_of_crowding(placed, 1.0),
-        cost_of_view(placed, rule.costs, list_columns(task.space)),
+        cost_of_view(placed, rule.costs, task.ground.edges),
         float(count_unmet(task, placed)),
     )
 

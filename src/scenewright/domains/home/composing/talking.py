@@ -31,7 +31,9 @@ def _list_sofas(placed: Placed) -> list[Piece]:
 
 
 def _talks(chair: Piece, sofa: Piece) -> bool:
-    """Within :data:`TALK` metres, with what the sofa looks at before the armchair's sides."""
-    (x, y, _, turn), (a, b, _, way) = sofa.pose, chair.pose
-    x, y = x + AHEAD * cos(turn) - a, y + AHEAD * sin(turn) - b
-    return hypot(sofa.pose.x - a, sofa.pose.y - b) <= TALK and x * cos(way) + y * sin(way) >= 0.0
+    """Within :data:`TALK` metres and not behind its back, with what the sofa looks at before the
+    armchair's sides."""
+    (u, v, _, turn), (a, b, _, way) = sofa.pose, chair.pose
+    x, y = u + AHEAD * cos(turn) - a, v + AHEAD * sin(turn) - b
+    beside = (a - u) * cos(turn) + (b - v) * sin(turn) >= -sofa.size.depth / 2
+    return hypot(u - a, v - b) <= TALK and beside and x * cos(way) + y * sin(way) >= 0.0

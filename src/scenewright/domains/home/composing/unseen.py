@@ -14,7 +14,7 @@ from scenewright.domains.home.composing.amid_walls import list_amid_walls
 from scenewright.domains.home.composing.case_faults import is_hung
 from scenewright.domains.home.composing.judging import Placed
 from scenewright.domains.home.composing.moving import dress_group, with_margin
-from scenewright.domains.home.composing.views import RESTING, is_unseen, list_columns
+from scenewright.domains.home.composing.views import RESTING, is_unseen
 from scenewright.domains.home.composing.widths import BOOKS
 from scenewright.domains.home.furnishing.enlarge import SOFAS
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
@@ -60,7 +60,7 @@ def _is_unseen(task: RoomTask, placed: Placed) -> bool:
     its open space."""
     seated = any(p.category in SOFAS for g in placed for p in g.pieces)
     others = "seating" in task.elsewhere or any(p.category in SEATS for p in task.fixed)
-    return (seated or not others) and is_unseen(placed, list_columns(task.space))
+    return (seated or not others) and is_unseen(placed, task.ground.edges)
 
 
 def _lacks_focus(task: RoomTask, placed: Placed) -> bool:

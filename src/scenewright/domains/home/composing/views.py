@@ -5,13 +5,17 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import atan2, cos, hypot, pi, radians, remainder, sin
 
+import numpy as np
+from numpy.typing import NDArray
+
 from scenewright.core.scene import Piece, Pose
-from scenewright.core.space import Space
 from scenewright.domains.home.attempt import FurnishedGroup
 from scenewright.domains.home.furnishing.enlarge import SOFAS
 from scenewright.domains.home.furnishing.whole import RAISED
 from scenewright.domains.home.settings import CompositionCosts
-from scenewright.geometry.boxes import Frame, common_area, make_frame
+from scenewright.geometry.boxes import Frame, area_in_polygon, common_area, make_frame
+
+Floats = NDArray[np.float64]
 
 ASIDE, AWAY = radians(35.0), radians(90.0)
 """A screen is seen well up to so far off the axis of a sofa, and from so far on not at all: the
@@ -35,42 +39,30 @@ SEEN_PAST = frozenset(("seating", "media", "kitchen", "kitchenette", "counter", 
 walls."""
 
 COLUMN = 4.0
-"""A column hides more than its floor says, as nobody looks over it: so many times as much."""
+"""A column or wall hides more than its floor says, as nobody looks over it: so many times as
+much."""
+MIDST, SHORT = 0.5, 0.4
+"""Width of the sight that walls hide, and by how much it ends before the screen, whose own wall
+hides nothing, metres."""
 
 BEFORE, CLOSE = 0.5, 3.0
 """What stands within so many metres before a screen hides so many times as much of it as what
 stands elsewhere in the sight."""
 
+LYING = radians(60.0)
+"""So far off the axis of a bed or an armchair a screen is seen from it, and they from the screen."""
+
 RESTING = ("armchair", "double_bed", "single_bed", "bunk_bed")
 """What else one watches a screen from."""
 
-Box = tuple[float, float, float, float, float]
-
-
-def list_columns(space: Space) -> tuple[Box, ...]:
-    """The boxes of columns and other walls amid a room.
-
-    >>> import numpy as np
-    >>> hole = np.array([[1.0, 1.0], [1.0, 1.4], [1.4, 1.4], [1.4, 1.0]])
-    >>> room = np.array([[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]])
-    >>> [round(v, 2) for v in list_columns(Space("a", "a", (), "0", room, (hole,)))[0]]
-    [1.2, 1.2, 0.0, 0.4, 0.4]
-    """
-    if not space.holes:
-        return ()
-    found = []
-    for hole in space.holes:
-        (x0, y0), (x1, y1) = hole.min(axis=0).tolist(), hole.max(axis=0).tolist()
-        found.append(((x0 + x1) / 2, (y0 + y1) / 2, 0.0, y1 - y0, x1 - x0))
-    return tuple(found)
-
 
 def cost_of_view(
-    groups: Sequence[FurnishedGroup], costs: CompositionCosts, columns: Sequence[Box] = ()
+    groups: Sequence[FurnishedGroup], costs: CompositionCosts, edges: Floats | None = None
 ) -> float:
     """What is wrong with a sofa and the screen before it: not looking at one another (half for
     being so and half by its degree), off each other's axis, too near or too far, and what of other
-    groups and which ``columns`` stand between them; 0 where there is no screen or no sofa."""
+    groups, of walls and of columns (``edges`` of the room) is between them; 0 where there is no
+    screen or no sofa."""
     screen, sofas = _find_pair(groups)
     if screen is None or not sofas:
         return 0.0
@@ -83,19 +75,21 @@ def cost_of_view(
     aside = abs((screen.pose.x - x) * sin(turn) - (screen.pose.y - y) * cos(turn))
     beside = min(max(aside - ON_AXIS, 0.0) / (OFF_AXIS - ON_AXIS), 1.0)
     reach = min(max(NEAR - away, away - FAR, 0.0), MOST)
-    between = min(_measure_hidden(sofas[0], screen, groups, columns) / FILLED, 1.0)
+    between = min(_measure_hidden(sofas[0], screen, groups, edges) / FILLED, 1.0)
     return turned + costs.axis * beside + costs.distance * reach + costs.between * between
 
 
-def is_unseen(groups: Sequence[FurnishedGroup], columns: Sequence[Box] = ()) -> bool:
+def is_unseen(groups: Sequence[FurnishedGroup], edges: Floats | None = None) -> bool:
     """Whether there is a screen that no sofa of the room looks at, or only past a table, a column
-    or the like; without a sofa, whether there is nothing else to watch it from."""
+    or a wall, those within the ``edges`` of the room; without a sofa, whether there is nothing else
+    to watch it from."""
     screen, sofas = _find_pair(groups)
     if screen is None:
         return False
     if not sofas:
-        return not any(p.category in RESTING for g in groups for p in g.pieces)
-    behind = _measure_hidden(sofas[0], screen, groups, columns) > HIDDEN
+        resting = (p for g in groups for p in g.pieces if p.category in RESTING)
+        return not any(measure_turn(p.pose, screen.pose) <= LYING for p in resting)
+    behind = _measure_hidden(sofas[0], screen, groups, edges) > HIDDEN
     return behind or min(measure_turn(sofa.pose, screen.pose) for sofa in sofas) > ASIDE
 
 
@@ -118,15 +112,19 @@ def _measure_distance(one: Pose, other: Pose) -> float:
 
 
 def _measure_hidden(
-    sofa: Piece, screen: Piece, groups: Sequence[FurnishedGroup], columns: Sequence[Box]
+    sofa: Piece, screen: Piece, groups: Sequence[FurnishedGroup], edges: Floats | None
 ) -> float:
-    """Square metres of the sight that others take, and columns with what counts for them."""
+    """Square metres of the sight that others take, and walls with what counts for them."""
     filled = sum(_fill_sight(sofa, screen, groups).values())
-    if not columns:
+    if edges is None:
         return filled
-    sight = _make_sight(sofa, screen)
-    tall = sum(float(common_area(make_frame(*box), sight)) for box in columns)
-    return filled + COLUMN * tall
+    a, b = sofa.pose, screen.pose
+    turn, long = atan2(b.y - a.y, b.x - a.x), _measure_distance(a, b) - SHORT
+    if long <= 0.0:
+        return filled
+    x, y = a.x + long / 2 * cos(turn), a.y + long / 2 * sin(turn)
+    sight = make_frame(x, y, turn, MIDST, long)
+    return filled + COLUMN * (MIDST * long - float(area_in_polygon(sight, edges)))
 
 
 def _make_sight(sofa: Piece, screen: Piece) -> Frame:

@@ -10,7 +10,9 @@ from scenewright.domains.home.composing.spacing.rules import list_close
 from scenewright.domains.home.programme import WELCOME
 
 NEVER = 9
-YIELDING = {"counter": 1} | dict.fromkeys(("console", "plant", "shelf", "sideboard"), WELCOME)
+YIELDING = {"counter": 1} | dict.fromkeys(
+    ("console", "plant", "reading", "shelf", "sideboard"), WELCOME
+)
 """What a room looks no emptier without than it looks crowded with, from the rank of its wish on."""
 MUCH = 3.0
 """What it costs at least that something stands so near that it goes."""

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from itertools import islice
+from itertools import chain, islice
 
 from scenewright.core.catalog import Group
 from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask, find_blocked
@@ -29,6 +29,7 @@ from scenewright.domains.home.composing.placed_faults import measure_before_door
 from scenewright.domains.home.composing.settling import try_in_home
 from scenewright.domains.home.composing.spacing.leave_out import leave_out_near
 from scenewright.domains.home.composing.spacing.rules import list_close, measure_closeness
+from scenewright.domains.home.composing.spacing.shifts import list_shifted
 from scenewright.domains.home.composing.walked_places import try_places
 from scenewright.domains.home.second_try import Opened
 
@@ -84,7 +85,7 @@ def _spread(room: int, task: RoomTask, found: list[RoomAnswer], opened: Opened) 
 
 def _list_movable(task: RoomTask, placed: Placed) -> list[str]:
     """The names of whole groups that stand too near to others and may stand elsewhere."""
-    close = list_close(placed, task.fixed)
+    close = list_close(placed, task.fixed, task.ground.edges)
     names = {name for pair in close for name in (pair.group, pair.other)}
     whole = [p for p in placed if p.name in names and len(p.pieces) == sum(p.dressed.stands)]
     free = [p for p in whole if p.wish.group in ORDER and p.wish.group not in task.library.own]
@@ -94,12 +95,12 @@ def _list_movable(task: RoomTask, placed: Placed) -> list[str]:
 def _list_apart(task: RoomTask, placed: Placed, at: int) -> Iterator[Placed]:
     """The groups of a room with one of them where less stands too near, the best first, where that
     bars no further way."""
-    judge, now = judge_of(task, placed), measure_closeness(placed, task.fixed)
+    judge, now = judge_of(task, placed), _measure(task, placed)
     before, faults = judge.cost_of(placed).cost, sum_faults(task, placed)
     doors, unmet = measure_before_doors(placed[at], task.ground), count_unmet(task, placed)
     rooms = list[tuple[float, Placed]]()
     for other, cost in _list_moved(judge, placed, at, before + WORTH * now):
-        gain = now - measure_closeness(other, task.fixed)
+        gain = now - _measure(task, other)
         if gain <= LEAST or cost - before >= WORTH * gain:
             continue
         if measure_before_doors(other[at], task.ground) > doors + HAIR:
@@ -115,6 +116,10 @@ def _list_apart(task: RoomTask, placed: Placed, at: int) -> Iterator[Placed]:
             yield other
 
 
+def _measure(task: RoomTask, placed: Placed) -> float:
+    return measure_closeness(placed, task.fixed, task.ground.edges)
+
+
 def _take_turns(rooms: Sequence[tuple[float, Placed]], at: int) -> list[Placed]:
     """The rooms, the best first, but each with its group number ``at`` in another form before any
     in the same once more."""
@@ -128,9 +133,11 @@ def _take_turns(rooms: Sequence[tuple[float, Placed]], at: int) -> list[Placed]:
 def _list_moved(
     judge: RoomJudge, placed: Placed, at: int, most: float
 ) -> Iterator[tuple[Placed, float]]:
-    """The rooms with a group elsewhere that cost at most so much, and what each costs."""
+    """The rooms with a group elsewhere along the walls, or not far from where it is amid the floor,
+    that cost at most so much, and what each costs."""
     forms = list(_list_like(judge.task, placed[at]))
-    for judged in try_places(judge, placed, at, forms, most, 0.0, STEP):
+    along = try_places(judge, placed, at, forms, most, 0.0, STEP)
+    for judged in chain(along, list_shifted(judge, placed, at, most)):
         yield judged.placed, judged.cost
 
 

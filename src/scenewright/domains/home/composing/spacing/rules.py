@@ -9,8 +9,11 @@ left free of which others.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from math import hypot
+from math import cos, hypot, sin
 from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
 
 from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import FurnishedGroup
@@ -18,12 +21,24 @@ from scenewright.domains.home.composing.case_faults import RUN
 from scenewright.domains.home.composing.fronts import MOVED, ON_FLOOR
 from scenewright.domains.home.furnishing.bed_rugs import BEDS
 from scenewright.domains.home.furnishing.enlarge import SOFAS
-from scenewright.geometry.boxes import Frame, beyond, common_area, make_frame
+from scenewright.geometry.boxes import Frame, area_in_polygon, beyond, common_area, make_frame
+
+Floats = NDArray[np.float64]
 
 FRONT, BACK, ROUND = 0, 2, 4
 """The side of a piece on which floor is left free; all round it."""
 SEEN = 0.03
 """A share of that floor that is not noticed."""
+PUSHED, BEYOND, AT_WALL = 0.4, 0.3, 5.0
+"""A chair at a table needs floor behind it, metres; which share of it may be beyond a wall, and
+what it costs if more is."""
+
+
+BACKED = frozenset((*SOFAS, "dining_chair"))
+"""What an armchair is not to look at the back of, within the floor before it (width, depth; m),
+turned from it by the cosine of 60 degrees and less, and what it costs."""
+VIEW, AWAY, BEHIND = (0.5, 1.6), 0.5, 4.0
+HAIR = 0.02  # so much floor is not seen, square metres
 
 
 class Distance(NamedTuple):
@@ -61,17 +76,51 @@ class Close(NamedTuple):
     cost: float
 
 
-def list_close(groups: Sequence[FurnishedGroup], fixed: Sequence[Piece] = ()) -> list[Close]:
-    """The pairs of groups that stand too near to one another, each row of :data:`DISTANCES` half
-    for being broken and half by the share of its floor that is taken."""
+def list_close(
+    groups: Sequence[FurnishedGroup], fixed: Sequence[Piece] = (), edges: Floats | None = None
+) -> list[Close]:
+    """The pairs of groups that stand too near to one another, or of which one turns its back on an
+    armchair, each row of :data:`DISTANCES` half
+    for being broken and half by the share of its floor that is taken; and groups whose chairs
+    cannot be pushed back for a wall, among the ``edges`` (e, 4) of the room."""
     low = [(g.name, p) for g in groups for p in g.pieces if _is_low(p)]
     low += [("", p) for p in fixed if _is_low(p)]
-    return [close for name, piece in low if name for close in _list_near(name, piece, low)]
+    found = [close for name, piece in low if name for close in _list_near(name, piece, low)]
+    found += [each for name, piece in low for each in _list_backs(name, piece, low)]
+    if edges is not None:
+        found += [each for name, piece in low if name for each in _list_wedged(name, piece, edges)]
+    return found
 
 
-def measure_closeness(groups: Sequence[FurnishedGroup], fixed: Sequence[Piece] = ()) -> float:
-    """What it costs in all that groups stand too near to one another."""
-    return sum(close.cost for close in list_close(groups, fixed))
+def _list_backs(name: str, piece: Piece, low: Sequence[tuple[str, Piece]]) -> Iterator[Close]:
+    """What turns its back on an armchair right before it."""
+    if not name or piece.category != "armchair":
+        return
+    x, y, _, turn = piece.pose
+    ahead = (piece.size.depth + VIEW[1]) / 2
+    floor = make_frame(x + ahead * cos(turn), y + ahead * sin(turn), turn, *VIEW)
+    for other, there in low:
+        if other == name or there.category not in BACKED or not _may_meet(floor, there):
+            continue
+        away = cos(there.pose.heading - turn) > AWAY
+        if away and float(common_area(floor, _frame(there))) > HAIR:
+            yield Close(name, other, BEHIND)
+
+
+def _list_wedged(name: str, piece: Piece, edges: Floats) -> Iterator[Close]:
+    """A chair at a table with a wall right behind it."""
+    if piece.category == "dining_chair":
+        floor = beyond(_frame(piece), BACK, PUSHED)
+        share = 1.0 - float(area_in_polygon(floor, edges)) / (4 * floor[4] * floor[5])
+        if share > BEYOND:
+            yield Close(name, "", AT_WALL * (1.0 + share) / 2)
+
+
+def measure_closeness(
+    groups: Sequence[FurnishedGroup], fixed: Sequence[Piece] = (), edges: Floats | None = None
+) -> float:
+    """What it costs in all that groups stand too near to one another or, of chairs, to walls."""
+    return sum(close.cost for close in list_close(groups, fixed, edges))
 
 
 def _is_low(piece: Piece) -> bool:

@@ -1,0 +1,56 @@
+"""A table amid the floor a little way from where it stands."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scenewright.domains.home.composing.judging import JudgedRoom, Placed, RoomJudge
+from scenewright.domains.home.composing.moving import AMID, FREE, dress_group, stand_at
+from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
+from scenewright.geometry.fit import is_backed
+
+Floats = NDArray[np.float64]
+
+FAR, STEP = 1.0, 0.1
+"""How far it is shifted along and across, and between two places, metres."""
+QUARTER: Floats = np.array([0.0, 0.0, np.pi / 2, 0.0, 0.0])
+TRIED = 60  # places that are furnished, those first that cost least
+
+
+def list_shifted(judge: RoomJudge, placed: Placed, at: int, most: float) -> Iterator[JudgedRoom]:
+    """The rooms with a group that stands amid the floor shifted along and across, turned by a
+    quarter or not, where it stands free and the room costs at most ``most``, the cheapest by energy first."""
+    task, group = judge.task, placed[at]
+    box = group.dressed.box
+    if group.wish.group not in FREE or is_backed(box, task.ground.walls, AMID):
+        return
+    pieces = (p for k, g in enumerate(placed) for p in g.pieces if k != at)
+    standing = standing_of((*task.fixed, *task.beside, *pieces), flat_kinds(task.catalog))
+    boxes = stand_at(task, group.dressed.case, _shift(box), standing)
+    if not len(boxes):
+        return
+    layouts = np.repeat(np.array([[p.dressed.box for p in placed]]), len(boxes), axis=0)
+    layouts[:, at] = boxes
+    order = np.argsort(judge.energies_of(layouts), kind="stable")
+    for k in order[:TRIED].tolist():
+        dressed = dress_group(task, group, group.dressed.case, boxes[k], standing)
+        if dressed is not None:
+            judged = judge.cost_of((*placed[:at], dressed, *placed[at + 1 :]))
+            if judged.cost <= most:
+                yield judged
+
+
+def _shift(box: Floats) -> Floats:
+    """Boxes (n, 5) of one box (5,) shifted along its sides, itself not among them, then the same
+    turned by a quarter."""
+    steps = np.arange(-FAR, FAR + STEP / 2, STEP)
+    along, across = (a.ravel() for a in np.meshgrid(steps, steps))
+    moved = np.hypot(along, across) > STEP / 2
+    boxes = np.repeat(box[None], int(moved.sum()), axis=0)
+    c, s = np.cos(box[2]), np.sin(box[2])
+    boxes[:, 0] += along[moved] * c - across[moved] * s
+    boxes[:, 1] += along[moved] * s + across[moved] * c
+    return np.concatenate([boxes, boxes + QUARTER])
