@@ -178,7 +178,8 @@ def test_a_chair_with_a_wall_right_behind_it_is_wedged():
     edges = np.array([[-1, -2, 3, -2], [3, -2, 3, 2], [3, 2, -1, 2], [-1, 2, -1, -2]], float)
     near, far = (group("dining", "dining_chair", x, 0.0, 0.0, 0.46, 0.5) for x in (-0.65, -0.4))
     (close,) = rules.list_close([near], (), edges)
-    assert close.group == "dining" and close.cost > rules.AT_WALL / 2
+    assert close.group == "dining"
+    assert close.cost > rules.AT_WALL / 2
     assert not rules.list_close([far], (), edges)
 
 
@@ -203,5 +204,6 @@ def test_a_table_is_shifted_and_turned_about_where_it_stands():
     box = np.array([2.0, 1.0, 0.5, 1.8, 1.2])
     boxes = shifts._shift(box)
     off = np.hypot(*(boxes[:, :2] - box[:2]).T)
-    assert len(boxes) == 2 * (21 * 21 - 1) and 0.09 < off.min() < off.max() < 1.5
+    assert len(boxes) == 2 * (21 * 21 - 1)
+    assert 0.09 < off.min() < off.max() < 1.5
     assert set(np.round(boxes[:, 2] - box[2], 6)) == {0.0, round(pi / 2, 6)}

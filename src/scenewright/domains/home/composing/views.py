@@ -50,7 +50,7 @@ BEFORE, CLOSE = 0.5, 3.0
 stands elsewhere in the sight."""
 
 LYING = radians(60.0)
-"""So far off the axis of a bed or an armchair a screen is seen from it, and they from the screen."""
+"""A screen is seen from a bed or an armchair up to so far off the axis of either."""
 
 RESTING = ("armchair", "double_bed", "single_bed", "bunk_bed")
 """What else one watches a screen from."""

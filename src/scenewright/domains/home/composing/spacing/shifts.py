@@ -22,7 +22,8 @@ TRIED = 60  # places that are furnished, those first that cost least
 
 def list_shifted(judge: RoomJudge, placed: Placed, at: int, most: float) -> Iterator[JudgedRoom]:
     """The rooms with a group that stands amid the floor shifted along and across, turned by a
-    quarter or not, where it stands free and the room costs at most ``most``, the cheapest by energy first."""
+    quarter or not, where it stands free and the room costs at most ``most``, the cheapest by energy
+    first."""
     task, group = judge.task, placed[at]
     box = group.dressed.box
     if group.wish.group not in FREE or is_backed(box, task.ground.walls, AMID):
