@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
+from math import inf
 
 import numpy as np
 import shapely
@@ -11,7 +12,7 @@ import shapely
 from scenewright.catalog.assets.materials import BLACK, OAK, WALNUT, WHITE
 from scenewright.core.catalog import Part
 from scenewright.core.layout import corners
-from scenewright.core.stairs import EYE, Stairs
+from scenewright.core.stairs import EYE, Stairs, Tread
 from scenewright.geometry.mesh import Floats, Mesh, merge
 from scenewright.geometry.prisms import prism
 from scenewright.geometry.solids import rod
@@ -45,9 +46,10 @@ def wells(stairs: Iterable[Stairs], level: str) -> shapely.Geometry:
     return shapely.union_all([well_of(one) for one in stairs if one.upper == level])
 
 
-def flight_parts(stairs: Stairs, above: float = 0.0) -> tuple[Part, ...]:
-    """The steps, strings and handrails, above the lower floor; only treads ``above`` a height."""
-    treads = [t for t in stairs.treads if t.height > above]
+def flight_parts(stairs: Stairs, above: float = 0.0, upto: float = inf) -> tuple[Part, ...]:
+    """The steps, strings and handrails, above the lower floor; only treads ``above`` a height and
+    ``upto`` another."""
+    treads = [t for t in stairs.treads if above < t.height <= upto]
     if not treads:
         return ()
     plates = [prism(t.outline, t.height - PLATE, t.height) for t in treads]
@@ -55,11 +57,12 @@ def flight_parts(stairs: Stairs, above: float = 0.0) -> tuple[Part, ...]:
     if stairs.shape == "spiral":
         post = _post(stairs)
         low = max(above - stairs.rise, 0.0)
-        white.append(rod((*post, low), (*post, stairs.rises * stairs.rise + RAIL), EYE, sides=12))
+        top = min(stairs.rises * stairs.rise, upto) + RAIL
+        white.append(rod((*post, low), (*post, top), EYE, sides=12))
     edges = [
         _wall(t.outline[0], t.outline[1], t.height - PLATE, t.height + HAIR, NOSING) for t in treads
     ]
-    rails, bars = _rails(stairs, above)
+    rails, bars = _rails(stairs, treads)
     return (
         Part(OAK, *merge([*plates, *rails])),
         Part(WALNUT, *merge(edges)),
@@ -91,16 +94,14 @@ def _wall(start: Floats, end: Floats, low: float, high: float, deep: float = BOA
     return prism(np.array([start, end, end + inward, start + inward]), low, high)
 
 
-def _rails(stairs: Stairs, above: float) -> tuple[list[Mesh], list[Mesh]]:
-    """Handrails on the open sides, and their bars."""
+def _rails(stairs: Stairs, treads: Sequence[Tread]) -> tuple[list[Mesh], list[Mesh]]:
+    """Handrails on the open sides of some treads, and their bars."""
     open_side = 1 if (stairs.turn == "right") != (stairs.shape == "spiral") else 0
     sides = (0, 1) if stairs.shape == "straight" else (open_side,)
     rails, bars = [], []
     for side in sides:
         spots = [
-            (*_inset(t.outline, side), t.height)
-            for t in stairs.treads
-            if t.height > above and not _landing(t.outline, stairs)
+            (*_inset(t.outline, side), t.height) for t in treads if not _landing(t.outline, stairs)
         ]
         if len(spots) > 1:
             tops = [(x, y, z + RAIL) for x, y, z in spots]

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Hashable, Iterator, Sequence
 from functools import lru_cache
+from math import inf
 from typing import Literal, NamedTuple
 
 import numpy as np
@@ -61,6 +62,9 @@ LOW = 1.2
 
 SEEN = 1.3
 """How far down one sees stairs through their well in a picture, metres."""
+LEFT = 1.3
+"""How high stairs up go on in a picture of a level from above, metres: what stands behind the rest
+would be hidden."""
 
 
 class RenderItem(NamedTuple):
@@ -190,7 +194,8 @@ def _stairs(scene: Scene, level: Level, cut: float | None) -> Iterator[RenderIte
     for one in scene.stairs:
         made = []
         if one.level == level.id:
-            made.append((one.id, flight_parts(one), 0.0))
+            upto = inf if cut is None else LEFT
+            made.append((one.id, flight_parts(one, upto=upto), 0.0))
         if one.upper == level.id:
             made.append((f"{one.id} railing", railing_parts(one, floors), 0.0))
             rise = one.rises * one.rise
