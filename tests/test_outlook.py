@@ -51,6 +51,13 @@ def test_what_stands_beside_what_it_looks_over_costs_nothing(y):
     assert cost_of_outlook((SOFA, _bed_at(2.0, y)), _ground(6.0), 10.0) == 0.0
 
 
+def test_a_column_at_the_feet_of_one_seat_costs():
+    column = _group("chest", "column", Pose(0.65, 0.5, 0.0, 0.0), Size(0.4, 0.4, 2.5))
+    aside = _group("chest", "column", Pose(0.65, 1.0, 0.0, 0.0), Size(0.3, 0.3, 2.5))
+    assert cost_of_outlook((SOFA, column), _ground(6.0), 10.0) > 0.0
+    assert cost_of_outlook((SOFA, aside), _ground(6.0), 10.0) == 0.0
+
+
 def test_a_wall_is_seen_as_a_bed_is_and_its_own_table_is_not():
     table = _group("seating", "coffee_table", Pose(1.0, 0.0, 0.0, 0.0), Size(0.9, 0.5, 0.4))
     rug = _group("sleeping", "rug", Pose(1.0, 0.0, 0.0, 0.0), Size(2.0, 1.4, 0.01))

@@ -174,13 +174,24 @@ def test_what_is_merely_welcome_gives_way_to_chairs_by_name(name, category, rank
     assert [m.wish.group for m in left.missing] == ([name] if gone else [])
 
 
-def test_a_chair_with_a_wall_right_behind_it_is_wedged():
+def _ground(keep_free=()):
     edges = np.array([[-1, -2, 3, -2], [3, -2, 3, 2], [3, 2, -1, 2], [-1, 2, -1, -2]], float)
+    return SimpleNamespace(edges=edges, keep_free=np.array(keep_free, float).reshape(-1, 5))
+
+
+def test_a_chair_with_a_wall_right_behind_it_is_wedged():
     near, far = (group("dining", "dining_chair", x, 0.0, 0.0, 0.46, 0.5) for x in (-0.65, -0.4))
-    (close,) = rules.list_close([near], (), edges)
+    (close,) = rules.list_close([near], (), _ground())
     assert close.group == "dining"
     assert close.cost > rules.AT_WALL / 2
-    assert not rules.list_close([far], (), edges)
+    assert not rules.list_close([far], (), _ground())
+
+
+def test_a_stool_before_an_open_door_is_wedged():
+    stool = group("dining_wall", "stool", 1.0, 0.0, 0.0, 0.38, 0.38)
+    door = (0.5, 0.0, 0.0, 0.8, 0.4)
+    assert rules.list_close([stool], (), _ground([door]))
+    assert not rules.list_close([stool], (), _ground([(0.2, 0.0, 0.0, 0.8, 0.4)]))
 
 
 @pytest.mark.parametrize(
@@ -202,7 +213,7 @@ def test_an_armchair_does_not_look_at_a_back(x, heading, category, counts):
 
 def test_a_table_is_shifted_and_turned_about_where_it_stands():
     box = np.array([2.0, 1.0, 0.5, 1.8, 1.2])
-    boxes = shifts._shift(box)
+    boxes = shifts._shift(box, True)
     off = np.hypot(*(boxes[:, :2] - box[:2]).T)
     assert len(boxes) == 2 * (21 * 21 - 1)
     assert 0.09 < off.min() < off.max() < 1.5

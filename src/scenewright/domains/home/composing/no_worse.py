@@ -22,7 +22,7 @@ def is_no_worse(task: RoomTask, before: Placed, after: Placed, worth: float) -> 
         return False
     if holds_less(measure_held(after), measure_held(before)):
         return False
-    near = [measure_closeness(placed, task.fixed, task.ground.edges) for placed in (after, before)]
+    near = [measure_closeness(placed, task.fixed, task.ground) for placed in (after, before)]
     if near[0] > near[1] + NEARER:
         return False
     sight = [_cost_of_sight(task, placed) for placed in (after, before)]

@@ -15,6 +15,7 @@ from scenewright.geometry.boxes import Frame, area_in_polygon, common_area, make
 AHEAD, WIDE = 1.2, 0.8
 """The floor before the middle of a sofa that it looks over, metres: a low table and those who pass
 have room there (Panero, Zelnik 1979)."""
+FEET, ARM = 0.45, 0.2  # who sits has feet so far before the seats, beside the arms, metres
 SEAT = 0.95  # how deep the seats of a sofa are, the long one of a corner sofa apart, metres
 SEEN = 0.12  # share of it that is not noticed
 ASIDE = frozenset(("seating", "reading", "media", "plant"))
@@ -31,7 +32,8 @@ def cost_of_outlook(
         return 0.0
     others = [p for g in groups if g.wish.group not in ASIDE for p in g.pieces]
     low = [p for p in (*fixed, *others) if p.pose.z < ON_FLOOR and p.category != "rug"]
-    shares = (measure_filled(_look_over(sofa), low, ground) for sofa in sofas)
+    floors = ((_look_over(sofa), _put_feet(sofa)) for sofa in sofas)
+    shares = (max(measure_filled(floor, low, ground) for floor in each) for each in floors)
     return sum(cost * (1.0 + min(share, 1.0)) / 2 for share in shares if share > SEEN)
 
 
@@ -47,6 +49,15 @@ def measure_filled(floor: Frame, pieces: Sequence[Piece], ground: Ground) -> flo
 
 def _look_over(sofa: Piece) -> Frame:
     """The floor before the middle of a sofa."""
-    (x, y, _, turn), deep = sofa.pose, sofa.size.depth
-    ahead = min(deep, SEAT) - deep / 2 + AHEAD / 2
-    return make_frame(x + ahead * cos(turn), y + ahead * sin(turn), turn, WIDE, AHEAD)
+    return _ahead_of(sofa, min(sofa.size.depth, SEAT), WIDE, AHEAD)
+
+
+def _put_feet(sofa: Piece) -> Frame:
+    """The floor right before all of its seats but the ends."""
+    return _ahead_of(sofa, sofa.size.depth, sofa.size.width - 2 * ARM, FEET)
+
+
+def _ahead_of(sofa: Piece, start: float, wide: float, deep: float) -> Frame:
+    """A box before a sofa, so far from its back."""
+    (x, y, _, turn), ahead = sofa.pose, start - sofa.size.depth / 2 + deep / 2
+    return make_frame(x + ahead * cos(turn), y + ahead * sin(turn), turn, wide, deep)

@@ -40,6 +40,7 @@ from scenewright.domains.home.composing.placed_faults import (
     list_standing,
     measure_before_doors,
 )
+from scenewright.domains.home.composing.spacing.rules import measure_closeness
 from scenewright.domains.home.composing.used_floor import measure_taken
 from scenewright.domains.home.composing.views import cost_of_view
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
@@ -107,9 +108,10 @@ def list_sound(
 ) -> Iterator[Placed]:
     """The groups of a room with one of those found beside the rest, where nothing is worse than
     ``before``: no way, no floor that others are used from, no window, no wide door, no view, no
-    wish."""
+    wish; those last whose seats have a wall or a door right behind them."""
     barred: frozenset[str] | None = None
     most: tuple[float, ...] | None = None
+    wedged: list[Placed] = []
     for added in found:
         placed = (*rest, added)
         most = _measure_harm(task, before, rest) if most is None else most
@@ -118,7 +120,11 @@ def list_sound(
             continue
         barred = _find_barred(Same(task), Same(before)) if barred is None else barred
         if barred.issuperset(find_blocked(with_narrow_ways(task), placed)):
-            yield placed
+            if measure_closeness((added,), (), task.ground) > 0.0:
+                wedged.append(placed)
+            else:
+                yield placed
+    yield from wedged
 
 
 @lru_cache(maxsize=32)

@@ -11,7 +11,7 @@ from scenewright.domains.home.programme import WELCOME
 
 NEVER = 9
 YIELDING = {"counter": 1} | dict.fromkeys(
-    ("console", "plant", "reading", "shelf", "sideboard"), WELCOME
+    ("console", "plant", "reading", "shelf", "sideboard", "vanity"), WELCOME
 )
 """What a room looks no emptier without than it looks crowded with, from the rank of its wish on."""
 MUCH = 3.0

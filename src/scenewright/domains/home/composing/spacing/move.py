@@ -85,7 +85,7 @@ def _spread(room: int, task: RoomTask, found: list[RoomAnswer], opened: Opened) 
 
 def _list_movable(task: RoomTask, placed: Placed) -> list[str]:
     """The names of whole groups that stand too near to others and may stand elsewhere."""
-    close = list_close(placed, task.fixed, task.ground.edges)
+    close = list_close(placed, task.fixed, task.ground)
     names = {name for pair in close for name in (pair.group, pair.other)}
     whole = [p for p in placed if p.name in names and len(p.pieces) == sum(p.dressed.stands)]
     free = [p for p in whole if p.wish.group in ORDER and p.wish.group not in task.library.own]
@@ -117,7 +117,7 @@ def _list_apart(task: RoomTask, placed: Placed, at: int) -> Iterator[Placed]:
 
 
 def _measure(task: RoomTask, placed: Placed) -> float:
-    return measure_closeness(placed, task.fixed, task.ground.edges)
+    return measure_closeness(placed, task.fixed, task.ground)
 
 
 def _take_turns(rooms: Sequence[tuple[float, Placed]], at: int) -> list[Placed]:

@@ -12,26 +12,23 @@ from collections.abc import Iterator, Sequence
 from math import cos, hypot, sin
 from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
 from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import FurnishedGroup
 from scenewright.domains.home.composing.case_faults import RUN
 from scenewright.domains.home.composing.fronts import MOVED, ON_FLOOR
 from scenewright.domains.home.furnishing.bed_rugs import BEDS
 from scenewright.domains.home.furnishing.enlarge import SOFAS
+from scenewright.domains.home.problem import Ground
 from scenewright.geometry.boxes import Frame, area_in_polygon, beyond, common_area, make_frame
-
-Floats = NDArray[np.float64]
 
 FRONT, BACK, ROUND = 0, 2, 4
 """The side of a piece on which floor is left free; all round it."""
 SEEN = 0.03
 """A share of that floor that is not noticed."""
 PUSHED, BEYOND, AT_WALL = 0.4, 0.3, 5.0
-"""A chair at a table needs floor behind it, metres; which share of it may be beyond a wall, and
-what it costs if more is."""
+"""A chair or stool at a table needs floor behind it, metres; which share of it may be beyond a wall
+or in the swing of a door, and what it costs if more is."""
+WEDGED = frozenset(("dining_chair", "stool"))
 
 
 BACKED = frozenset((*SOFAS, "dining_chair"))
@@ -77,18 +74,18 @@ class Close(NamedTuple):
 
 
 def list_close(
-    groups: Sequence[FurnishedGroup], fixed: Sequence[Piece] = (), edges: Floats | None = None
+    groups: Sequence[FurnishedGroup], fixed: Sequence[Piece] = (), ground: Ground | None = None
 ) -> list[Close]:
     """The pairs of groups that stand too near to one another, or of which one turns its back on an
     armchair, each row of :data:`DISTANCES` half
     for being broken and half by the share of its floor that is taken; and groups whose chairs
-    cannot be pushed back for a wall, among the ``edges`` (e, 4) of the room."""
+    cannot be pushed back for a wall or a door of the ``ground``."""
     low = [(g.name, p) for g in groups for p in g.pieces if _is_low(p)]
     low += [("", p) for p in fixed if _is_low(p)]
     found = [close for name, piece in low if name for close in _list_near(name, piece, low)]
     found += [each for name, piece in low for each in _list_backs(name, piece, low)]
-    if edges is not None:
-        found += [each for name, piece in low if name for each in _list_wedged(name, piece, edges)]
+    if ground is not None:
+        found += [each for name, piece in low if name for each in _list_wedged(name, piece, ground)]
     return found
 
 
@@ -107,20 +104,23 @@ def _list_backs(name: str, piece: Piece, low: Sequence[tuple[str, Piece]]) -> It
             yield Close(name, other, BEHIND)
 
 
-def _list_wedged(name: str, piece: Piece, edges: Floats) -> Iterator[Close]:
-    """A chair at a table with a wall right behind it."""
-    if piece.category == "dining_chair":
+def _list_wedged(name: str, piece: Piece, ground: Ground) -> Iterator[Close]:
+    """A seat at a table with a wall or an open door right behind it."""
+    if piece.category in WEDGED:
         floor = beyond(_frame(piece), BACK, PUSHED)
-        share = 1.0 - float(area_in_polygon(floor, edges)) / (4 * floor[4] * floor[5])
-        if share > BEYOND:
-            yield Close(name, "", AT_WALL * (1.0 + share) / 2)
+        whole = 4 * floor[4] * floor[5]
+        taken = whole - float(area_in_polygon(floor, ground.edges))
+        taken += sum(float(common_area(make_frame(*b), floor)) for b in ground.keep_free.tolist())
+        if taken > BEYOND * whole:
+            yield Close(name, "", AT_WALL * (1.0 + min(taken / whole, 1.0)) / 2)
 
 
 def measure_closeness(
-    groups: Sequence[FurnishedGroup], fixed: Sequence[Piece] = (), edges: Floats | None = None
+    groups: Sequence[FurnishedGroup], fixed: Sequence[Piece] = (), ground: Ground | None = None
 ) -> float:
-    """What it costs in all that groups stand too near to one another or, of chairs, to walls."""
-    return sum(close.cost for close in list_close(groups, fixed, edges))
+    """What it costs in all that groups stand too near to one another or, of chairs, to walls and
+    doors."""
+    return sum(close.cost for close in list_close(groups, fixed, ground))
 
 
 def _is_low(piece: Piece) -> bool:

@@ -1,4 +1,4 @@
-"""A table amid the floor a little way from where it stands."""
+"""A table or a sofa amid the floor a little way from where it stands."""
 
 from __future__ import annotations
 
@@ -14,6 +14,8 @@ from scenewright.geometry.fit import is_backed
 
 Floats = NDArray[np.float64]
 
+SHIFTED = FREE | {"seating"}
+"""What is shifted; a sofa is not turned."""
 FAR, STEP = 1.0, 0.1
 """How far it is shifted along and across, and between two places, metres."""
 QUARTER: Floats = np.array([0.0, 0.0, np.pi / 2, 0.0, 0.0])
@@ -26,11 +28,11 @@ def list_shifted(judge: RoomJudge, placed: Placed, at: int, most: float) -> Iter
     first."""
     task, group = judge.task, placed[at]
     box = group.dressed.box
-    if group.wish.group not in FREE or is_backed(box, task.ground.walls, AMID):
+    if group.wish.group not in SHIFTED or is_backed(box, task.ground.walls, AMID):
         return
     pieces = (p for k, g in enumerate(placed) for p in g.pieces if k != at)
     standing = standing_of((*task.fixed, *task.beside, *pieces), flat_kinds(task.catalog))
-    boxes = stand_at(task, group.dressed.case, _shift(box), standing)
+    boxes = stand_at(task, group.dressed.case, _shift(box, group.wish.group in FREE), standing)
     if not len(boxes):
         return
     layouts = np.repeat(np.array([[p.dressed.box for p in placed]]), len(boxes), axis=0)
@@ -44,9 +46,9 @@ def list_shifted(judge: RoomJudge, placed: Placed, at: int, most: float) -> Iter
                 yield judged
 
 
-def _shift(box: Floats) -> Floats:
+def _shift(box: Floats, turned: bool) -> Floats:
     """Boxes (n, 5) of one box (5,) shifted along its sides, itself not among them, then the same
-    turned by a quarter."""
+    ``turned`` by a quarter."""
     steps = np.arange(-FAR, FAR + STEP / 2, STEP)
     along, across = (a.ravel() for a in np.meshgrid(steps, steps))
     moved = np.hypot(along, across) > STEP / 2
@@ -54,4 +56,4 @@ def _shift(box: Floats) -> Floats:
     c, s = np.cos(box[2]), np.sin(box[2])
     boxes[:, 0] += along[moved] * c - across[moved] * s
     boxes[:, 1] += along[moved] * s + across[moved] * c
-    return np.concatenate([boxes, boxes + QUARTER])
+    return np.concatenate([boxes, boxes + QUARTER]) if turned else boxes
