@@ -35,8 +35,8 @@ PITCH = 3.0
 NEAR, CROWD = 5.0, 0.4
 """Within how many metres benches are too many, and what each metre of that costs."""
 CLOSE, WEDGED = 0.8, 2.5
-"""Metres that a bench amid the floor keeps from whatever stands there, and what it costs nearer:
-wedged between two tables it looks pushed aside."""
+"""Metres that a bench amid the floor keeps from walls, columns and whatever stands there, and what
+it costs nearer: wedged between two tables it looks pushed aside."""
 
 
 def may_look(wish: HallDemand, wishes: list[HallDemand]) -> bool:
@@ -61,15 +61,17 @@ def find_bench_spots(setting: Setting, size: Size) -> Spots:
         sides = (0,) if piece.category == PICTURE else range(4) if piece.category == ISLAND else ()
         parts += [_face_side(piece, side, size, far) for side in sides for far in FARS]
     amid = join_spots(parts)
-    wedged = WEDGED * _stand_near(amid.boxes, setting.pieces)
+    wedged = WEDGED * _stand_near(amid.boxes, setting)
     found = join_spots([at_walls, amid._replace(costs=amid.costs + wedged)])
     crowd = CROWD * measure_crowd(found.boxes, setting.others, NEAR)
     return found._replace(costs=found.costs + crowd)
 
 
-def _stand_near(boxes: Floats, pieces: tuple[Piece, ...]) -> Bools:
-    """Which of boxes (k, 5) stand too near to some piece."""
-    tree = shapely.STRtree(polygons_of([p for p in pieces if p.pose.z < HEAD_HEIGHT]))
+def _stand_near(boxes: Floats, setting: Setting) -> Bools:
+    """Which of boxes (k, 5) stand too near to some piece, column or wall."""
+    bodies = polygons_of([p for p in setting.pieces if p.pose.z < HEAD_HEIGHT])
+    walls = shapely.linestrings(setting.walls.reshape(-1, 2, 2))
+    tree = shapely.STRtree(np.concatenate([bodies, walls]))
     near = np.zeros(len(boxes), np.bool_)
     near[tree.query(shapely.polygons(corners(boxes)), "dwithin", CLOSE)[0]] = True
     return near

@@ -59,9 +59,7 @@ EXPECTED: dict[str, Expected] = {
     "dining_wall": Expected(
         _count("dining_chair", "stool"), ((7.0, 2.0), (10.0, 3.0), (13.0, 4.0))
     ),
-    "seating": Expected(
-        _seat, ((11.0, 1.8), (16.0, 2.0), (20.0, 2.6), (27.0, 3.2), (45.0, 4.6))
-    ),
+    "seating": Expected(_seat, ((11.0, 1.8), (16.0, 2.0), (20.0, 2.6), (27.0, 3.2), (45.0, 4.6))),
     "media": Expected(_metres("tv_stand", "wall_shelf"), ((16.0, 1.2), (20.0, 1.4), (27.0, 1.8))),
     "lounger": Expected(_count("outdoor_chair", "side_table"), ((1.8, 2.0),)),
     "planter": Expected(_metres("planter"), ((2.5, 0.8), (5.0, 1.0))),
