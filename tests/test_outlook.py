@@ -52,7 +52,7 @@ def test_what_stands_beside_what_it_looks_over_costs_nothing(y):
 
 
 def test_a_column_at_the_feet_of_one_seat_costs():
-    column = _group("chest", "column", Pose(0.65, 0.5, 0.0, 0.0), Size(0.4, 0.4, 2.5))
+    column = _group("chest", "column", Pose(0.65, 0.7, 0.0, 0.0), Size(0.3, 0.3, 2.5))
     aside = _group("chest", "column", Pose(0.65, 1.0, 0.0, 0.0), Size(0.3, 0.3, 2.5))
     assert cost_of_outlook((SOFA, column), _ground(6.0), 10.0) > 0.0
     assert cost_of_outlook((SOFA, aside), _ground(6.0), 10.0) == 0.0

@@ -187,6 +187,16 @@ def test_a_chair_with_a_wall_right_behind_it_is_wedged():
     assert not rules.list_close([far], (), _ground())
 
 
+def test_a_column_before_a_sofa_is_too_near():
+    column = np.array([[1.6, 0.0, 1.4, 0.0], [1.4, 0.0, 1.4, 0.3]])
+    column = np.vstack([column, [[1.4, 0.3, 1.6, 0.3], [1.6, 0.3, 1.6, 0.0]]])
+    ground = _ground()
+    ground.edges = np.vstack([ground.edges, column])
+    near, far = (group("seating", "sofa", x, 0.0, 0.0, 1.6, 0.9) for x in (0.7, 0.3))
+    assert rules.list_close([near], (), ground)
+    assert not rules.list_close([far], (), ground)
+
+
 def test_a_stool_before_an_open_door_is_wedged():
     stool = group("dining_wall", "stool", 1.0, 0.0, 0.0, 0.38, 0.38)
     door = (0.5, 0.0, 0.0, 0.8, 0.4)

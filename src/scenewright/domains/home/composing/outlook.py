@@ -17,7 +17,7 @@ AHEAD, WIDE = 1.2, 0.8
 have room there (Panero, Zelnik 1979)."""
 FEET, ARM = 0.45, 0.2  # who sits has feet so far before the seats, beside the arms, metres
 SEAT = 0.95  # how deep the seats of a sofa are, the long one of a corner sofa apart, metres
-SEEN = 0.12  # share of it that is not noticed
+SEEN, FELT = 0.12, 0.05  # shares of that and of the floor for feet that are not noticed
 ASIDE = frozenset(("seating", "reading", "media", "plant"))
 """Groups that belong there."""
 
@@ -33,8 +33,12 @@ def cost_of_outlook(
     others = [p for g in groups if g.wish.group not in ASIDE for p in g.pieces]
     low = [p for p in (*fixed, *others) if p.pose.z < ON_FLOOR and p.category != "rug"]
     floors = ((_look_over(sofa), _put_feet(sofa)) for sofa in sofas)
-    shares = (max(measure_filled(floor, low, ground) for floor in each) for each in floors)
-    return sum(cost * (1.0 + min(share, 1.0)) / 2 for share in shares if share > SEEN)
+    shares = ([measure_filled(floor, low, ground) for floor in each] for each in floors)
+    return sum(
+        cost * (1.0 + min(max(ahead, feet), 1.0)) / 2
+        for ahead, feet in shares
+        if ahead > SEEN or feet > FELT
+    )
 
 
 def measure_filled(floor: Frame, pieces: Sequence[Piece], ground: Ground) -> float:

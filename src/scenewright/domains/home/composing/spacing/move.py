@@ -45,7 +45,7 @@ FAULTS = 0.7  # and by how much what is wrong with it otherwise may rise for tha
 LEAST = 1.0  # what is gained at least
 CUT = 0.75  # of its width a group keeps at least so much, all of it if it holds things
 WALKED = 4  # rooms that are walked through with their home, for each group
-ROUNDS = 2
+ROUNDS = 4
 SEATED = frozenset(("dining", "dining_wall"))
 """Groups whose chairs may go to other sides."""
 SPARE = frozenset(("plant",))

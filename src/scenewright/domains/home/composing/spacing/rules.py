@@ -28,6 +28,7 @@ SEEN = 0.03
 PUSHED, BEYOND, AT_WALL = 0.4, 0.3, 5.0
 """A chair or stool at a table needs floor behind it, metres; which share of it may be beyond a wall
 or in the swing of a door, and what it costs if more is."""
+FEET = 0.45  # who sits on a sofa has feet so far before it, metres
 WEDGED = frozenset(("dining_chair", "stool"))
 
 
@@ -85,7 +86,9 @@ def list_close(
     found = [close for name, piece in low if name for close in _list_near(name, piece, low)]
     found += [each for name, piece in low for each in _list_backs(name, piece, low)]
     if ground is not None:
-        found += [each for name, piece in low if name for each in _list_wedged(name, piece, ground)]
+        for name, piece in low:
+            if name:
+                found += [*_list_wedged(name, piece, ground), *_list_stubs(name, piece, ground)]
     return found
 
 
@@ -113,6 +116,15 @@ def _list_wedged(name: str, piece: Piece, ground: Ground) -> Iterator[Close]:
         taken += sum(float(common_area(make_frame(*b), floor)) for b in ground.keep_free.tolist())
         if taken > BEYOND * whole:
             yield Close(name, "", AT_WALL * (1.0 + min(taken / whole, 1.0)) / 2)
+
+
+def _list_stubs(name: str, piece: Piece, ground: Ground) -> Iterator[Close]:
+    """A sofa with a column or a stub of wall where those who sit on it have their feet."""
+    if piece.category in SOFAS:
+        floor = beyond(_frame(piece), FRONT, FEET)
+        share = 1.0 - float(area_in_polygon(floor, ground.edges)) / (4 * floor[4] * floor[5])
+        if share > SEEN:
+            yield Close(name, "", AT_WALL * (1.0 + share) / 2)
 
 
 def measure_closeness(
