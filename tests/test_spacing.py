@@ -13,7 +13,7 @@ from scenewright.core.brief import Brief
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains import check
 from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer
-from scenewright.domains.home.cases.library import cases
+from scenewright.domains.home.cases.library import SHIPPED, cases
 from scenewright.domains.home.composing.spacing import move, rules, shifts
 from scenewright.domains.home.composing.spacing.leave_out import leave_out_near
 from scenewright.domains.home.furnishing.enlarge import without_overlaps
@@ -167,7 +167,10 @@ def test_what_is_merely_welcome_gives_way_to_chairs_by_name(name, category, rank
     other = group(name, category, -0.25 - metres - 0.2, 0.0, 0.0, 0.9, 0.4)
     other = other._replace(wish=Wish(name, rank))
     task = SimpleNamespace(
-        preset=SimpleNamespace(settings=SimpleNamespace(exact=True)), accessible=False, fixed=()
+        preset=SimpleNamespace(settings=SimpleNamespace(exact=True)),
+        accessible=False,
+        fixed=(),
+        library=SHIPPED,
     )
     left = leave_out_near(task, _answer(chair, other))
     assert [g.name for g in left.placed] == (["dining"] if gone else ["dining", name])

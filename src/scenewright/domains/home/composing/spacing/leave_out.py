@@ -20,8 +20,10 @@ MUCH = 3.0
 
 def leave_out_near(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
     """The answer without what nobody asked for that stands hard at chairs, doors of wardrobes or
-    beds; a counter stays where it is the only worktop."""
-    if not task.preset.settings.exact or task.accessible:
+    beds; a counter stays where it is the only worktop, and all that was learned from other homes."""
+    habits = task.library.habits
+    learned = bool(task.library.own or habits.clearances or habits.shares)
+    if learned or not task.preset.settings.exact or task.accessible:
         return answer
     while (group := _find_near(task, answer.placed)) is not None:
         lost = Missing(group.wish, "it would stand too near to what else is here")
