@@ -20,7 +20,7 @@ MUCH = 3.0
 
 def leave_out_near(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
     """The answer without what nobody asked for that stands hard at chairs, doors of wardrobes or
-    beds; a counter stays where it is the only worktop, and all that was learned from other homes."""
+    beds; a counter stays where it is the only worktop, and all that was learned elsewhere."""
     habits = task.library.habits
     learned = bool(task.library.own or habits.clearances or habits.shares)
     if learned or not task.preset.settings.exact or task.accessible:
