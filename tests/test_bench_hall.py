@@ -33,7 +33,7 @@ KEYS = ["case", "metric", "unit", "ours", "baseline", "baseline_name", "ratio", 
 
 @pytest.fixture(scope="module")
 def solved() -> Solution:
-    return solve(read(CASE), seed=0, steps=2000)
+    return solve(read(CASE), seed=1, steps=2000)
 
 
 def test_the_common_measure_sees_what_gets_worse(solved: Solution) -> None:
@@ -46,7 +46,7 @@ def test_the_common_measure_sees_what_gets_worse(solved: Solution) -> None:
     moved = {piece.id: piece for piece in onto}
     worse = replace(solved, pieces=tuple(moved.get(p.id, p) for p in solved.pieces))
     assert energies_of(worse).space > found.space + 1.0
-    assert energies_of(worse).fill == pytest.approx(found.fill, rel=0.5)
+    assert energies_of(worse).fill == pytest.approx(found.fill, rel=0.2)
 
 
 def test_least_tree_and_gaps() -> None:

@@ -171,6 +171,8 @@ def test_what_is_merely_welcome_gives_way_to_chairs_by_name(name, category, rank
         accessible=False,
         fixed=(),
         library=SHIPPED,
+        asked=None,
+        space=SimpleNamespace(outlets=()),
     )
     left = leave_out_near(task, _answer(chair, other))
     assert [g.name for g in left.placed] == (["dining"] if gone else ["dining", name])

@@ -49,7 +49,7 @@ def try_places(
     places a ``step`` apart, metres."""
     found = _list_places(judge, placed, at, forms, most, step)
     found.sort(key=lambda place: place.least - metre * place.case.width)
-    return _furnish(judge, placed, at, islice(_thin_out(found), WALKED), most)
+    return furnish_places(judge, placed, at, islice(_thin_out(found), WALKED), most)
 
 
 def _list_places(
@@ -103,7 +103,7 @@ def _is_like(place: WalkedPlace, other: WalkedPlace) -> bool:
     return bool(larger and off[:2].max() < APART and off[2] < 0.1)
 
 
-def _furnish(
+def furnish_places(
     judge: RoomJudge, placed: Placed, at: int, places: Iterable[WalkedPlace], most: float
 ) -> Iterator[JudgedRoom]:
     """The rooms with the group at each of the places that cost at most ``most``."""

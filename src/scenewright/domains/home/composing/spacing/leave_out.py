@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scenewright.domains.home.attempt import FurnishedGroup, Missing, RoomAnswer, RoomTask
 from scenewright.domains.home.composing.case_faults import find_case_faults
-from scenewright.domains.home.composing.judging import RUNS, Placed
+from scenewright.domains.home.composing.judging import RUNS, Placed, count_unmet
 from scenewright.domains.home.composing.placed_faults import list_standing
 from scenewright.domains.home.composing.spacing.rules import list_close
 from scenewright.domains.home.programme import WELCOME
@@ -37,13 +37,16 @@ def _find_near(task: RoomTask, placed: Placed) -> FurnishedGroup | None:
     for group in placed:
         wish = group.wish
         spare = wish.rank >= YIELDING.get(wish.group, NEVER) and not wish.required
-        if spare and group.name in near and not _is_needed(group, placed):
+        if spare and group.name in near and not _is_needed(task, group, placed):
             return group
     return None
 
 
-def _is_needed(group: FurnishedGroup, placed: Placed) -> bool:
-    """Whether a counter is all the worktop of its kitchen."""
+def _is_needed(task: RoomTask, group: FurnishedGroup, placed: Placed) -> bool:
+    """Whether a wish is met by a group alone, or a counter is all the worktop of its kitchen."""
+    rest = tuple(p for p in placed if p is not group)
+    if count_unmet(task, rest) > count_unmet(task, placed):
+        return True
     runs = [p for p in placed if p.wish.group in RUNS]
     faults = {name for run in runs for name, _ in find_case_faults(list_standing(run))}
     return group.wish.group == "counter" and bool(faults & {"worktop", "hob_at_end"})

@@ -16,6 +16,7 @@ from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import FurnishedGroup
 from scenewright.domains.home.composing.case_faults import RUN
 from scenewright.domains.home.composing.fronts import MOVED, ON_FLOOR
+from scenewright.domains.home.composing.outlook import FEET
 from scenewright.domains.home.furnishing.bed_rugs import BEDS
 from scenewright.domains.home.furnishing.enlarge import SOFAS
 from scenewright.domains.home.problem import Ground
@@ -28,14 +29,12 @@ SEEN = 0.03
 PUSHED, BEYOND, AT_WALL = 0.4, 0.3, 5.0
 """A chair or stool at a table needs floor behind it, metres; which share of it may be beyond a wall
 or in the swing of a door, and what it costs if more is."""
-FEET = 0.45  # who sits on a sofa has feet so far before it, metres
 WEDGED = frozenset(("dining_chair", "stool"))
-
-
 BACKED = frozenset((*SOFAS, "dining_chair"))
-"""What an armchair is not to look at the back of, within the floor before it (width, depth; m),
-turned from it by the cosine of 60 degrees and less, and what it costs."""
+"""What an armchair is not to look at the back of."""
 VIEW, AWAY, BEHIND = (0.5, 1.6), 0.5, 4.0
+"""The floor before an armchair (width, depth; m), the cosine of the angle by which a back on it is
+turned at most, and what it costs."""
 HAIR = 0.02  # so much floor is not seen, square metres
 
 
@@ -77,24 +76,23 @@ class Close(NamedTuple):
 def list_close(
     groups: Sequence[FurnishedGroup], fixed: Sequence[Piece] = (), ground: Ground | None = None
 ) -> list[Close]:
-    """The pairs of groups that stand too near to one another, or of which one turns its back on an
-    armchair, each row of :data:`DISTANCES` half
-    for being broken and half by the share of its floor that is taken; and groups whose chairs
-    cannot be pushed back for a wall or a door of the ``ground``."""
-    low = [(g.name, p) for g in groups for p in g.pieces if _is_low(p)]
-    low += [("", p) for p in fixed if _is_low(p)]
-    found = [close for name, piece in low if name for close in _list_near(name, piece, low)]
-    found += [each for name, piece in low for each in _list_backs(name, piece, low)]
-    if ground is not None:
-        for name, piece in low:
-            if name:
-                found += [*_list_wedged(name, piece, ground), *_list_stubs(name, piece, ground)]
+    """The pairs of groups that stand too near to one another, each row of :data:`DISTANCES` half
+    for being broken and half by the share of its floor that is taken, or of which one turns its
+    back on an armchair; and groups whose seats have a wall, a door or a column of the ``ground``
+    too near."""
+    own = [(g.name, p) for g in groups for p in g.pieces if _is_low(p)]
+    low = [*own, *(("", p) for p in fixed if _is_low(p))]
+    found = list[Close]()
+    for name, piece in own:
+        found += [*_list_near(name, piece, low), *_list_backs(name, piece, low)]
+        if ground is not None:
+            found += [*_list_wedged(name, piece, ground), *_list_stubs(name, piece, ground)]
     return found
 
 
 def _list_backs(name: str, piece: Piece, low: Sequence[tuple[str, Piece]]) -> Iterator[Close]:
     """What turns its back on an armchair right before it."""
-    if not name or piece.category != "armchair":
+    if piece.category != "armchair":
         return
     x, y, _, turn = piece.pose
     ahead = (piece.size.depth + VIEW[1]) / 2

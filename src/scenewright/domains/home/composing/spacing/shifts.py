@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.domains.home.composing.judging import JudgedRoom, Placed, RoomJudge
-from scenewright.domains.home.composing.moving import AMID, FREE, dress_group, stand_at
+from scenewright.domains.home.composing.moving import AMID, FREE, stand_at
+from scenewright.domains.home.composing.walked_places import WalkedPlace, furnish_places
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.geometry.fit import is_backed
 
@@ -37,13 +38,10 @@ def list_shifted(judge: RoomJudge, placed: Placed, at: int, most: float) -> Iter
         return
     layouts = np.repeat(np.array([[p.dressed.box for p in placed]]), len(boxes), axis=0)
     layouts[:, at] = boxes
-    order = np.argsort(judge.energies_of(layouts), kind="stable")
-    for k in order[:TRIED].tolist():
-        dressed = dress_group(task, group, group.dressed.case, boxes[k], standing)
-        if dressed is not None:
-            judged = judge.cost_of((*placed[:at], dressed, *placed[at + 1 :]))
-            if judged.cost <= most:
-                yield judged
+    energies = judge.energies_of(layouts)
+    order = np.argsort(energies, kind="stable")[:TRIED].tolist()
+    places = (WalkedPlace(float(energies[k]), group.dressed.case, boxes[k]) for k in order)
+    yield from furnish_places(judge, placed, at, places, most)
 
 
 def _shift(box: Floats, turned: bool) -> Floats:
