@@ -62,8 +62,8 @@ def find_company(problem: HallProblem) -> Company:
 
 
 def measure_nearness(company: Company, kept: Kept, boxes: Floats) -> float:
-    """Metres that lack between columns and what keeps off them, and between lounge seats and
-    objects of other groups, weighted."""
+    """Metres that lack between columns and those ``boxes`` (n, 5) that keep off them, and between
+    lounge seats and objects of other groups, weighted."""
     return WEIGHT * sum(pair.lacking for pair in find_near(company, kept, boxes))
 
 
@@ -103,8 +103,8 @@ def _near_seats(company: Company, boxes: Floats, seats: Ints) -> list[Near]:
 
 
 def propose_distances(company: Company, kept: Kept, boxes: Floats) -> Iterator[Kept]:
-    """Layouts with one of the groups that stand too near to something moved a little, or in rows
-    among the columns."""
+    """Layouts with one of the groups of ``boxes`` (n, 5) that stand too near to something moved a
+    little, or in rows among the columns."""
     near = find_near(company, kept, boxes)
     for unit in sorted({u for pair in near for u in pair[:2] if u >= 0}):
         at_wall = kept.rows[unit, 0] == WALL

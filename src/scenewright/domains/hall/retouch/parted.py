@@ -79,8 +79,8 @@ def _cross(start: Floats, way: Floats, at: Floats, along: Floats) -> NDArray[np.
 
 
 def propose_sides(problem: HallProblem, kept: Kept, boxes: Floats) -> Iterator[Kept]:
-    """Layouts with one of the rows that partitions cut moved along its line, its gaps as wide or
-    narrower."""
+    """Layouts with one of the rows of ``boxes`` (n, 5) that partitions cut moved along its line,
+    its gaps as wide or narrower."""
     for unit in np.flatnonzero(_find_cuts(problem, kept, boxes)):
         first = find_layers(problem, int(unit))[0]
         mine = slice(first, first + int(kept.rows[unit, 1]))

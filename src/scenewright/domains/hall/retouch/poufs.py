@@ -27,7 +27,7 @@ SHIFTS = (0.0, -0.6, 0.6, -1.2, 1.2)
 
 
 def measure_fences(problem: HallProblem, kept: Kept, boxes: Floats) -> float:  # noqa: ARG001
-    """What straight lines of poufs count, in metres."""
+    """What straight lines of poufs among ``boxes`` (n, 5) count, in metres."""
     return float(sum(EACH * (_longest(problem, kept, u) - 2) for u in _find_fences(problem, kept)))
 
 
@@ -54,7 +54,8 @@ def _find_fences(problem: HallProblem, kept: Kept) -> list[int]:
 
 
 def propose_circles(problem: HallProblem, kept: Kept, boxes: Floats) -> Iterator[Kept]:
-    """Layouts with one line of poufs in an arc, open to each side in turn, or in a circle."""
+    """Layouts with one line of poufs among ``boxes`` (n, 5) in an arc, open to each side in turn,
+    or in a circle."""
     for unit in _find_fences(problem, kept):
         mine = boxes[slice(*problem.units.spans[unit])]
         middle, number = mine[:, :2].mean(0), len(mine)
