@@ -369,6 +369,8 @@ def find_blocked(task: RoomTask, placed: tuple[FurnishedGroup, ...]) -> tuple[st
     and the groups with a piece out of reach."""
     pieces = tuple(p for item in placed for p in item.pieces)
     far = out_of_reach(task, pieces)
+    if not far:
+        return ()
     groups = [item.name for item in placed if any(p.id in far for p in item.pieces)]
     others = far - task.tight - {p.id for p in pieces}
     return (*sorted(others), *groups)

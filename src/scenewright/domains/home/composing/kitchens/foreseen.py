@@ -156,18 +156,24 @@ def _has_cold_sink(units: tuple[Unit, ...]) -> bool:
 
 def _has_lone_fridge(kitchen: FittedKitchen) -> bool:
     """Whether a fridge is a line of its own that continues no other."""
-    lone = None
+    for lone in kitchen.lines:
+        if len(lone.units) == 1 and lone.units[0][0] in ("fridge", LOW):
+            return not _is_continued(lone, kitchen)
+    return False
+
+
+def _is_continued(lone: UnitLine, kitchen: FittedKitchen) -> bool:
+    """Whether another line or a corner begins or ends where a line does."""
+    start, wall = lone.start, lone.wall
+    end = start + width_of_line(lone.units)
+    if wall in kitchen.corners and min(abs(start - CORNER), abs(end - CORNER)) <= TOUCH:
+        return True
     for line in kitchen.lines:
-        if len(line.units) == 1 and line.units[0][0] in ("fridge", LOW):
-            lone = line
-            break
-    if lone is None:
-        return False
-    end, ends = lone.start + width_of_line(lone.units), [CORNER] * (lone.wall in kitchen.corners)
-    for line in kitchen.lines:
-        if line is not lone and line.wall == lone.wall:
-            ends += [line.start, line.start + width_of_line(line.units)]
-    return all(min(abs(lone.start - at), abs(end - at)) > TOUCH for at in ends)
+        if line is not lone and line.wall == wall:
+            after, before = line.start, line.start + width_of_line(line.units)
+            if abs(end - after) <= TOUCH or abs(start - before) <= TOUCH:
+                return True
+    return False
 
 
 def _tell_split(kitchen: FittedKitchen) -> str:
