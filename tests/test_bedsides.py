@@ -76,22 +76,22 @@ def test_bed_in_a_corner_has_its_nightstand_on_the_free_side():
     assert [p.category for p in answer.placed[0].pieces][-1] == "table_lamp"
 
 
-def test_nightstand_stands_beyond_the_head_of_a_bed_along_the_wall():
+def test_nightstand_stands_beside_the_pillow_of_a_bed_along_the_wall():
     task = _task()
     along = next(
         c
         for c in list_further("single")
         if c.members[0].heading > 0 and len(c.members) == 1 and c.members[0].size.depth < 1.95
     )
-    bed = _stand(task, "single", (1.2, 0.0), NORTH, lambda c: c is along)
+    bed = _stand(task, "single", (1.5, 0.0), NORTH, lambda c: c is along)
     (answer,) = add_nightstands([task], [_answer(bed)], list)
     (stand,) = _stands(answer)
     pose, size = bed.pieces[0].pose, bed.pieces[0].size
     ahead = (stand.pose.x - pose.x) * np.cos(pose.heading)
     ahead += (stand.pose.y - pose.y) * np.sin(pose.heading)
-    assert ahead < -size.depth / 2
-    assert stand.pose.y < 0.3
-    assert np.sin(stand.pose.heading) == pytest.approx(1.0)
+    assert -size.depth / 2 < ahead < -size.depth / 4
+    assert stand.pose.y > size.width
+    assert np.cos(stand.pose.heading - pose.heading) == pytest.approx(1.0)
 
 
 def test_bed_between_walls_has_none():

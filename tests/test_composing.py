@@ -74,8 +74,10 @@ def test_beds_along_the_wall_have_their_pillow_by_the_nightstand():
     for case in along_wall():
         bed = next(m for m in case.members if m.category == "single_bed")
         for stand in (m for m in case.members if m.category == "nightstand"):
-            assert np.sign(stand.x - bed.x) == np.sign(np.sin(bed.heading))
-        assert abs(bed.y + bed.size.width / 2) <= case.depth / 2
+            head = np.sin(bed.heading) * bed.size.depth / 2
+            assert stand.x + np.sin(stand.heading) * stand.size.depth / 2 == pytest.approx(head)
+            assert stand.y - stand.size.width / 2 > bed.y + bed.size.width / 2
+        assert bed.y - bed.size.width / 2 >= -case.depth / 2
 
 
 @pytest.mark.parametrize(("term", "kind"), [("daylight_kept", 1.0), ("openings_kept", 0.0)])

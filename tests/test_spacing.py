@@ -14,7 +14,7 @@ from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains import check
 from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer
 from scenewright.domains.home.cases.library import SHIPPED, cases
-from scenewright.domains.home.composing.spacing import move, rules, shifts
+from scenewright.domains.home.composing.spacing import making_room, move, rules, shifts
 from scenewright.domains.home.composing.spacing.leave_out import leave_out_near
 from scenewright.domains.home.furnishing.enlarge import without_overlaps
 from scenewright.domains.home.programme import Wish
@@ -188,7 +188,7 @@ def test_a_chair_with_a_wall_right_behind_it_is_wedged():
     near, far = (group("dining", "dining_chair", x, 0.0, 0.0, 0.46, 0.5) for x in (-0.65, -0.4))
     (close,) = rules.list_close([near], (), _ground())
     assert close.group == "dining"
-    assert close.cost > rules.AT_WALL / 2
+    assert close.cost > 5.0 / 2
     assert not rules.list_close([far], (), _ground())
 
 
@@ -233,3 +233,37 @@ def test_a_table_is_shifted_and_turned_about_where_it_stands():
     assert len(boxes) == 2 * (21 * 21 - 1)
     assert 0.09 < off.min() < off.max() < 1.5
     assert set(np.round(boxes[:, 2] - box[2], 6)) == {0.0, round(pi / 2, 6)}
+
+
+@pytest.mark.parametrize(
+    ("category", "x", "near"),
+    [("wardrobe", 2.4, True), ("wardrobe", 2.2, False), ("chest_of_drawers", 2.4, True)],
+)
+def test_what_opens_needs_floor_before_it_within_the_room(category, x, near):
+    wall = group("wardrobe", category, x, 0.0, 0.0, 1.0, 0.6)
+    assert bool(rules.list_close([wall], (), _ground())) == near
+
+
+@pytest.mark.parametrize(("metres", "near"), [(0.05, True), (0.45, False)])
+def test_the_back_of_a_sofa_keeps_off_the_foot_of_a_bed(metres, near):
+    bed = group("single", "single_bed", 0.0, 0.0, 0.0, 0.9, 2.0)
+    sofa = group("seating", "sofa", 1.0 + metres + 0.45, 0.0, 0.0, 1.8, 0.9)
+    assert (rules.measure_closeness([bed, sofa]) > 0.0) == near
+
+
+def test_a_usual_group_makes_room_for_a_table_and_none_that_was_asked_for():
+    task = SimpleNamespace(space=SimpleNamespace(outlets=()), asked=None)
+    table = group("dining_wall", "stool", 0.0, 0.0, 0.0, 0.3, 0.3)
+    chest, shelf, vanity = (
+        group(name, "chest_of_drawers", 2.0, 0.0, 0.0, 1.0, 0.4)
+        for name in ("chest", "shelf", "vanity")
+    )
+    shelf = shelf._replace(wish=Wish("shelf", 2, required=True))
+    vanity = vanity._replace(wish=Wish("vanity", 2))
+    placed = (table, chest, shelf, vanity)
+    found = list(making_room.list_without_one(task, placed, "dining_wall"))
+    assert [lost.wish.group for _, lost in found] == ["vanity", "chest"]
+    assert [len(rest) for rest, _ in found] == [3, 3]
+    assert found[0][1].reason == "it makes room for the table"
+    close = [rules.Close("dining_wall", "", 5.0), rules.Close("shelf", "chest", 5.0)]
+    assert making_room.list_hindered(placed, close) == ["dining_wall"]

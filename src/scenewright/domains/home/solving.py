@@ -35,6 +35,7 @@ from scenewright.domains.home.composing.improve import compose
 from scenewright.domains.home.composing.soft_seats import add_soft_seat
 from scenewright.domains.home.composing.spacing.move import keep_distances
 from scenewright.domains.home.composing.unseen import leave_out_unseen_screen
+from scenewright.domains.home.drafts import furnish_best
 from scenewright.domains.home.entrances import entered_by
 from scenewright.domains.home.furnishing.look import apply_style
 from scenewright.domains.home.home_floor import HomeFloor, join_floors
@@ -287,7 +288,11 @@ def _name(task: RoomTask) -> str:
 def _furnish(task: RoomTask, wishes: tuple[Wish, ...], budget: Budget) -> RoomAnswer:
     if not wishes or task.cancelled():
         return RoomAnswer(0.0, (), (), (), None, 0.0, 0)
-    return compose(task, furnish_by_use(task, wishes, budget))
+
+    def furnish(draft: RoomTask) -> RoomAnswer:
+        return compose(draft, furnish_by_use(draft, wishes, budget))
+
+    return furnish_best(task, wishes, furnish) if budget.seconds is None else furnish(task)
 
 
 def _budget(

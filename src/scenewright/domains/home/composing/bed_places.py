@@ -2,14 +2,10 @@
 
 from __future__ import annotations
 
-from math import cos, sin
-
 import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.core.catalog import Group, Member
-from scenewright.core.scene import Piece
-from scenewright.domains.home.attempt import FurnishedGroup
 from scenewright.domains.home.problem import Ground
 from scenewright.domains.home.settings import ComposingSettings
 from scenewright.geometry.flanks import measure_flank_gaps
@@ -25,27 +21,12 @@ def cost_of_bed_places(
     case: Group, boxes: Floats, ground: Ground, rule: ComposingSettings
 ) -> Floats:
     """What is wrong with a case of a single bed on each of boxes (n, 5) as it stands by the walls:
-    adrift, or its head off them with no nightstand behind it."""
+    adrift, or its head off them."""
     cost = rule.costs.adrift * are_adrift(case, boxes, ground.walls)
     bed = next(m for m in case.members if m.category == SINGLE)
-    if any(_is_behind(m, bed) for m in case.members if m.category == "nightstand"):
-        return np.asarray(cost)
     gaps = measure_head_gaps(place_member(bed, boxes), ground.walls)
     off = rule.costs.head_off * (1.0 + np.minimum(gaps / DEAD, 1.0)) / 2
     return np.asarray(cost + np.where(gaps > AT_WALL, off, 0.0))
-
-
-def _is_behind(stand: Member, bed: Member) -> bool:
-    """Whether a member of a case stands behind the head of its bed."""
-    ahead = (stand.y - bed.y) * cos(bed.heading) - (stand.x - bed.x) * sin(bed.heading)
-    return ahead < -bed.size.depth / 2
-
-
-def stands_behind(group: FurnishedGroup, bed: Piece) -> bool:
-    """Whether a nightstand of its group fills the gap behind the head of a bed."""
-    (x, y, _, turn), half = bed.pose, bed.size.depth / 2
-    stands = (p.pose for p in group.pieces if p.category == "nightstand")
-    return any((p.x - x) * cos(turn) + (p.y - y) * sin(turn) < -half for p in stands)
 
 
 def measure_head_gaps(boxes: Floats, walls: Floats) -> Floats:

@@ -2,14 +2,14 @@
 
 Such a bed is furnished in forms with a nightstand and without, and where a room is tight ends
 without. A nightstand is reached from its bed and needs no way of its own, so once all rooms stand
-one is put at the head of each bed wherever it stands free at a wall: beside it, or beyond it along
-the wall the bed stands at. It stays if the ways of the home are as open as they were.
+one is put beside the pillow of each bed on either side that is free. It stays if the ways of the
+home are as open as they were.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from math import cos, pi, sin
+from math import cos, sin
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,7 +33,7 @@ SINGLE, BUNK, STAND = "single_bed", "bunk_bed", "nightstand"
 SIZES = ((0.42, 0.4), (0.35, 0.35), (0.3, 0.3))
 """Widths and depths of a nightstand, the preferred first, metres."""
 GAP = 0.02  # between a bed and its nightstand, metres
-AT_WALL = 0.15  # a nightstand farther from the wall behind it stands in nowhere, metres
+AT_WALL = 0.75  # a nightstand farther from the wall behind it stands in nowhere, metres
 LAMP = Size(0.24, 0.24, 0.42)
 NEAR = 0.8  # a nightstand whose middle is nearer to a bed's pillow serves it, metres
 
@@ -107,7 +107,7 @@ def _count_lost(answers: Sequence[RoomAnswer]) -> int:
 
 
 def _list_with_stand(task: RoomTask, placed: Placed, at: int) -> Iterator[FurnishedGroup]:
-    """A bed with a nightstand wherever at its pillow one stands free at a wall."""
+    """A bed with a nightstand wherever beside its pillow one stands free."""
     group, rest = placed[at], (p for i, p in enumerate(placed) if i != at)
     pieces = (*task.fixed, *task.beside, *(p for other in rest for p in other.pieces))
     standing = standing_of(pieces, flat_kinds(task.catalog))
@@ -129,22 +129,18 @@ def _with_stand(case: Group, bed: Member, stand: Member) -> Group:
 
 
 def _list_stands(bed: Member) -> Iterator[Member]:
-    """Nightstands on either side of the pillow of a bed with their back where its head is, then
-    beyond the head with their back where either of its sides is, the larger first."""
+    """Nightstands on either side of the pillow of a bed with their back where its head is, the
+    larger first."""
     half, head = bed.size.width / 2, -bed.size.depth / 2
     for width, depth in SIZES:
         size = Size(width, depth, 0.5)
         aside = half + GAP + width / 2
-        beyond, inner = head - GAP - width / 2, half - depth / 2
         for side in (-1.0, 1.0):
-            yield _member_at(bed, side * aside, head + GAP + depth / 2, 0.0, size)
-        for side in (-1.0, 1.0):
-            yield _member_at(bed, side * inner, beyond, side * pi / 2, size)
+            yield _member_at(bed, side * aside, head + GAP + depth / 2, size)
 
 
-def _member_at(bed: Member, x: float, y: float, turn: float, size: Size) -> Member:
-    """A nightstand ``x`` to the right and ``y`` ahead of the middle of a bed, turned left by
-    ``turn`` from where the bed looks."""
+def _member_at(bed: Member, x: float, y: float, size: Size) -> Member:
+    """A nightstand ``x`` to the right and ``y`` ahead of the middle of a bed."""
     c, s = cos(bed.heading), sin(bed.heading)
     at = (bed.x + c * x - s * y, bed.y + s * x + c * y)
-    return Member(STAND, *at, 0, bed.heading + turn, size)
+    return Member(STAND, *at, 0, bed.heading, size)

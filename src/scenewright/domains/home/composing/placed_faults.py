@@ -18,7 +18,6 @@ from scenewright.domains.home.composing.bed_places import (
     DEAD,
     measure_head_gaps,
     place_member,
-    stands_behind,
 )
 from scenewright.domains.home.composing.forms import TABLES, cost_of_case
 from scenewright.domains.home.furnishing.enlarge import SOFAS, find_widest_screen
@@ -84,7 +83,7 @@ def _cost_of_group(
             gap = float(measure_flank_gaps(_box(piece)[None], ground.walls).min())
             found.append((rule.costs.adrift * (gap > AT_WALL), 1.0))
             behind = float(measure_head_gaps(_box(piece)[None], ground.walls)[0])
-            if behind > AT_WALL and not stands_behind(group, piece):
+            if behind > AT_WALL:
                 found.append((rule.costs.head_off, min(behind / DEAD, 1.0)))
         if piece.category in DESKS:
             standing += rule.costs.dark * find_darkness(piece, ground)

@@ -34,8 +34,8 @@ def single() -> Iterator[Group]:
 
 
 def along_wall() -> Iterator[Group]:
-    """Single beds with a long side at the wall, the pillow at either end, with a nightstand at the
-    pillow where it fits."""
+    """Single beds with a long side at the wall, the pillow at either end, with a nightstand beside
+    the pillow where it fits."""
     for bed, length in ((0.9, 2.05), (1.0, 2.05), (0.8, 1.9), (0.75, 1.8)):
         for stand in (0.45, 0.0):
             for side in (1.0, -1.0):
@@ -44,12 +44,15 @@ def along_wall() -> Iterator[Group]:
 
 def _along(bed: float, length: float, stand: float, side: float) -> Group:
     """A bed with its pillow on the right (``side`` 1) or the left (-1)."""
-    width, depth = length + stand, bed + 0.01
-    x = -side * stand / 2
-    members = [Member("single_bed", x, 0, 0, side * pi / 2, Size(bed, length, 0.9))]
+    depth, turn = bed + stand + 0.01, side * pi / 2
+    members = [Member("single_bed", 0, -stand / 2, 0, turn, Size(bed, length, 0.9))]
     if stand:
-        members += _nightstand(x + side * (length / 2 + 0.23), -depth / 2, len(members))
-    return Group("single", f"{bed:.1f} m bed along the wall", width, depth, tuple(members))
+        x, y = side * (length / 2 - 0.2), depth / 2 - 0.21
+        members += [
+            Member("nightstand", x, y, 0, turn, Size(0.42, 0.4, 0.5)),
+            Member("table_lamp", x, y, 0.5, 0, Size(0.24, 0.24, 0.42), on=1),
+        ]
+    return Group("single", f"{bed:.1f} m bed along the wall", length, depth, tuple(members))
 
 
 def narrow_sides() -> Iterator[Group]:

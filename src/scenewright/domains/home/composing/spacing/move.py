@@ -28,6 +28,11 @@ from scenewright.domains.home.composing.moving import with_margin
 from scenewright.domains.home.composing.placed_faults import measure_before_doors
 from scenewright.domains.home.composing.settling import try_in_home
 from scenewright.domains.home.composing.spacing.leave_out import leave_out_near
+from scenewright.domains.home.composing.spacing.making_room import (
+    MUCH,
+    list_hindered,
+    list_without_one,
+)
 from scenewright.domains.home.composing.spacing.rules import list_close, measure_closeness
 from scenewright.domains.home.composing.spacing.shifts import list_shifted
 from scenewright.domains.home.composing.walked_places import try_places
@@ -43,7 +48,9 @@ STEP = 0.05  # between places along a wall, metres
 WORTH = 3.0  # what a room may cost more by its energy for each unit that stands less near
 FAULTS = 0.7  # and by how much what is wrong with it otherwise may rise for that
 LEAST = 1.0  # what is gained at least
-CUT = 0.75  # of its width a group keeps at least so much, all of it if it holds things
+CUT = 0.75  # of its width a group keeps at least so much
+KEPT = HOLDING - {"wardrobe"}
+"""What keeps all of its width; of a wardrobe that cannot be opened that is no loss."""
 WALKED = 4  # rooms that are walked through with their home, for each group
 ROUNDS = 4
 SEATED = frozenset(("dining", "dining_wall"))
@@ -72,15 +79,35 @@ def keep_distances(
 
 
 def _spread(room: int, task: RoomTask, found: list[RoomAnswer], opened: Opened) -> list[RoomAnswer]:
-    """The answers with one group of a room moved; as they were where none finds a place."""
-    placed = found[room].placed
-    for name in _list_movable(task, placed):
-        at = next(i for i, p in enumerate(placed) if p.name == name)
-        for other in islice(_list_apart(task, placed, at), WALKED):
-            trial = try_in_home(room, found[room]._replace(placed=other), found, opened)
-            if trial is not None:
-                return trial
-    return found
+    """The answers with one group of a room moved, at last one for which another makes room; as they
+    were where none finds a place."""
+    trials = chain(_list_moves(task, found[room]), _list_with_room(task, found[room]))
+    tried = (try_in_home(room, answer, found, opened) for answer in trials)
+    return next((trial for trial in tried if trial is not None), found)
+
+
+def _list_moves(task: RoomTask, answer: RoomAnswer) -> Iterator[RoomAnswer]:
+    """The answer with a group that stands too near to others elsewhere."""
+    for name in _list_movable(task, answer.placed):
+        yield from (answer._replace(placed=p) for p in _list_elsewhere(task, answer.placed, name))
+
+
+def _list_with_room(task: RoomTask, answer: RoomAnswer) -> Iterator[RoomAnswer]:
+    """The answer with a group elsewhere for which another made room, if that is worth it."""
+    placed, movable = answer.placed, _list_movable(task, answer.placed)
+    most = _measure(task, placed) - MUCH
+    for name in list_hindered(placed, list_close(placed, task.fixed, task.ground)):
+        for rest, lost in list_without_one(task, placed, name) if name in movable else ():
+            missing = (*answer.missing, lost)
+            for other in _list_elsewhere(task, rest, name):
+                if _measure(task, other) <= most:
+                    yield answer._replace(placed=other, missing=missing)
+
+
+def _list_elsewhere(task: RoomTask, placed: Placed, name: str) -> Iterator[Placed]:
+    """The groups of a room with the one of that name elsewhere, few of many places."""
+    at = next(i for i, p in enumerate(placed) if p.name == name)
+    yield from islice(_list_apart(task, placed, at), WALKED)
 
 
 def _list_movable(task: RoomTask, placed: Placed) -> list[str]:
@@ -155,7 +182,7 @@ def _holds(form: Group, now: Group) -> bool:
     wider but for chairs on other sides of a table."""
     if _list_kinds(form) != _list_kinds(now):
         return False
-    least = now.width if form.function in HOLDING else CUT * now.width
+    least = now.width if form.function in KEPT else CUT * now.width
     return form.width > least - HAIR and (form.function in SEATED or form.width < now.width + HAIR)
 
 

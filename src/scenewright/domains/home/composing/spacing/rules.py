@@ -16,20 +16,16 @@ from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import FurnishedGroup
 from scenewright.domains.home.composing.case_faults import RUN
 from scenewright.domains.home.composing.fronts import MOVED, ON_FLOOR
-from scenewright.domains.home.composing.outlook import FEET
+from scenewright.domains.home.composing.spacing.walled import BACK, FRONT, list_walled
 from scenewright.domains.home.furnishing.bed_rugs import BEDS
 from scenewright.domains.home.furnishing.enlarge import SOFAS
 from scenewright.domains.home.problem import Ground
-from scenewright.geometry.boxes import Frame, area_in_polygon, beyond, common_area, make_frame
+from scenewright.geometry.boxes import Frame, beyond, common_area, make_frame
 
-FRONT, BACK, ROUND = 0, 2, 4
-"""The side of a piece on which floor is left free; all round it."""
+ROUND = 4
+"""Floor is left free all round a piece."""
 SEEN = 0.03
 """A share of that floor that is not noticed."""
-PUSHED, BEYOND, AT_WALL = 0.4, 0.3, 5.0
-"""A chair or stool at a table needs floor behind it, metres; which share of it may be beyond a wall
-or in the swing of a door, and what it costs if more is."""
-WEDGED = frozenset(("dining_chair", "stool"))
 BACKED = frozenset((*SOFAS, "dining_chair"))
 """What an armchair is not to look at the back of."""
 VIEW, AWAY, BEHIND = (0.5, 1.6), 0.5, 4.0
@@ -51,6 +47,7 @@ class Distance(NamedTuple):
 
 DISTANCES = (
     Distance(BEDS | {*SOFAS, "armchair"}, ROUND, 0.3, RUN, 10.0),
+    Distance(BEDS, FRONT, 0.4, frozenset(SOFAS), 4.0),
     Distance(frozenset(("tv_stand",)), ROUND, 0.3, RUN, 6.0),
     Distance(frozenset(("wardrobe",)), FRONT, 0.5, frozenset(), 8.0),
     Distance(
@@ -58,7 +55,7 @@ DISTANCES = (
     ),
     Distance(frozenset(("dining_table", "round_table")), ROUND, 0.3, BEDS, 5.0),
     Distance(frozenset(("dining_table", "round_table")), ROUND, 0.3, RUN, 4.0),
-    Distance(frozenset(("dining_chair",)), BACK, 0.5, frozenset(), 5.0),
+    Distance(frozenset(("dining_chair", "bar_stool")), BACK, 0.5, frozenset(), 5.0),
     Distance(frozenset(("armchair",)), FRONT, 0.4, frozenset(), 5.0),
 )
 """The rows; of two that name the same pieces both count."""
@@ -86,7 +83,7 @@ def list_close(
     for name, piece in own:
         found += [*_list_near(name, piece, low), *_list_backs(name, piece, low)]
         if ground is not None:
-            found += [*_list_wedged(name, piece, ground), *_list_stubs(name, piece, ground)]
+            found += [Close(name, "", cost) for cost in list_walled(piece, ground)]
     return found
 
 
@@ -103,26 +100,6 @@ def _list_backs(name: str, piece: Piece, low: Sequence[tuple[str, Piece]]) -> It
         away = cos(there.pose.heading - turn) > AWAY
         if away and float(common_area(floor, _frame(there))) > HAIR:
             yield Close(name, other, BEHIND)
-
-
-def _list_wedged(name: str, piece: Piece, ground: Ground) -> Iterator[Close]:
-    """A seat at a table with a wall or an open door right behind it."""
-    if piece.category in WEDGED:
-        floor = beyond(_frame(piece), BACK, PUSHED)
-        whole = 4 * floor[4] * floor[5]
-        taken = whole - float(area_in_polygon(floor, ground.edges))
-        taken += sum(float(common_area(make_frame(*b), floor)) for b in ground.keep_free.tolist())
-        if taken > BEYOND * whole:
-            yield Close(name, "", AT_WALL * (1.0 + min(taken / whole, 1.0)) / 2)
-
-
-def _list_stubs(name: str, piece: Piece, ground: Ground) -> Iterator[Close]:
-    """A sofa with a column or a stub of wall where those who sit on it have their feet."""
-    if piece.category in SOFAS:
-        floor = beyond(_frame(piece), FRONT, FEET)
-        share = 1.0 - float(area_in_polygon(floor, ground.edges)) / (4 * floor[4] * floor[5])
-        if share > SEEN:
-            yield Close(name, "", AT_WALL * (1.0 + share) / 2)
 
 
 def measure_closeness(

@@ -1,0 +1,66 @@
+"""Rooms in which one sleeps, cooks and sits are furnished several times, and the best is kept.
+
+Rooms of one or two uses come out much alike from other random numbers. In a studio a bed, seats and
+their screen, a table and a kitchen compete for the same walls; what is laid out first decides what
+is left for the rest, and no single group moved later makes up for it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from scenewright.domains.home.attempt import DOOR, RoomAnswer, RoomTask, find_blocked, penalty
+from scenewright.domains.home.bed_first import with_narrow_ways
+from scenewright.domains.home.composing.forms import RUNS
+from scenewright.domains.home.composing.judging import sum_faults
+from scenewright.domains.home.composing.spacing.rules import measure_closeness
+from scenewright.domains.home.composing.views import is_unseen
+from scenewright.domains.home.programme import BEDS, Wish
+from scenewright.domains.home.second_try import try_otherwise
+
+DRAFTS, GOOD = 3, 100.0
+"""How often a studio is furnished at most, and from which cost on once more."""
+FIRST = 11
+"""Drafts are numbered from here on; smaller numbers are those of second tries."""
+LEAST = 20.0  # square metres from which on a room is furnished several times
+UNSEEN = 20.0  # what it costs that nobody sees the screen of a room
+
+Furnish = Callable[[RoomTask], RoomAnswer]
+
+
+def furnish_best(task: RoomTask, wishes: tuple[Wish, ...], furnish: Furnish) -> RoomAnswer:
+    """The answer for a room, of a studio the best of several drafts: the one that lacks least and
+    has least wrong with it, the first of equals; a good one is not tried to be bettered."""
+    best, several = furnish(task), is_studio(task, wishes)
+    least = cost_of_draft(task, wishes, best) if several else 0.0
+    for number in range(FIRST, FIRST + DRAFTS - 1):
+        if least < GOOD or task.cancelled():
+            break
+        other = furnish(try_otherwise(task._replace(progress=None), number, 0.0))
+        cost = cost_of_draft(task, wishes, other)
+        if cost < least:
+            best, least = other, cost
+    return best
+
+
+def is_studio(task: RoomTask, wishes: tuple[Wish, ...]) -> bool:
+    """Whether a room is to hold a bed, seats and a kitchen and has floor for them."""
+    groups, exact = {wish.group for wish in wishes}, task.preset.settings.exact
+    several = all(groups.intersection(each) for each in (BEDS, RUNS, ("seating",)))
+    return several and exact and not task.accessible and task.ground.area >= LEAST
+
+
+def cost_of_draft(task: RoomTask, wishes: tuple[Wish, ...], answer: RoomAnswer) -> float:
+    """What is missing or there in another kind, out of reach, wished for in vain, wrong, too near
+    to something, unseen."""
+    costs, placed = task.costs, answer.placed
+    there = {p.wish.group for p in placed} | {
+        m.wish.group for m in answer.missing if not m.replaced
+    }
+    lacks = sum(penalty(m.wish, costs) for m in answer.missing if not m.replaced)
+    lacks += costs.fallback * sum(w.rank == 0 and w.group not in there for w in wishes)
+    blocked = find_blocked(with_narrow_ways(task), placed)
+    far = sum(costs.barred if b.startswith(DOOR) else costs.unreached for b in blocked)
+    wrong = sum_faults(task, placed) + measure_closeness(placed, task.fixed, task.ground)
+    hidden = UNSEEN * is_unseen(placed, task.ground.edges)
+    return lacks + far + costs.unmet * answer.unmet + wrong + hidden

@@ -1,0 +1,81 @@
+"""Studios are furnished several times, and the best of it is kept."""
+
+from __future__ import annotations
+
+import pytest
+
+import scenewright as sw
+from scenewright.building.plan import spaces
+from scenewright.catalog.loading import catalog_of
+from scenewright.domains import check
+from scenewright.domains.home import drafts
+from scenewright.domains.home.attempt import Missing, RoomAnswer
+from scenewright.domains.home.presets import PRESETS
+from scenewright.domains.home.programme import Wish
+from scenewright.domains.home.solving import prepare_rooms
+
+STUDIO = (Wish("seating", 0), Wish("sleeping", 0), Wish("kitchen", 0), Wish("media", 1))
+
+
+@pytest.fixture(scope="module")
+def task():
+    brief, preset = sw.read("sample:home-studio"), PRESETS["default"]
+    return prepare_rooms(brief, spaces(brief), catalog_of(()), preset, preset.solver, 0)[0][0]
+
+
+def _answer(*lacking: Wish) -> RoomAnswer:
+    missing = tuple(Missing(wish, "no place") for wish in lacking)
+    return RoomAnswer(0.0, (), missing, (), None, 0.0, 0)
+
+
+def _furnish(answers, seeds):
+    """Answers in turn, the seeds they are asked for with noted."""
+
+    def furnish(draft):
+        seeds.append(draft.seed)
+        return answers[len(seeds) - 1]
+
+    return furnish
+
+
+def test_best_of_several_drafts_is_kept(task):
+    answers, seeds = [_answer(*STUDIO), _answer(*STUDIO[:2]), _answer(*STUDIO[:3])], []
+    assert drafts.furnish_best(task, STUDIO[:3], _furnish(answers, seeds)) is answers[1]
+    assert len(set(seeds)) == drafts.DRAFTS == 3
+    assert seeds[0] == task.seed
+
+
+def test_what_is_there_in_another_kind_is_worse_than_what_is_wished_for(task):
+    lacks = _answer(*STUDIO[:3])
+    other = drafts.cost_of_draft(task, (*STUDIO[:3], Wish("wardrobe", 0)), lacks)
+    assert other == drafts.cost_of_draft(task, STUDIO[:3], lacks) + task.costs.fallback
+
+
+@pytest.mark.parametrize(
+    ("wishes", "several"),
+    [(STUDIO, True), (STUDIO[1:], False), (STUDIO[:2], False), ((*STUDIO[:1], STUDIO[2]), False)],
+    ids=["studio", "no-seats", "no-kitchen", "no-bed"],
+)
+def test_rooms_of_one_or_two_uses_are_furnished_once(task, wishes, several):
+    assert drafts.is_studio(task, wishes) == several
+    seeds = []
+    drafts.furnish_best(task, wishes, _furnish([_answer(*wishes)] * drafts.DRAFTS, seeds))
+    assert len(seeds) == (drafts.DRAFTS if several else 1)
+
+
+def test_no_studio_is_tried_again_where_the_first_draft_is_good(task):
+    seeds = []
+    plant = Wish("plant", 2)
+    assert drafts.cost_of_draft(task, (plant,), _answer(plant)) < drafts.GOOD
+    wishes = tuple(w._replace(rank=2) for w in STUDIO)
+    drafts.furnish_best(task, wishes, _furnish([_answer(plant)], seeds))
+    assert seeds == [task.seed]
+
+
+def test_a_studio_has_a_screen_before_its_sofa_that_one_draft_has_not(monkeypatch):
+    brief = sw.read("sample:home-studio")
+    best = sw.solve(brief, seed=5)
+    monkeypatch.setattr(drafts, "DRAFTS", 1)
+    once = sw.solve(brief, seed=5)
+    assert [any(p.category == "tv" for p in s.pieces) for s in (best, once)] == [True, False]
+    assert check(best).valid
