@@ -16,8 +16,11 @@ import numpy as np
 
 from scenewright.core.brief import Brief, Room
 from scenewright.core.brief.zones import Demand
+from scenewright.core.catalog import Catalog
 from scenewright.core.scene import Piece
+from scenewright.domains.hall.audience import may_share_zone
 from scenewright.domains.hall.build_problem import HallContext, wall_lengths, zone_areas
+from scenewright.domains.hall.chairs import out_of_table, seats_around
 from scenewright.domains.hall.demands import floor_needed, ids_of, sizes_of
 from scenewright.domains.hall.holdings import fill_defaults
 
@@ -28,29 +31,31 @@ FAIR, ROW, FULL = 0.5, 3, 0.8
 the floor that all may take for that."""
 MOST_NAMED, LITTLE = 3, 0.05
 """Of how many others a note says what they take, and from which share of the floor on."""
+AT_WALL = 0.45
+"""What stays free between walls and tables with their chairs, in metres."""
 WALL_SHARE = 0.8
 """Share of the walls of a zone that things may fill; the rest is corners."""
 
 
-def fill_halls(brief: Brief, halls: Sequence[HallContext]) -> Brief:
+def fill_halls(brief: Brief, halls: Sequence[HallContext], catalog: Catalog) -> Brief:
     """A brief whose demands with ``fill`` say how many there may be at ``most``; the brief itself
     where there are none."""
-    rooms = [_fill(room, hall) for room, hall in zip(brief.rooms, halls, strict=True)]
+    rooms = [_fill(room, hall, catalog) for room, hall in zip(brief.rooms, halls, strict=True)]
     same = all(new is old for new, old in zip(rooms, brief.rooms, strict=True))
     return brief if same else brief.model_copy(update={"rooms": rooms})
 
 
-def _fill(room: Room, hall: HallContext) -> Room:
+def _fill(room: Room, hall: HallContext, catalog: Catalog) -> Room:
     if all(demand.fill is None for demand in room.demands):
         return room
     demands = [
-        demand if demand.fill is None else _grow(demand, room.demands, hall)
+        demand if demand.fill is None else _grow(demand, room.demands, hall, catalog)
         for demand in room.demands
     ]
     return room.model_copy(update={"demands": demands})
 
 
-def _grow(demand: Demand, every: Sequence[Demand], hall: HallContext) -> Demand:
+def _grow(demand: Demand, every: Sequence[Demand], hall: HallContext, catalog: Catalog) -> Demand:
     """A demand with the number its zones take; those that fill the same zones share alike. Where
     other things take all that, a row of it and half of its share have room beside them, as long as
     the zones are not full."""
@@ -66,7 +71,31 @@ def _grow(demand: Demand, every: Sequence[Demand], hall: HallContext) -> Demand:
     if fill_defaults(demand, "").at_wall:
         width = float(np.mean([size[0] for size in sizes_of(demand)]))
         count = min(count, int(WALL_SHARE * float((wall_lengths(hall) * mine).sum()) / width))
+    chairs = _stand_out(demand, every, catalog)
+    count = min(count, _count_tables(demand, hall, chairs, used)) if chairs else count
     return demand.model_copy(update={"count": least, "length": None, "most": max(count, least)})
+
+
+def _stand_out(demand: Demand, every: Sequence[Demand], catalog: Catalog) -> float:
+    """How far the chairs that come with tables to sit at all round stand out, in metres; 0 for
+    other demands."""
+    asked = {other.category for other in every if may_share_zone(demand, other)}
+    tall = max(size[2] for size in sizes_of(demand))
+    around = seats_around(demand.category, catalog)
+    return out_of_table(demand.category, asked, catalog, tall) if around else 0.0
+
+
+def _count_tables(demand: Demand, hall: HallContext, chairs: float, used: float) -> int:
+    """How many tables with chairs stand in rows and columns in the zones of a demand, as far apart
+    as its passages are wide, where other things use ``used`` square metres of the shorter side."""
+    zones = _zones_of(demand, hall) > 0.0
+    wide = float(np.max([size[:2] for size in sizes_of(demand)])) + 2.0 * chairs + hall.passage
+    found, taken = 0, (used - floor_needed(demand)) / max(int(zones.sum()), 1)
+    for zone in (one for one, held in zip(hall.plan.zones, zones, strict=True) if held):
+        short, long = sorted(np.ptp(zone.outline, axis=0))
+        sides = np.array([short, long - taken / short]) + hall.passage - 2.0 * AT_WALL
+        found += int(np.prod(np.maximum(sides // wide, 0.0)))
+    return found
 
 
 def _zones_of(demand: Demand, hall: HallContext) -> np.ndarray:

@@ -91,8 +91,8 @@ class VisitorPlan(NamedTuple):
     may leave by; ``hiding`` (h, 5) boxes as high as the eyes that do not move; ``tall`` (n,) 1 for
     objects as high; ``roles`` (g,) of the units, as bits: 1 seen first, 2 a till, 4 the main
     exhibit, 8 tills in lanes, 16 ropes, 32 lecterns, 64 what keeps off columns, 128 lounge seats,
-    256 low tables; ``inward`` (1, 2) the unit direction in at the
-    main entrance. Empty arrays: nobody comes."""
+    256 low tables, 512 stages, 1024 tables to sit at; ``inward`` (1, 2) the unit direction in at
+    the main entrance. Empty arrays: nobody comes."""
 
     entrances: Floats = _NONE
     exits: Floats = _NONE

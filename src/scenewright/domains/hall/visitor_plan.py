@@ -22,6 +22,8 @@ from scenewright.domains.hall.terms.visitors import (
     LOW,
     MAIN,
     SPEAKER,
+    STAGE,
+    TABLE,
     TILL,
 )
 
@@ -39,7 +41,13 @@ LOUNGES = frozenset(("lounge_seat", "armchair", "sofa", "pouf"))
 TABLES = frozenset(("reading_table", "dining_table", "round_table", "outdoor_table"))
 ON_SHOW = frozenset((*EXHIBITS[:4], "exhibit_panel", "display_table", "mannequin"))
 LOW_TABLES = frozenset(("coffee_table",))
-STANDING = ((ALOOF, LOUNGES | TABLES | LOW_TABLES | ON_SHOW), (LOUNGE, LOUNGES), (LOW, LOW_TABLES))
+SHOWN = ((STAGE, frozenset(("stage",))), (TABLE, TABLES))
+STANDING = (
+    (ALOOF, LOUNGES | TABLES | LOW_TABLES | ON_SHOW),
+    (LOUNGE, LOUNGES),
+    (LOW, LOW_TABLES),
+    *SHOWN,
+)
 """Roles that depend on nothing but the category."""
 
 

@@ -17,6 +17,8 @@ COMPANY = 4
 KNEES = 0.75
 """From the middle of the table to the front of a seat, in metres: a table of 0.6 m and 0.45 m to
 sit down in."""
+CORNERS = 0.6 / math.sqrt(2.0)
+"""Between the corners of seats at right angles, along the side of either, in metres."""
 BETWEEN = 1.2
 """Gap of two companies, in metres."""
 BESIDE = 0.01
@@ -71,7 +73,7 @@ def seed_around(
     last.
     """
     rows = max(min(-(-number // COMPANY), layers.shape[0] - first), 1)
-    far = max(KNEES, 0.5 * wide + max(0.6 / math.sqrt(2.0), across)) + 0.5 * deep
+    far = max(KNEES, 0.5 * wide + max(CORNERS, across)) + 0.5 * deep
     along = max(2.0 * across, BETWEEN)
     k, left = first, number
     for row in range(rows):

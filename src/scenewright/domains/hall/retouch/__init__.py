@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from scenewright.domains.hall.problem import HallProblem
 from scenewright.domains.hall.retouch.audience import propose_audiences, sit_aside
+from scenewright.domains.hall.retouch.banquets import measure_banquets, propose_banquets
 from scenewright.domains.hall.retouch.bare import find_floor, measure_bare, propose_moves
 from scenewright.domains.hall.retouch.columns import (
     find_columns,
@@ -15,6 +16,7 @@ from scenewright.domains.hall.retouch.columns import (
     propose_pitches,
     stand_in_aisles,
 )
+from scenewright.domains.hall.retouch.companies import measure_apart, propose_companies
 from scenewright.domains.hall.retouch.desks import (
     desks_adrift,
     find_desks,
@@ -65,6 +67,7 @@ def _whole(problem: HallProblem) -> HallProblem:
 RETOUCHES: dict[str, Retouch] = {
     "columns": Retouch(find_columns, stand_in_aisles, propose_pitches, forgive_columns),
     "audience": Retouch(_whole, sit_aside, propose_audiences),
+    "banquets": Retouch(_whole, measure_banquets, propose_banquets),
     "seats": Retouch(_whole, sit_too_near, propose_rows),
     "lecterns": Retouch(_whole, lecterns_adrift, propose_lecterns),
     "exhibit": Retouch(find_exhibit, stand_aside, propose_places, charge_hiding, find_placed),
@@ -76,6 +79,7 @@ RETOUCHES: dict[str, Retouch] = {
     "ropes": Retouch(_whole, ropes_adrift, propose_ropes, forgive_queues),
     "parted": Retouch(_whole, measure_parted, propose_sides, make_room=False),
     "poufs": Retouch(_whole, measure_fences, propose_circles, make_room=False),
+    "companies": Retouch(_whole, measure_apart, propose_companies),
     "bare": Retouch(find_floor, measure_bare, propose_moves),
     "runs": Retouch(_whole, measure_runs, propose_runs, make_room=False),
     "spread": Retouch(find_columns, measure_spread, propose_spread, make_room=False),

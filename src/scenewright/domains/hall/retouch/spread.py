@@ -28,8 +28,8 @@ BARE = 2.0
 """Metres beyond what a strip may have from which on each counts twice: it is seen at once."""
 NEAR, GAP = 0.6, 0.1
 """How near the border of their zone things at walls stand, and the least that is a gap; metres."""
-ASIDE = 0.5
-"""Metres beside the middle of the strips, to either side, that are tried."""
+ASIDE = (0.5, -0.5, 1.0, -1.0)
+"""Metres beside the middle of the strips that are tried."""
 PARTS = (0.0, 0.5, 1.0)
 """Parts of what gaps could be wider that are tried."""
 
@@ -163,7 +163,7 @@ def _widen(
 def _list_moves(side: Side, off: float) -> tuple[float, ...]:
     """Metres a unit is moved along an axis: to the middle or not, and a little to either side of it
     where strips are wide, so that a gap of its rows meets a way out of the zone."""
-    return (off, 0.0) if side.fault <= 0.0 else (off, 0.0, off + ASIDE, off - ASIDE)
+    return (off, 0.0) if side.fault <= 0.0 else (off, 0.0, *(off + more for more in ASIDE))
 
 
 def _find_room(side: Side, gaps: int) -> float:
