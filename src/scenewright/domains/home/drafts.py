@@ -52,7 +52,7 @@ def is_studio(task: RoomTask, wishes: tuple[Wish, ...]) -> bool:
 
 def cost_of_draft(task: RoomTask, wishes: tuple[Wish, ...], answer: RoomAnswer) -> float:
     """What is missing or there in another kind, out of reach, wished for in vain, wrong, too near
-    to something, unseen."""
+    to something, unseen. What is out of reach costs less than elsewhere: ways are opened yet."""
     costs, placed = task.costs, answer.placed
     there = {p.wish.group for p in placed} | {
         m.wish.group for m in answer.missing if not m.replaced
@@ -60,7 +60,7 @@ def cost_of_draft(task: RoomTask, wishes: tuple[Wish, ...], answer: RoomAnswer) 
     lacks = sum(penalty(m.wish, costs) for m in answer.missing if not m.replaced)
     lacks += costs.fallback * sum(w.rank == 0 and w.group not in there for w in wishes)
     blocked = find_blocked(with_narrow_ways(task), placed)
-    far = sum(costs.barred if b.startswith(DOOR) else costs.unreached for b in blocked)
+    far = sum(costs.in_the_way if b.startswith(DOOR) else costs.missing[1] for b in blocked)
     wrong = sum_faults(task, placed) + measure_closeness(placed, task.fixed, task.ground)
     hidden = UNSEEN * is_unseen(placed, task.ground.edges)
     return lacks + far + costs.unmet * answer.unmet + wrong + hidden
