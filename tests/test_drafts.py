@@ -39,10 +39,15 @@ def _furnish(answers, seeds):
 
 
 def test_best_of_several_drafts_is_kept(task):
-    answers, seeds = [_answer(*STUDIO), _answer(*STUDIO[:2]), _answer(*STUDIO[:3])], []
+    answers, seeds = [_answer(*STUDIO), _answer(*STUDIO[:2])], []
     assert drafts.furnish_best(task, STUDIO[:3], _furnish(answers, seeds)) is answers[1]
-    assert len(set(seeds)) == drafts.DRAFTS == 3
+    assert len(set(seeds)) == drafts.DRAFTS == 2
     assert seeds[0] == task.seed
+
+
+def test_first_of_equal_drafts_is_kept(task):
+    answers = [_answer(*STUDIO[:2]), _answer(*STUDIO[:2])]
+    assert drafts.furnish_best(task, STUDIO[:3], _furnish(answers, [])) is answers[0]
 
 
 def test_what_is_there_in_another_kind_is_worse_than_what_is_wished_for(task):
@@ -72,10 +77,10 @@ def test_no_studio_is_tried_again_where_the_first_draft_is_good(task):
     assert seeds == [task.seed]
 
 
-def test_a_studio_has_a_screen_before_its_sofa_that_one_draft_has_not(monkeypatch):
+def test_a_studio_holds_more_than_in_one_draft(monkeypatch):
     brief = sw.read("sample:home-studio")
-    best = sw.solve(brief, seed=5)
+    best = sw.solve(brief, seed=1)
     monkeypatch.setattr(drafts, "DRAFTS", 1)
-    once = sw.solve(brief, seed=5)
-    assert [any(p.category == "tv" for p in s.pieces) for s in (best, once)] == [True, False]
+    once = sw.solve(brief, seed=1)
+    assert len(best.left_out) < len(once.left_out)
     assert check(best).valid

@@ -18,11 +18,11 @@ from scenewright.domains.home.composing.views import is_unseen
 from scenewright.domains.home.programme import BEDS, Wish
 from scenewright.domains.home.second_try import try_otherwise
 
-DRAFTS, GOOD = 3, 100.0
+DRAFTS, GOOD = 2, 100.0
 """How often a studio is furnished at most, and from which cost on once more."""
 FIRST = 11
 """Drafts are numbered from here on; smaller numbers are those of second tries."""
-LEAST = 20.0  # square metres from which on a room is furnished several times
+LEAST = 24.0  # square metres from which on a room is furnished several times
 UNSEEN = 20.0  # what it costs that nobody sees the screen of a room
 
 Furnish = Callable[[RoomTask], RoomAnswer]
@@ -44,10 +44,12 @@ def furnish_best(task: RoomTask, wishes: tuple[Wish, ...], furnish: Furnish) -> 
 
 
 def is_studio(task: RoomTask, wishes: tuple[Wish, ...]) -> bool:
-    """Whether a room is to hold a bed, seats and a kitchen and has floor for them."""
+    """Whether a room that is composed is to hold a bed, seats and a kitchen and has floor for
+    them."""
     groups, exact = {wish.group for wish in wishes}, task.preset.settings.exact
     several = all(groups.intersection(each) for each in (BEDS, RUNS, ("seating",)))
-    return several and exact and not task.accessible and task.ground.area >= LEAST
+    composed = exact and not task.accessible and not task.library.own
+    return several and composed and task.ground.area >= LEAST
 
 
 def cost_of_draft(task: RoomTask, wishes: tuple[Wish, ...], answer: RoomAnswer) -> float:
@@ -58,7 +60,11 @@ def cost_of_draft(task: RoomTask, wishes: tuple[Wish, ...], answer: RoomAnswer) 
         m.wish.group for m in answer.missing if not m.replaced
     }
     lacks = sum(penalty(m.wish, costs) for m in answer.missing if not m.replaced)
-    lacks += costs.fallback * sum(w.rank == 0 and w.group not in there for w in wishes)
+    lacks += sum(
+        costs.unreached if w.core else costs.fallback
+        for w in wishes
+        if w.rank == 0 and w.group not in there
+    )
     blocked = find_blocked(with_narrow_ways(task), placed)
     far = sum(costs.in_the_way if b.startswith(DOOR) else costs.missing[1] for b in blocked)
     wrong = sum_faults(task, placed) + measure_closeness(placed, task.fixed, task.ground)

@@ -14,6 +14,7 @@ from shapely import Polygon
 from scenewright.core.same import Same
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, build_task_problem, floor_of
 from scenewright.domains.home.composing.bed_ways import cost_of_bed_ways
+from scenewright.domains.home.composing.case_faults import RUN
 from scenewright.domains.home.composing.forms import RUNS as RUNS
 from scenewright.domains.home.composing.forms import is_mere_kitchen
 from scenewright.domains.home.composing.fronts import cost_of_fronts
@@ -25,6 +26,7 @@ from scenewright.domains.home.composing.kitchen_faults import (
 )
 from scenewright.domains.home.composing.outlook import cost_of_outlook
 from scenewright.domains.home.composing.placed_faults import (
+    SEATS,
     cost_of_crowding,
     cost_of_group,
     cost_of_hearth,
@@ -33,6 +35,7 @@ from scenewright.domains.home.composing.placed_faults import (
 )
 from scenewright.domains.home.composing.views import cost_of_view
 from scenewright.domains.home.energy import energies_of, prepare, route_grid
+from scenewright.domains.home.furnishing.bed_rugs import BEDS
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.learned.density import footing
 from scenewright.domains.home.learned.habits import clear
@@ -120,19 +123,32 @@ def sum_faults(task: RoomTask, placed: Placed, known: tuple[float, ...] = ()) ->
     rule = task.preset.settings.composing
     pairs = zip(placed, known or (nan,) * len(placed), strict=True)
     each = sum(cost_of_group(p, task.ground, rule) if isnan(c) else c for p, c in pairs)
-    shelves = cost_of_shelves(placed, task.ground, rule.costs.shelves)
-    shelves += cost_of_fronts(placed, rule.costs.doors, task.fixed)
-    shelves += cost_of_washer(placed, rule.costs.loose) + cost_of_fridge(placed, task.ground, rule)
-    shelves += cost_of_crowding(placed, rule.costs.crowded)
-    shelves += cost_of_outlook(placed, task.ground, rule.costs.outlook, task.fixed)
-    shelves += cost_of_bed_ways(placed, task.ground, rule.costs.bed_way)
-    shelves += cost_of_stand(placed, rule.costs.beside_run)
-    if is_mere_kitchen(task):
-        each += cost_of_table(placed, task.ground, rule.costs)
-    if len(task.ground.hearths):
-        return each + shelves + cost_of_hearth(placed, task.ground, rule.costs.screen)
-    screen = cost_of_screen(placed, task.ground, rule.costs.screen)
-    return each + shelves + screen + cost_of_view(placed, rule.costs, task.ground.edges)
+    each += cost_of_table(placed, task.ground, rule.costs) if is_mere_kitchen(task) else 0.0
+    return each + _sum_together(task, placed)
+
+
+def _sum_together(task: RoomTask, placed: Placed) -> float:
+    """What is wrong with groups beside one another; only what kinds of pieces there are can
+    bring about is looked at."""
+    rule, ground = task.preset.settings.composing, task.ground
+    kinds, costs = {p.category for g in placed for p in g.pieces}, rule.costs
+    cost = cost_of_shelves(placed, ground, costs.shelves)
+    if "wardrobe" in kinds or task.fixed:
+        cost += cost_of_fronts(placed, costs.doors, task.fixed)
+    if not kinds.isdisjoint(RUN):
+        cost += cost_of_washer(placed, costs.loose) + cost_of_fridge(placed, ground, rule)
+        cost += cost_of_stand(placed, costs.beside_run)
+    if not kinds.isdisjoint(SEATS):
+        cost += cost_of_crowding(placed, costs.crowded)
+        cost += cost_of_outlook(placed, ground, costs.outlook, task.fixed)
+    if not kinds.isdisjoint(BEDS):
+        cost += cost_of_bed_ways(placed, ground, costs.bed_way)
+    if len(ground.hearths):
+        return cost + cost_of_hearth(placed, ground, costs.screen)
+    if "tv" in kinds:
+        cost += cost_of_screen(placed, ground, costs.screen)
+        cost += cost_of_view(placed, costs, ground.edges)
+    return cost
 
 
 def share_of(task: RoomTask, placed: Placed) -> float:

@@ -28,11 +28,12 @@ from scenewright.geometry.flanks import measure_flank_gaps
 
 Floats = NDArray[np.float64]
 
-_SEATS = ("sofa", "corner_sofa", "loveseat", "armchair")
+SEATS = ("sofa", "corner_sofa", "loveseat", "armchair")
+"""What one sits on at ease."""
 _BEDS = ("single_bed", "double_bed", "bunk_bed")
 _CHESTS = ("chest_of_drawers", "sideboard", "tv_stand", "bookcase", "wardrobe", "shelf_unit")
 _AWAY_FROM_DOORS = (*_BEDS, "armchair")
-SHADES = frozenset((*_SEATS, *_BEDS, *_CHESTS, "hob_cabinet"))
+SHADES = frozenset((*SEATS, *_BEDS, *_CHESTS, "hob_cabinet"))
 """What takes a window's light, or is not to stand in it."""
 SCREEN = "tv"
 DESKS = frozenset(("desk", "kids_desk", "corner_desk"))
@@ -215,7 +216,7 @@ def cost_of_crowding(groups: Sequence[FurnishedGroup], cost: float) -> float:
     """What is wrong with tables that sofas and armchairs crowd: seats nearer than
     :data:`BESIDE_TABLE` to the floor of those who eat, half for being so and half by the share of a
     square metre that they take of it."""
-    seats = [p for g in groups for p in g.pieces if p.category in _SEATS]
+    seats = [p for g in groups for p in g.pieces if p.category in SEATS]
     total = 0.0
     for group in groups if seats else ():
         if group.wish.group in TABLES:

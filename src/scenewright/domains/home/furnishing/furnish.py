@@ -298,8 +298,10 @@ def _find_supported(
 ) -> tuple[bool, ...]:
     """Which members stand: those that fit, hang on a wall if they hang, stand on what stands; what
     hangs above another only where that one stands."""
-    stands: list[bool] = []
     held_by = _held_by(case, catalog)
+    if all(fits) and not any(hangs for _, hangs, _ in held_by):
+        return (True,) * len(fits)
+    stands: list[bool] = []
     for i, (on, hangs, _) in enumerate(held_by):
         held = fits[i] and (on < 0 or stands[on])
         if held and hangs:

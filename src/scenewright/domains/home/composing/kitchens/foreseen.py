@@ -7,6 +7,7 @@ from itertools import chain, combinations, pairwise, takewhile
 from math import hypot, inf
 from typing import NamedTuple
 
+from scenewright.core.same import Same
 from scenewright.domains.home.composing.case_faults import (
     ACROSS,
     AMPLE,
@@ -31,7 +32,7 @@ from scenewright.domains.home.groups.fitted_kitchen import (
 )
 from scenewright.domains.home.groups.kitchen import FRIDGE, UNIT_DEPTH, Unit
 from scenewright.domains.home.groups.low_fridges import LOW
-from scenewright.domains.home.settings import ComposingSettings
+from scenewright.domains.home.settings import ComposingSettings, CompositionCosts
 
 TOPS = WORKTOP | {LOW}
 STATIONS = {"sink_cabinet": 0, "hob_cabinet": 1, "fridge": 2, LOW: 2}
@@ -56,20 +57,28 @@ def foresee_cost(kitchen: FittedKitchen, area: float, rule: ComposingSettings) -
     """What its case will cost in a room of ``area`` square metres, nearly: faults of worktop, of
     the triangle, and what it is short of for its room."""
     costs, lines = rule.costs, tuple(line.units for line in kitchen.lines)
-    units = _measure_units(lines, len(kitchen.corners), area)
-    faults = 0.0
-    for name, share, degree in units.faults:
-        faults += getattr(costs, name) * share * (1.0 + degree) / 2
+    faults = _cost_of_units(lines, len(kitchen.corners), area, Same(costs))
     if _has_lone_fridge(kitchen):
         faults += costs.fridge_alone * share_in(area, "fridge_alone")
-    if units.low:
-        faults += costs.low_fridge * share_in(area, "low_fridge")
     split = _tell_split(kitchen)
     if split:
         faults += getattr(costs, split) * share_in(area, split)
     if area >= WHOLE_FROM:
         faults += costs.triangle * _off_triangle(kitchen)
-    return faults + costs.short_run * units.short
+    return faults
+
+
+@lru_cache(maxsize=16384)
+def _cost_of_units(
+    lines: tuple[tuple[Unit, ...], ...], corners: int, area: float, by: Same[CompositionCosts]
+) -> float:
+    """What the units of a kitchen, by their lines, cost wherever they stand."""
+    costs, units = by.value, _measure_units(lines, corners, area)
+    faults = 0.0
+    for name, share, degree in units.faults:
+        faults += getattr(costs, name) * share * (1.0 + degree) / 2
+    low = costs.low_fridge * share_in(area, "low_fridge") if units.low else 0.0
+    return faults + low + costs.short_run * units.short
 
 
 class UnitFaults(NamedTuple):
@@ -82,7 +91,6 @@ class UnitFaults(NamedTuple):
     short: float
 
 
-@lru_cache(maxsize=16384)
 def _measure_units(lines: tuple[tuple[Unit, ...], ...], corners: int, area: float) -> UnitFaults:
     """The same of units by their lines, the one with the hob first."""
     facts = [_facts_of(units) for units in lines]

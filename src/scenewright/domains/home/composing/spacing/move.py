@@ -52,7 +52,7 @@ CUT = 0.75  # of its width a group keeps at least so much
 KEPT = HOLDING - {"wardrobe"}
 """What keeps all of its width; of a wardrobe that cannot be opened that is no loss."""
 WALKED = 4  # rooms that are walked through with their home, for each group
-ROUNDS = 4
+ROUNDS = 3
 SEATED = frozenset(("dining", "dining_wall"))
 """Groups whose chairs may go to other sides."""
 SPARE = frozenset(("plant",))
