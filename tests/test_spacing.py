@@ -170,6 +170,7 @@ def test_what_is_merely_welcome_gives_way_to_chairs_by_name(name, category, rank
         preset=SimpleNamespace(settings=SimpleNamespace(exact=True)),
         accessible=False,
         fixed=(),
+        ground=_ground(),
         library=SHIPPED,
         asked=None,
         space=SimpleNamespace(outlets=()),
@@ -267,3 +268,27 @@ def test_a_usual_group_makes_room_for_a_table_and_none_that_was_asked_for():
     assert found[0][1].reason == "it makes room for the table"
     close = [rules.Close("dining_wall", "", 5.0), rules.Close("shelf", "chest", 5.0)]
     assert making_room.list_hindered(placed, close) == ["dining_wall"]
+
+
+@pytest.mark.parametrize(("x", "near"), [(1.0, True), (0.6, False)])
+def test_a_bookcase_does_not_stand_behind_an_open_door(x, near):
+    door = (1.55, 0.0, 0.0, 1.0, 0.7)
+    shelf = group("shelf", "bookcase", x, 0.0, 0.0, 0.9, 0.3)
+    assert bool(rules.list_close([shelf], (), _ground([door]))) == near
+
+
+def test_a_shoe_cabinet_may_be_half_as_wide_for_the_doors_of_it_to_open():
+    shoes = {round(case.width, 1): case for case in cases("shoes").groups}
+    widest = max(shoes)
+    assert move._holds(shoes[min(w for w in shoes if w >= widest / 2)], shoes[widest])
+    wardrobes = {round(case.width, 1): case for case in cases("wardrobe").groups}
+    assert not move._holds(wardrobes[0.6], wardrobes[1.0])
+
+
+@pytest.mark.parametrize(("kind", "near"), [("wall_shelf", True), ("picture", False)])
+def test_a_hung_screen_keeps_off_the_units_of_a_kitchen(kind, near):
+    pose, size = Pose(0.0, 0.0, 0.5, pi / 2), Size(0.9, 0.16, 0.03)
+    board = Piece("media", kind, "", "a", pose, size, "media")
+    media = FurnishedGroup(Wish("media", 1), "media", None, (board,))
+    unit = group("kitchen", "drawer_cabinet", 0.45 + 0.1 + 0.3, 0.0, pi / 2, 0.6, 0.6)
+    assert (rules.measure_closeness([media, unit]) > 0.0) == near

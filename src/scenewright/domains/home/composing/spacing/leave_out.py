@@ -33,7 +33,12 @@ def leave_out_near(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
 
 
 def _find_near(task: RoomTask, placed: Placed) -> FurnishedGroup | None:
-    near = {name for c in list_close(placed, task.fixed) if c.cost >= MUCH for name in c[:2]}
+    near = {
+        name
+        for c in list_close(placed, task.fixed, task.ground)
+        if c.cost >= MUCH
+        for name in c[:2]
+    }
     for group in placed:
         wish = group.wish
         spare = wish.rank >= YIELDING.get(wish.group, NEVER) and not wish.required

@@ -48,7 +48,7 @@ STEP = 0.05  # between places along a wall, metres
 WORTH = 3.0  # what a room may cost more by its energy for each unit that stands less near
 FAULTS = 0.7  # and by how much what is wrong with it otherwise may rise for that
 LEAST = 1.0  # what is gained at least
-CUT = 0.75  # of its width a group keeps at least so much
+CUT, HALF = 0.75, 0.5  # of its width a group keeps at least so much, and one for shoes
 KEPT = HOLDING - {"wardrobe"}
 """What keeps all of its width; of a wardrobe that cannot be opened that is no loss."""
 WALKED = 4  # rooms that are walked through with their home, for each group
@@ -182,7 +182,8 @@ def _holds(form: Group, now: Group) -> bool:
     wider but for chairs on other sides of a table."""
     if _list_kinds(form) != _list_kinds(now):
         return False
-    least = now.width if form.function in KEPT else CUT * now.width
+    share = 1.0 if form.function in KEPT else HALF if form.function == "shoes" else CUT
+    least = share * now.width
     return form.width > least - HAIR and (form.function in SEATED or form.width < now.width + HAIR)
 
 

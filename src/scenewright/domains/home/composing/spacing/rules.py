@@ -48,11 +48,12 @@ class Distance(NamedTuple):
 DISTANCES = (
     Distance(BEDS | {*SOFAS, "armchair"}, ROUND, 0.3, RUN, 10.0),
     Distance(BEDS, FRONT, 0.4, frozenset(SOFAS), 4.0),
-    Distance(frozenset(("tv_stand",)), ROUND, 0.3, RUN, 6.0),
+    Distance(frozenset(("tv_stand", "wall_shelf")), ROUND, 0.3, RUN, 6.0),
     Distance(frozenset(("wardrobe",)), FRONT, 0.5, frozenset(), 8.0),
     Distance(
         frozenset(("chest_of_drawers", "sideboard", "tv_stand")), FRONT, 0.5, frozenset(), 6.0
     ),
+    Distance(frozenset(("shoe_cabinet", "bookcase")), FRONT, 0.4, frozenset(), 5.0),
     Distance(frozenset(("dining_table", "round_table")), ROUND, 0.3, BEDS, 5.0),
     Distance(frozenset(("dining_table", "round_table")), ROUND, 0.3, RUN, 4.0),
     Distance(frozenset(("dining_chair", "bar_stool")), BACK, 0.5, frozenset(), 5.0),
@@ -111,7 +112,8 @@ def measure_closeness(
 
 
 def _is_low(piece: Piece) -> bool:
-    return piece.pose.z < ON_FLOOR and piece.category != "rug"
+    low = piece.pose.z < ON_FLOOR or piece.category == "wall_shelf"  # a screen hangs over it
+    return low and piece.category != "rug"
 
 
 def _list_near(name: str, piece: Piece, low: Sequence[tuple[str, Piece]]) -> Iterator[Close]:

@@ -39,6 +39,7 @@ WALLED = (
     Walled(frozenset(SOFAS), FRONT, FEET, 0.03, False, 5.0),
     Walled(frozenset(("wardrobe",)), FRONT, 0.45, 0.15, False, 8.0),
     Walled(frozenset(("chest_of_drawers", "sideboard")), FRONT, 0.45, 0.15, False, 5.0),
+    Walled(frozenset(("chest_of_drawers", "sideboard", "bookcase")), FRONT, 0.3, 0.6, True, 4.0),
 )
 """The rows; a stool is pushed under its table and comes out farther than a chair."""
 
