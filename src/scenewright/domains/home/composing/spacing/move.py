@@ -15,6 +15,7 @@ from itertools import chain, islice
 
 from scenewright.core.catalog import Group
 from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask, find_blocked
+from scenewright.domains.home.bed_first import with_narrow_ways
 from scenewright.domains.home.composing.doorways import HOLDING
 from scenewright.domains.home.composing.forms import list_forms
 from scenewright.domains.home.composing.judging import (
@@ -24,7 +25,6 @@ from scenewright.domains.home.composing.judging import (
     judge_of,
     sum_faults,
 )
-from scenewright.domains.home.composing.moving import with_margin
 from scenewright.domains.home.composing.placed_faults import measure_before_doors
 from scenewright.domains.home.composing.settling import try_in_home
 from scenewright.domains.home.composing.spacing.leave_out import leave_out_near
@@ -136,10 +136,10 @@ def _list_apart(task: RoomTask, placed: Placed, at: int) -> Iterator[Placed]:
             continue
         if sum_faults(task, other) - faults < FAULTS * gain:
             rooms.append((cost - WORTH * gain, other))
-    margin = with_margin(task)
-    barred = frozenset(find_blocked(margin, placed)) if rooms else frozenset()
+    narrow = with_narrow_ways(task)  # the home tells exactly
+    barred = frozenset(find_blocked(narrow, placed)) if rooms else frozenset()
     for other in _take_turns(sorted(rooms, key=lambda row: row[0]), at):
-        if barred.issuperset(find_blocked(margin, other)):
+        if barred.issuperset(find_blocked(narrow, other)):
             yield other
 
 
