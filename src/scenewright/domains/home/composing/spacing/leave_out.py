@@ -21,15 +21,20 @@ MUCH = 3.0
 def leave_out_near(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
     """The answer without what nobody asked for that stands hard at chairs, doors of wardrobes or
     beds; a counter stays where it is the only worktop, and all that was learned elsewhere."""
-    habits = task.library.habits
-    learned = bool(task.library.own or habits.clearances or habits.shares)
-    if learned or not task.preset.settings.exact or task.accessible:
+    if not may_leave_out(task):
         return answer
     while (group := _find_near(task, answer.placed)) is not None:
         lost = Missing(group.wish, "it would stand too near to what else is here")
         placed = tuple(p for p in answer.placed if p is not group)
         answer = answer._replace(placed=placed, missing=(*answer.missing, lost))
     return answer
+
+
+def may_leave_out(task: RoomTask) -> bool:
+    """Whether something that nobody asked for may go: not what was learned elsewhere."""
+    habits = task.library.habits
+    learned = bool(task.library.own or habits.clearances or habits.shares)
+    return not learned and task.preset.settings.exact and not task.accessible
 
 
 def _find_near(task: RoomTask, placed: Placed) -> FurnishedGroup | None:

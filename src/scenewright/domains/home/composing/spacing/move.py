@@ -27,7 +27,7 @@ from scenewright.domains.home.composing.judging import (
 )
 from scenewright.domains.home.composing.placed_faults import measure_before_doors
 from scenewright.domains.home.composing.settling import try_in_home
-from scenewright.domains.home.composing.spacing.leave_out import leave_out_near
+from scenewright.domains.home.composing.spacing.leave_out import leave_out_near, may_leave_out
 from scenewright.domains.home.composing.spacing.making_room import (
     MUCH,
     list_hindered,
@@ -94,6 +94,8 @@ def _list_moves(task: RoomTask, answer: RoomAnswer) -> Iterator[RoomAnswer]:
 
 def _list_with_room(task: RoomTask, answer: RoomAnswer) -> Iterator[RoomAnswer]:
     """The answer with a group elsewhere for which another made room, if that is worth it."""
+    if not may_leave_out(task):
+        return
     placed, movable = answer.placed, _list_movable(task, answer.placed)
     most = _measure(task, placed) - MUCH
     for name in list_hindered(placed, list_close(placed, task.fixed, task.ground)):
