@@ -121,7 +121,7 @@ class CompositionCosts(NamedTuple):
     nightstand: float = 14.0
     one_side: float = 14.0
     short_bed: float = 4.0
-    adrift: float = 30.0
+    adrift: float = 44.0
     at_door: float = 8.0
     dark: float = 12.0
     shelves: float = 10.0
@@ -143,11 +143,11 @@ class CompositionCosts(NamedTuple):
     abreast: float = 4.0
     crowded: float = 8.0
     bed_way: float = 9.0
-    head_off: float = 4.0
+    head_off: float = 12.0
     narrow_bed: float = 3.0
     doors: float = 8.0
-    window: float = 15.0
-    opening: float = 13.0
+    window: float = 18.0
+    opening: float = 14.0
     short_run: float = 20.0
     modest: float = 10.0
     places: float = 20.0

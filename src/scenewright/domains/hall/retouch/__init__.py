@@ -46,6 +46,7 @@ from scenewright.domains.hall.retouch.nearness import (
     measure_nearness,
     propose_distances,
 )
+from scenewright.domains.hall.retouch.outer_rows import measure_slots, propose_lines
 from scenewright.domains.hall.retouch.parted import measure_parted, propose_sides
 from scenewright.domains.hall.retouch.poufs import measure_fences, propose_circles
 from scenewright.domains.hall.retouch.rings import propose_rings, rings_off
@@ -83,6 +84,7 @@ RETOUCHES: dict[str, Retouch] = {
     "bare": Retouch(find_floor, measure_bare, propose_moves),
     "runs": Retouch(_whole, measure_runs, propose_runs, make_room=False),
     "spread": Retouch(find_columns, measure_spread, propose_spread, make_room=False),
+    "outer rows": Retouch(_whole, measure_slots, propose_lines, make_room=False),
     "nearness": Retouch(find_company, measure_nearness, propose_distances, make_room=False),
 }
 """In the order in which they are made."""

@@ -74,6 +74,7 @@ ZONED: dict[str, Zones] = {
     "bedroom": (("reading", _seats), ("chest", _largest_first("chest")), PLANT),
     "study": (("reading", _seats), ("shelf", _largest_first("shelf")), PLANT),
     "dining": (("reading", _seats), PLANT),
+    "kitchen": (("reading", _seats), ("sideboard", _largest_first("sideboard")), PLANT),
 }
 """What fills a bare part of a room by its function: groups with their forms, in this order."""
 

@@ -37,6 +37,7 @@ WALLED = (
     Walled(frozenset(("dining_chair", "bar_stool")), BACK, 0.4, 0.3, True, 5.0),
     Walled(frozenset(("stool",)), BACK, 0.55, 0.3, True, 5.0),
     Walled(frozenset(SOFAS), FRONT, FEET, 0.03, False, 5.0),
+    Walled(frozenset(("armchair",)), FRONT, 0.45, 0.3, False, 5.0),
     Walled(frozenset(("wardrobe",)), FRONT, 0.45, 0.15, False, 8.0),
     Walled(frozenset(("chest_of_drawers", "sideboard")), FRONT, 0.45, 0.15, False, 5.0),
     Walled(frozenset(("chest_of_drawers", "sideboard", "bookcase")), FRONT, 0.3, 0.6, True, 4.0),
