@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from math import pi
+from itertools import combinations
+from math import hypot, pi
 
 import numpy as np
 import pytest
 import shapely
 
+import scenewright as sw
 from scenewright.building.plan import spaces
 from scenewright.catalog.assets import shipped
 from scenewright.core.brief import Brief, Room
@@ -17,7 +19,7 @@ from scenewright.core.piece_outlines import polygons_of
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains import check
 from scenewright.domains.home.attempt import FurnishedGroup
-from scenewright.domains.home.composing.bare_floor import list_other
+from scenewright.domains.home.composing.bare_floor import APART, list_other
 from scenewright.domains.home.composing.placed_faults import cost_of_group
 from scenewright.domains.home.furnishing.furnish import FurnishedPatch
 from scenewright.domains.home.furnishing.obstacles import standing_of
@@ -84,3 +86,17 @@ def test_a_pair_of_armchairs_that_stands_is_not_put_a_second_time() -> None:
     placed = (FurnishedGroup(Wish("reading", 2), "reading", dressed, ()),)
     assert list(list_other(placed, talking())) == others
     assert list(list_other((), talking())) == [one, *others]
+
+
+def test_two_pairs_of_armchairs_are_no_rows_of_seats() -> None:
+    home = sw.solve(sw.read("sample:home-loft"), seed=41)
+    lamps = [p.pose for p in home.pieces if p.category == "side_table" and "reading" in p.id]
+    away = [hypot(a.x - b.x, a.y - b.y) for a, b in combinations(lamps, 2)]
+    assert min(away, default=APART) >= APART - 0.3
+
+
+def test_a_bare_kitchen_has_a_second_zone() -> None:
+    large = {"id": "k", "function": "kitchen", "outline": [[0, 0], [8, 0], [8, 6], [0, 6]]}
+    doors = [{"at": [0, 1], "width": 0.9}]
+    home = solve(Brief(rooms=[Room.model_validate(large | {"doors": doors})]), seed=0)
+    assert sum(p.category == "armchair" for p in home.pieces) >= 2

@@ -39,14 +39,15 @@ def _furnish(answers, seeds):
 
 
 def test_best_of_several_drafts_is_kept(task):
-    answers, seeds = [_answer(*STUDIO), _answer(*STUDIO[:2])], []
-    assert drafts.furnish_best(task, STUDIO[:3], _furnish(answers, seeds)) is answers[1]
-    assert len(set(seeds)) == drafts.DRAFTS == 2
+    lacking = (STUDIO, STUDIO[:3], STUDIO[:2], STUDIO[:3])
+    answers, seeds = [_answer(*wishes) for wishes in lacking], []
+    assert drafts.furnish_best(task, STUDIO[:3], _furnish(answers, seeds)) is answers[2]
+    assert len(set(seeds)) == drafts.DRAFTS == 4
     assert seeds[0] == task.seed
 
 
 def test_first_of_equal_drafts_is_kept(task):
-    answers = [_answer(*STUDIO[:2]), _answer(*STUDIO[:2])]
+    answers = [_answer(*STUDIO[:2]) for _ in range(drafts.DRAFTS)]
     assert drafts.furnish_best(task, STUDIO[:3], _furnish(answers, [])) is answers[0]
 
 

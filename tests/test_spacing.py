@@ -17,6 +17,7 @@ from scenewright.domains.home.cases.library import SHIPPED, cases
 from scenewright.domains.home.composing.spacing import making_room, move, rules, shifts
 from scenewright.domains.home.composing.spacing.leave_out import leave_out_near, may_leave_out
 from scenewright.domains.home.furnishing.enlarge import without_overlaps
+from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.programme import Wish
 
 
@@ -72,7 +73,7 @@ def test_the_nearer_the_worse():
 
 def test_chairs_can_be_pushed_back():
     chair = group("dining", "dining_chair", 0.0, 0.0, 0.0, 0.46, 0.5)
-    sofa = group("seating", "sofa", -0.25 - 0.2 - 0.45, 0.0, pi, 2.0, 0.9)
+    sofa = group("seating", "sofa", -0.25 - 0.3 - 0.45, 0.0, pi, 2.0, 0.9)
     (close,) = rules.list_close([chair, sofa])
     assert (close.group, close.other) == ("dining", "seating")
 
@@ -187,10 +188,21 @@ def _ground(keep_free=()):
 
 def test_a_chair_with_a_wall_right_behind_it_is_wedged():
     near, far = (group("dining", "dining_chair", x, 0.0, 0.0, 0.46, 0.5) for x in (-0.65, -0.4))
-    (close,) = rules.list_close([near], (), _ground())
-    assert close.group == "dining"
-    assert close.cost > 5.0 / 2
+    close = rules.list_close([near], (), _ground())
+    assert {pair.group for pair in close} == {"dining"}
+    assert sum(pair.cost for pair in close) > 5.0 / 2
     assert not rules.list_close([far], (), _ground())
+
+
+@pytest.mark.parametrize("category", ["dining_chair", "stool"])
+def test_a_chair_nobody_can_sit_on_is_worse_than_two_beside_one_another(category):
+    """More than both at one side of their table costs, which is what one would do instead."""
+    costs = PRESETS["default"].settings.composing.costs
+    chair = group("dining", category, 0.0, 0.0, 0.0, 0.5, 0.5)
+    cupboard = group("chest", "chest_of_drawers", -0.45, 0.0, pi, 1.0, 0.3)
+    assert rules.measure_closeness([chair, cupboard]) > costs.abreast_wall / move.FAULTS
+    wall = group("dining", category, -0.7, 0.0, 0.0, 0.5, 0.5)
+    assert rules.measure_closeness([wall], (), _ground()) > costs.abreast_wall / move.FAULTS
 
 
 def test_a_column_before_a_sofa_is_too_near():
@@ -238,7 +250,10 @@ def test_a_table_is_shifted_and_turned_about_where_it_stands():
 
 @pytest.mark.parametrize(
     ("category", "x", "near"),
-    [("wardrobe", 2.4, True), ("wardrobe", 2.2, False), ("chest_of_drawers", 2.4, True)],
+    [
+        *(("wardrobe", 2.4, True), ("wardrobe", 2.2, False), ("chest_of_drawers", 2.4, True)),
+        *(("armchair", 2.5, True), ("armchair", 2.2, False)),
+    ],
 )
 def test_what_opens_needs_floor_before_it_within_the_room(category, x, near):
     wall = group("wardrobe", category, x, 0.0, 0.0, 1.0, 0.6)

@@ -18,7 +18,7 @@ from scenewright.domains.home.composing.views import is_unseen
 from scenewright.domains.home.programme import BEDS, Wish
 from scenewright.domains.home.second_try import try_otherwise
 
-DRAFTS, GOOD = 2, 100.0
+DRAFTS, GOOD = 4, 60.0
 """How often a studio is furnished at most, and from which cost on once more."""
 FIRST = 11
 """Drafts are numbered from here on; smaller numbers are those of second tries."""

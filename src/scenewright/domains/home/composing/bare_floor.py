@@ -53,6 +53,7 @@ STEP, BACKED = 0.4, 0.05  # how far before its wall something stands, and how ne
 AMID = (
     0.3  # by so many metres a circle is to be smaller with something amid the room than at a wall
 )
+APART = 4.5  # nearer middles of two pairs of armchairs are rows of seats, metres
 NOWHERE: Floats = np.empty((0, 5))
 FREE = frozenset(form.name for form in talking())
 """Forms that also stand a step before their wall, as before a window, or amid the room."""
@@ -176,7 +177,9 @@ def _list_added(
     further fault."""
     case, standing = group.dressed.case, standing_of(pieces_of(task, placed), _flat(task))
     faults, found = sum_faults(task, placed), 0
-    for box in order_boxes(task, (*placed, group), _list_boxes(task, group, standing, void)):
+    for box in order_boxes(
+        task, (*placed, group), _list_boxes(task, placed, group, standing, void)
+    ):
         added = dress_group(task, group, case, box, standing)
         if added is None or (case.name not in FREE and is_left_alone(added, placed)):
             continue
@@ -192,7 +195,7 @@ def _flat(task: RoomTask) -> frozenset[str]:
 
 
 def _list_boxes(
-    task: RoomTask, group: FurnishedGroup, standing: StandingObstacles, void: Void
+    task: RoomTask, placed: Placed, group: FurnishedGroup, standing: StandingObstacles, void: Void
 ) -> Floats:
     """The boxes (n, 5) with their middle in an empty circle on which a group stands free."""
     case = group.dressed.case
@@ -200,7 +203,16 @@ def _list_boxes(
     if case.name in FREE:
         rows += [_step_before(task, case, standing), list_amid(task, case, standing)]
     boxes = np.concatenate([NOWHERE, *rows])
-    return boxes[np.hypot(boxes[:, 0] - void.x, boxes[:, 1] - void.y) < void.radius]
+    near = np.hypot(boxes[:, 0] - void.x, boxes[:, 1] - void.y) < void.radius
+    return boxes[near & ~_are_near_pairs(boxes, placed)] if case.name in FREE else boxes[near]
+
+
+def _are_near_pairs(boxes: Floats, placed: Placed) -> NDArray[np.bool_]:
+    """Which of boxes (n, 5) for two armchairs are so near to two others that those look at the
+    backs of these."""
+    pairs = (p.dressed.box[:2] for p in placed if p.dressed.case.name in FREE)
+    near = [np.hypot(*(boxes[:, :2] - pair).T) < APART for pair in pairs]
+    return np.any(np.reshape(near, (len(near), len(boxes))), axis=0)
 
 
 def _step_before(task: RoomTask, case: Group, standing: StandingObstacles) -> Floats:

@@ -53,11 +53,16 @@ class LineFacts(NamedTuple):
     widths: tuple[float, ...]
 
 
-def foresee_cost(kitchen: FittedKitchen, area: float, rule: ComposingSettings) -> float:
+def foresee_cost(
+    kitchen: FittedKitchen, area: float, rule: ComposingSettings, most: float = inf
+) -> float:
     """What its case will cost in a room of ``area`` square metres, nearly: faults of worktop, of
-    the triangle, and what it is short of for its room."""
-    costs, lines = rule.costs, tuple(line.units for line in kitchen.lines)
+    the triangle, and what it is short of for its room; of what costs ``most`` or more only a part
+    of that."""
+    costs, lines = rule.costs, tuple([line.units for line in kitchen.lines])
     faults = _cost_of_units(lines, len(kitchen.corners), area, Same(costs))
+    if faults >= most:
+        return faults
     if _has_lone_fridge(kitchen):
         faults += costs.fridge_alone * share_in(area, "fridge_alone")
     split = _tell_split(kitchen)

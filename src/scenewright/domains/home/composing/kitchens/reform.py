@@ -190,6 +190,8 @@ def _pick(
             break
         while found and found[0][0] < costs[i]:
             yield listed[heappop(found)[1]]
-        heappush(found, (costs[i] + foresee_cost(listed[i], task.ground.area, rule), i))
-    while found and found[0][0] < most:
+        foreseen = foresee_cost(listed[i], task.ground.area, rule, most - costs[i])
+        if costs[i] + foreseen < most:
+            heappush(found, (costs[i] + foreseen, i))
+    while found:
         yield listed[heappop(found)[1]]

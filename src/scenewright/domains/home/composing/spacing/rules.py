@@ -57,6 +57,7 @@ DISTANCES = (
     Distance(frozenset(("dining_table", "round_table")), ROUND, 0.3, BEDS, 5.0),
     Distance(frozenset(("dining_table", "round_table")), ROUND, 0.3, RUN, 4.0),
     Distance(frozenset(("dining_chair", "bar_stool")), BACK, 0.5, frozenset(), 5.0),
+    Distance(frozenset(("dining_chair", "bar_stool", "stool")), BACK, 0.25, frozenset(), 10.0),
     Distance(frozenset(("armchair",)), FRONT, 0.4, frozenset(), 5.0),
 )
 """The rows; of two that name the same pieces both count."""

@@ -36,6 +36,7 @@ class Walled(NamedTuple):
 WALLED = (
     Walled(frozenset(("dining_chair", "bar_stool")), BACK, 0.4, 0.3, True, 5.0),
     Walled(frozenset(("stool",)), BACK, 0.55, 0.3, True, 5.0),
+    Walled(frozenset(("dining_chair", "bar_stool", "stool")), BACK, 0.25, 0.3, False, 10.0),
     Walled(frozenset(SOFAS), FRONT, FEET, 0.03, False, 5.0),
     Walled(frozenset(("armchair",)), FRONT, 0.45, 0.3, False, 5.0),
     Walled(frozenset(("wardrobe",)), FRONT, 0.45, 0.15, False, 8.0),
