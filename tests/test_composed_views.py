@@ -14,6 +14,7 @@ from scenewright.core.brief import Brief, Room
 from scenewright.core.catalog import Group, Member
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains import check
+from scenewright.domains.home import drafts
 from scenewright.domains.home.attempt import FurnishedGroup
 from scenewright.domains.home.composing.case_faults import find_case_faults
 from scenewright.domains.home.composing.forms import cost_of_case
@@ -146,8 +147,9 @@ def test_a_column_and_what_stands_right_before_a_screen_hide_it():
 
 
 @pytest.mark.parametrize("books", [True, False])
-def test_a_room_keeps_something_to_look_at_where_no_screen_is_seen(books):
-    """Books take the place of the screen; where there may be none, it stays."""
+def test_a_room_keeps_something_to_look_at_where_no_screen_is_seen(books, monkeypatch):
+    """Books take the place of the screen of a first draft; where there may be none, it stays."""
+    monkeypatch.setattr(drafts, "DRAFTS", 1)
     asked = read("sample:home-studio").model_dump(mode="json", exclude_unset=True)
     for room in asked["rooms"]:
         room["wishes"] = [] if books else [{"what": "bookcase", "forbid": True}]

@@ -13,6 +13,7 @@ from scenewright.domains.home.attempt import Missing, RoomAnswer
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.solving import prepare_rooms
+from scenewright.domains.home.stated_needs import AskedRooms
 
 STUDIO = (Wish("seating", 0), Wish("sleeping", 0), Wish("kitchen", 0), Wish("media", 1))
 
@@ -41,14 +42,34 @@ def _furnish(answers, seeds):
 def test_best_of_several_drafts_is_kept(task):
     lacking = (STUDIO, STUDIO[:3], STUDIO[:2], STUDIO[:3])
     answers, seeds = [_answer(*wishes) for wishes in lacking], []
-    assert drafts.furnish_best(task, STUDIO[:3], _furnish(answers, seeds)) is answers[2]
+    best = drafts.furnish_best(task, STUDIO[:3], _furnish(answers, seeds))
+    assert best.missing == answers[2].missing
+    assert best.drafts == (answers[1], answers[3], answers[0])
     assert len(set(seeds)) == drafts.DRAFTS == 4
     assert seeds[0] == task.seed
 
 
 def test_first_of_equal_drafts_is_kept(task):
-    answers = [_answer(*STUDIO[:2]) for _ in range(drafts.DRAFTS)]
-    assert drafts.furnish_best(task, STUDIO[:3], _furnish(answers, [])) is answers[0]
+    answers = [_answer(*STUDIO[:2])._replace(score=k) for k in range(drafts.DRAFTS)]
+    assert drafts.furnish_best(task, STUDIO[:3], _furnish(answers, [])).score == 0
+
+
+def test_a_draft_that_loses_something_to_the_ways_gives_way_to_the_best_that_does_not(task):
+    fine, worse, worst = (_answer(*STUDIO[:k])._replace(score=k) for k in (1, 2, 3))
+    every = AskedRooms((task,), (STUDIO[:3],), ())
+
+    def chosen(*lost):
+        """The draft that is chosen where those of some scores lose all there is."""
+        whole = fine._replace(drafts=(worse, worst))
+        return drafts.choose_open(every, [whole], lambda found: _opened(found, lost))[0].score
+
+    assert [chosen(), chosen(1), chosen(1, 2)] == [1, 2, 3]
+    assert chosen(1, 2, 3) == 1
+
+
+def _opened(found, lost):
+    missing = _answer(*STUDIO).missing
+    return [a._replace(missing=missing) if a.score in lost else a for a in found]
 
 
 def test_what_is_there_in_another_kind_is_worse_than_what_is_wished_for(task):

@@ -118,7 +118,8 @@ class Missing(NamedTuple):
 
 class RoomAnswer(NamedTuple):
     """One answer for a room; the lower ``score`` the better. ``unmet`` counts the wishes for
-    places and the outlets it does not meet; ``gone`` are pieces that gave way when all was done."""
+    places and the outlets it does not meet; ``gone`` are pieces that gave way when all was done;
+    ``drafts`` other answers, the next best first."""
 
     score: float
     placed: tuple[FurnishedGroup, ...]
@@ -129,6 +130,7 @@ class RoomAnswer(NamedTuple):
     evaluations: int
     unmet: int = 0
     gone: tuple[Gone, ...] = ()
+    drafts: tuple[RoomAnswer, ...] = ()
 
 
 def penalty(wish: Wish, costs: FaultCosts) -> float:

@@ -2,12 +2,13 @@
 
 Rooms of one or two uses come out much alike from other random numbers. In a studio a bed, seats and
 their screen, a table and a kitchen compete for the same walls; what is laid out first decides what
-is left for the rest, and no single group moved later makes up for it.
+is left for the rest, and no single group moved later makes up for it. Ways through the whole home
+are walked later and exactly: a draft that loses something to them gives way to another.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 from scenewright.domains.home.attempt import DOOR, RoomAnswer, RoomTask, find_blocked, penalty
 from scenewright.domains.home.bed_first import with_narrow_ways
@@ -16,7 +17,8 @@ from scenewright.domains.home.composing.judging import sum_faults
 from scenewright.domains.home.composing.spacing.rules import measure_closeness
 from scenewright.domains.home.composing.views import is_unseen
 from scenewright.domains.home.programme import BEDS, Wish
-from scenewright.domains.home.second_try import try_otherwise
+from scenewright.domains.home.second_try import Opened, try_otherwise
+from scenewright.domains.home.stated_needs import AskedRooms
 
 DRAFTS, GOOD = 4, 60.0
 """How often a studio is furnished at most, and from which cost on once more."""
@@ -29,18 +31,39 @@ Furnish = Callable[[RoomTask], RoomAnswer]
 
 
 def furnish_best(task: RoomTask, wishes: tuple[Wish, ...], furnish: Furnish) -> RoomAnswer:
-    """The answer for a room, of a studio the best of several drafts: the one that lacks least and
-    has least wrong with it, the first of equals; a good one is not tried to be bettered."""
-    best, several = furnish(task), is_studio(task, wishes)
-    least = cost_of_draft(task, wishes, best) if several else 0.0
+    """The answer for a room, of a studio the best of several drafts, with the others: the one that
+    lacks least and has least wrong with it, the first of equals; a good one is not tried to be
+    bettered."""
+    first = furnish(task)
+    if not is_studio(task, wishes):
+        return first
+    drafts = [(cost_of_draft(task, wishes, first), first)]
     for number in range(FIRST, FIRST + DRAFTS - 1):
-        if least < GOOD or task.cancelled():
+        if drafts[-1][0] < GOOD or task.cancelled():
             break
         other = furnish(try_otherwise(task._replace(progress=None), number, 0.0))
-        cost = cost_of_draft(task, wishes, other)
-        if cost < least:
-            best, least = other, cost
-    return best
+        drafts.append((cost_of_draft(task, wishes, other), other))
+    best, *others = (answer for _, answer in sorted(drafts, key=lambda draft: draft[0]))
+    return best._replace(drafts=tuple(others))
+
+
+def choose_open(
+    every: AskedRooms, answers: Sequence[RoomAnswer], opened: Opened
+) -> list[RoomAnswer]:
+    """The answers with another draft for each studio that loses something when the ways of its home
+    are ``opened``: the one that is best then, the first of equals."""
+    found = list(answers)
+    for room, (task, wishes) in enumerate(zip(every.tasks, every.wishes, strict=True)):
+        if not found[room].drafts or task.cancelled():
+            continue
+        walked = list[tuple[float, RoomAnswer]]()
+        for draft in (found[room], *found[room].drafts):
+            after = opened([*found[:room], draft, *found[room + 1 :]])[room]
+            walked.append((cost_of_draft(task, wishes, after), draft))
+            if len(after.missing) == len(draft.missing) and not after.gone:
+                break
+        found[room] = min(walked, key=lambda draft: draft[0])[1]
+    return found
 
 
 def is_studio(task: RoomTask, wishes: tuple[Wish, ...]) -> bool:

@@ -35,7 +35,7 @@ from scenewright.domains.home.composing.improve import compose
 from scenewright.domains.home.composing.soft_seats import add_soft_seat
 from scenewright.domains.home.composing.spacing.move import keep_distances
 from scenewright.domains.home.composing.unseen import leave_out_unseen_screen
-from scenewright.domains.home.drafts import furnish_best
+from scenewright.domains.home.drafts import choose_open, furnish_best
 from scenewright.domains.home.entrances import entered_by
 from scenewright.domains.home.furnishing.look import apply_style
 from scenewright.domains.home.home_floor import HomeFloor, join_floors
@@ -148,6 +148,7 @@ def _walk_home(
         catalog=every.tasks[0].catalog,
         settings=every.tasks[0].preset.settings,
     )
+    answers = choose_open(every, answers, opened)
     found = tried_again(every.tasks, every.wishes, every.budgets, answers, opened)
     household = decide_household(rooms, brief.residents)
     if again:

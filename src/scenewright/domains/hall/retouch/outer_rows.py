@@ -15,6 +15,7 @@ from scenewright.domains.hall.patterns import ALONG, CHAIN
 from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.retouch.lines import count_objects, find_layers, line_up
 from scenewright.domains.hall.terms.state import Kept
+from scenewright.domains.hall.terms.visitors import FIRST, GUIDE, MAIN, SPEAKER, TILL
 
 AISLE, LEAST, WORTH = 1.0, 2, 3.0
 """How wide an aisle before a wall is at least, in metres, how many rows have one, and what each
@@ -36,16 +37,17 @@ def measure_slots(problem: HallProblem, kept: Kept, boxes: Floats) -> float:
 
 
 def _find_rows(problem: HallProblem, kept: Kept) -> list[int]:
-    """The units in straight rows whose objects are looked at from before and behind, and that look
-    at nothing."""
-    units = problem.units
+    """The units in straight rows whose objects are looked at from before and behind, and that
+    neither serve nor guide nor look at anything."""
+    units, roles = problem.units, problem.visitors.roles.astype(int)
     firsts = units.spans[:, 0]
     both = (units.clear[firsts][:, (FRONT, BACK)] > 0.0).all(1) & (units.targets < 0)
     square = np.abs(np.sin(2.0 * kept.pose[:, 2])) < STRAIGHT
     rows = (kept.rows[:, 0] == CHAIN) & (kept.rows[:, 1] >= LEAST)
+    shown = ~(roles & (FIRST | TILL | GUIDE | SPEAKER | MAIN)).astype(bool)
     return [
         int(unit)
-        for unit in np.flatnonzero(both & square & rows)
+        for unit in np.flatnonzero(both & square & rows & shown)
         if kept.layers[find_layers(problem, int(unit))[0], ALONG] < SOLE
     ]
 

@@ -30,11 +30,13 @@ from scenewright.domains.home.composing.placed_faults import (
     measure_before_doors,
     measure_before_windows,
 )
+from scenewright.domains.home.composing.views import cost_of_view
 from scenewright.domains.home.programme import BEDS
 from scenewright.domains.home.second_try import Opened
 
 WORTH = 30.0
 """What a room may cost more for a window that is free, or a bed along a wall."""
+SEEN = 4.0  # by how much screens may be seen less well for it
 TRIED = 2  # rooms that are walked through with their home
 COUNTED = ("nightstand", "wardrobe", "seats", "worktop", "hob_at_sink", "hob_at_end")
 """Faults of cases that no window is worth, but the first: a bed for two with one nightstand is, if
@@ -132,16 +134,23 @@ def _list_open(task: RoomTask, placed: Placed, at: int) -> Iterator[Placed]:
     barred: frozenset[str] = frozenset()
     narrow, dearer = with_narrow_ways(task), list[Placed]()
     is_bed = placed[at].wish.group in BEDS
+    seen = _cost_of_view(task, placed) + SEEN
     for other in chain(_list_moved(task, placed, at), _list_around(task, placed, at)):
         if not counted:
             counted = count_faults(task, placed)
             barred = frozenset(find_blocked(narrow, placed))
+        if _cost_of_view(task, other) > seen:
+            continue
         better = is_better(count_faults(task, other), counted)
         if better and barred.issuperset(find_blocked(narrow, other)):
             yield other
         elif not better and is_bed and _is_worth_it(task, other, placed, counted):
             dearer.append(other)
     yield from (other for other in dearer if barred.issuperset(find_blocked(narrow, other)))
+
+
+def _cost_of_view(task: RoomTask, placed: Placed) -> float:
+    return cost_of_view(placed, task.preset.settings.composing.costs, task.ground.edges)
 
 
 def _list_moved(task: RoomTask, placed: Placed, at: int) -> Iterator[Placed]:
