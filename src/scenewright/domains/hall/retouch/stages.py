@@ -8,7 +8,7 @@ import numpy as np
 
 from scenewright.domains.hall.patterns import SINGLE, WALL
 from scenewright.domains.hall.problem import Floats, HallProblem
-from scenewright.domains.hall.solvers.chains import begin_chain
+from scenewright.domains.hall.solvers.chains import HallChain, begin_chain
 from scenewright.domains.hall.solvers.guided_metropolis import bring_back
 from scenewright.domains.hall.solvers.start import copy_frames
 from scenewright.domains.hall.terms.state import Kept
@@ -38,7 +38,7 @@ def propose_stages(
 
 def measure_stage(problem: HallProblem, boxes: Floats, stage: int) -> float:
     """How far a wide stage among boxes (n, 5) is from standing with its back amid a wall of its
-    zone, in metres: in the middle of that, or of the zone."""
+    zone, in metres: in the middle of the zone, of the wall where that has no room there."""
     unit = int(problem.units.spans[stage, 0])
     x, y, heading, width, depth = boxes[unit]
     front = np.array([np.cos(heading), np.sin(heading)])
@@ -51,9 +51,11 @@ def measure_stage(problem: HallProblem, boxes: Floats, stage: int) -> float:
         way, length = way / max(float(np.hypot(*way)), 1e-9), float(np.hypot(*way))
         if int(owner) == zone and np.array([-way[1], way[0]]) @ front > 0.99:
             along, off = float((back - start) @ way), float((back - start) @ (-way[1], way[0]))
-            aside = min(abs(along - 0.5 * length), abs(along - float((middle - start) @ way)))
-            inside = 0.0 <= along <= length
-            if inside:
+            amid = float((middle - start) @ way)
+            if not 0.5 * width <= amid <= length - 0.5 * width:
+                amid = 0.5 * length
+            aside = abs(along - amid)
+            if 0.0 <= along <= length:
                 found.append(OFF_WALL * min(off, MOST) + OFF_MIDDLE * min(aside, MOST))
     return min(found)
 
@@ -82,16 +84,26 @@ def _stand_free(
 
 
 def _stand_at_walls(problem: HallProblem, kept: Kept, stage: int) -> Iterator[tuple[Kept, Floats]]:
-    """In the middle and at the ends of each wall it finds room at."""
-    chain, zone = begin_chain(problem, kept, streams(0, 1)[0]), problem.units.zones[stage]
+    """In the middle and at the ends of each wall it finds room at, and amid its zone."""
+    chain, zone = begin_chain(problem, kept, streams(0, 1)[0]), int(problem.units.zones[stage])
     first, last = chain.p.loop_spans[zone]
     lengths = chain.s.stretches[chain.p.loops[first:last], 4].copy()
-    row = int(problem.units.spans[stage, 0])
+    middle = problem.ground.zone_bounds[zone].reshape(2, 2).mean(0)
     for along in np.cumsum(lengths) - 0.5 * lengths:
-        for side in SIDES:
-            moved = kept._replace(pose=kept.pose.copy())
-            moved.pose[stage, :2] = along, side
-            bring_back(chain.p, chain.s, chain.work, moved)
-            boxes = np.zeros((len(chain.p.sizes), 5))
-            copy_frames(chain.s, boxes)
-            yield moved, boxes[row]
+        amid, end = (_place(chain, kept, stage, along, side)[1][:2] for side in SIDES[::2])
+        way = end - amid
+        part = float((middle - amid) @ way) / max(float(way @ way), 1e-9)
+        for side in (*SIDES, *((part,) if abs(part) < 1.0 else ())):
+            yield _place(chain, kept, stage, along, side)
+
+
+def _place(
+    chain: HallChain, kept: Kept, stage: int, along: float, side: float
+) -> tuple[Kept, Floats]:
+    """A stage so far along the walls of its zone, and the box (5,) it has there."""
+    moved = kept._replace(pose=kept.pose.copy())
+    moved.pose[stage, :2] = along, side
+    bring_back(chain.p, chain.s, chain.work, moved)
+    boxes = np.zeros((len(chain.p.sizes), 5))
+    copy_frames(chain.s, boxes)
+    return moved, boxes[int(chain.problem.units.spans[stage, 0])]
