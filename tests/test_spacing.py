@@ -167,7 +167,22 @@ def test_what_is_merely_welcome_gives_way_to_chairs_by_name(name, category, rank
     chair = group("dining", "dining_chair", 0.0, 0.0, 0.0, 0.46, 0.5)
     other = group(name, category, -0.25 - metres - 0.2, 0.0, 0.0, 0.9, 0.4)
     other = other._replace(wish=Wish(name, rank))
-    task = SimpleNamespace(
+    left = leave_out_near(_task(), _answer(chair, other))
+    assert [g.name for g in left.placed] == (["dining"] if gone else ["dining", name])
+    assert [m.wish.group for m in left.missing] == ([name] if gone else [])
+
+
+def test_a_chest_that_cannot_be_opened_is_left_out_by_name():
+    chest = group("chest", "chest_of_drawers", 0.0, 0.0, 0.0, 1.0, 0.4)
+    bed = group("sleeping", "double_bed", 1.2 + 0.1, 0.0, pi, 1.4, 2.0)
+    groups = (chest._replace(wish=Wish("chest", 1)), bed)
+    left = leave_out_near(_task(), _answer(*groups))
+    assert [g.name for g in left.placed] == ["sleeping"]
+    assert [m.wish.group for m in left.missing] == ["chest"]
+
+
+def _task():
+    return SimpleNamespace(
         preset=SimpleNamespace(settings=SimpleNamespace(exact=True)),
         accessible=False,
         fixed=(),
@@ -176,9 +191,6 @@ def test_what_is_merely_welcome_gives_way_to_chairs_by_name(name, category, rank
         asked=None,
         space=SimpleNamespace(outlets=()),
     )
-    left = leave_out_near(task, _answer(chair, other))
-    assert [g.name for g in left.placed] == (["dining"] if gone else ["dining", name])
-    assert [m.wish.group for m in left.missing] == ([name] if gone else [])
 
 
 def _ground(keep_free=()):

@@ -36,7 +36,7 @@ from scenewright.domains.home.second_try import Opened
 
 WORTH = 30.0
 """What a room may cost more for a window that is free, or a bed along a wall."""
-SEEN = 4.0  # by how much screens may be seen less well for it
+SEEN = 4.0  # by how much the screen of a studio may be seen less well for it
 TRIED = 2  # rooms that are walked through with their home
 COUNTED = ("nightstand", "wardrobe", "seats", "worktop", "hob_at_sink", "hob_at_end")
 """Faults of cases that no window is worth, but the first: a bed for two with one nightstand is, if
@@ -150,6 +150,10 @@ def _list_open(task: RoomTask, placed: Placed, at: int) -> Iterator[Placed]:
 
 
 def _cost_of_view(task: RoomTask, placed: Placed) -> float:
+    """What is wrong with how a screen is seen, in a room one sleeps in: elsewhere no more than a
+    window is worth."""
+    if not any(p.wish.group in BEDS for p in placed):
+        return 0.0
     return cost_of_view(placed, task.preset.settings.composing.costs, task.ground.edges)
 
 

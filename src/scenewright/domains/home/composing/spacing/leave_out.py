@@ -10,7 +10,9 @@ from scenewright.domains.home.composing.spacing.rules import list_close
 from scenewright.domains.home.programme import WELCOME
 
 NEVER = 9
-YIELDING = {"counter": 1} | dict.fromkeys(
+CHEST = "chest"
+"""What goes only where it cannot be opened itself."""
+YIELDING = {"counter": 1, CHEST: 1} | dict.fromkeys(
     ("console", "plant", "reading", "shelf", "sideboard", "vanity"), WELCOME
 )
 """What a room looks no emptier without than it looks crowded with, from the rank of its wish on."""
@@ -38,16 +40,14 @@ def may_leave_out(task: RoomTask) -> bool:
 
 
 def _find_near(task: RoomTask, placed: Placed) -> FurnishedGroup | None:
-    near = {
-        name
-        for c in list_close(placed, task.fixed, task.ground)
-        if c.cost >= MUCH
-        for name in c[:2]
-    }
+    close = [c for c in list_close(placed, task.fixed, task.ground) if c.cost >= MUCH]
+    hindered = {c.group for c in close}
+    near = hindered | {c.other for c in close}
     for group in placed:
         wish = group.wish
         spare = wish.rank >= YIELDING.get(wish.group, NEVER) and not wish.required
-        if spare and group.name in near and not _is_needed(task, group, placed):
+        stuck = group.name in (hindered if wish.group == CHEST else near)
+        if spare and stuck and not _is_needed(task, group, placed):
             return group
     return None
 
