@@ -15,6 +15,7 @@ from scenewright.domains import check
 from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer
 from scenewright.domains.home.cases.library import SHIPPED, cases
 from scenewright.domains.home.composing.spacing import making_room, move, rules, shifts
+from scenewright.domains.home.composing.spacing.askew import is_askew, square_up
 from scenewright.domains.home.composing.spacing.leave_out import leave_out_near, may_leave_out
 from scenewright.domains.home.furnishing.enlarge import without_overlaps
 from scenewright.domains.home.presets import PRESETS
@@ -170,6 +171,25 @@ def test_what_is_merely_welcome_gives_way_to_chairs_by_name(name, category, rank
     left = leave_out_near(_task(), _answer(chair, other))
     assert [g.name for g in left.placed] == (["dining"] if gone else ["dining", name])
     assert [m.wish.group for m in left.missing] == ([name] if gone else [])
+
+
+@pytest.mark.parametrize(("category", "counts"), [("sofa", True), ("armchair", False)])
+def test_a_sofa_stands_square_to_some_wall(category, counts):
+    square, askew = (group("seating", category, 1.0, 0.0, h, 2.0, 0.9) for h in (pi / 2, pi / 3))
+    assert not rules.list_close([square], (), _ground())
+    assert bool(rules.list_close([askew], (), _ground())) == counts
+    assert square_up(pi / 3, _ground()) == pytest.approx(pi / 2)
+    slanted = SimpleNamespace(edges=np.array([[0.0, 0.0, 1.0, 3**0.5]]))
+    assert not is_askew(askew.pieces[0], slanted)
+
+
+def test_a_sofa_keeps_off_the_sides_of_a_bed():
+    bed = group("sleeping", "double_bed", 0.0, 0.0, 0.0, 1.6, 2.0)
+    near, far = (
+        group("seating", "sofa", 0.0, 0.8 + gap + 0.45, pi / 2, 2.0, 0.9) for gap in (0.1, 0.4)
+    )
+    assert rules.list_close([bed, near])
+    assert not rules.list_close([bed, far])
 
 
 def test_a_chest_that_cannot_be_opened_is_left_out_by_name():

@@ -16,6 +16,8 @@ from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import FurnishedGroup
 from scenewright.domains.home.composing.case_faults import RUN
 from scenewright.domains.home.composing.fronts import MOVED, ON_FLOOR
+from scenewright.domains.home.composing.spacing.askew import COST as ASKEW
+from scenewright.domains.home.composing.spacing.askew import is_askew
 from scenewright.domains.home.composing.spacing.walled import BACK, FRONT, list_walled
 from scenewright.domains.home.furnishing.bed_rugs import BEDS
 from scenewright.domains.home.furnishing.enlarge import SOFAS
@@ -48,6 +50,7 @@ class Distance(NamedTuple):
 DISTANCES = (
     Distance(BEDS | {*SOFAS, "armchair"}, ROUND, 0.3, RUN, 10.0),
     Distance(BEDS, FRONT, 0.4, frozenset(SOFAS), 4.0),
+    Distance(BEDS, ROUND, 0.3, frozenset(SOFAS), 5.0),
     Distance(frozenset(("tv_stand", "wall_shelf")), ROUND, 0.3, RUN, 6.0),
     Distance(frozenset(("wardrobe",)), FRONT, 0.5, frozenset(), 8.0),
     Distance(
@@ -78,7 +81,7 @@ def list_close(
     """The pairs of groups that stand too near to one another, each row of :data:`DISTANCES` half
     for being broken and half by the share of its floor that is taken, or of which one turns its
     back on an armchair; and groups whose seats have a wall, a door or a column of the ``ground``
-    too near."""
+    too near, or that stand askew on it."""
     own = [(g.name, p) for g in groups for p in g.pieces if _is_low(p)]
     low = [*own, *(("", p) for p in fixed if _is_low(p))]
     found = list[Close]()
@@ -86,6 +89,7 @@ def list_close(
         found += [*_list_near(name, piece, low), *_list_backs(name, piece, low)]
         if ground is not None:
             found += [Close(name, "", cost) for cost in list_walled(piece, ground)]
+            found += [Close(name, "", ASKEW)] if is_askew(piece, ground) else []
     return found
 
 

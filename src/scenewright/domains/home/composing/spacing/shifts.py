@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from scenewright.domains.home.composing.judging import JudgedRoom, Placed, RoomJudge
 from scenewright.domains.home.composing.moving import AMID, FREE, stand_at
+from scenewright.domains.home.composing.spacing.askew import square_up
 from scenewright.domains.home.composing.walked_places import WalkedPlace, furnish_places
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.geometry.fit import is_backed
@@ -24,13 +25,14 @@ TRIED = 60  # places that are furnished, those first that cost least
 
 
 def list_shifted(judge: RoomJudge, placed: Placed, at: int, most: float) -> Iterator[JudgedRoom]:
-    """The rooms with a group that stands amid the floor shifted along and across, turned by a
-    quarter or not, where it stands free and the room costs at most ``most``, the cheapest by energy
-    first."""
+    """The rooms with a group that stands amid the floor shifted along and across, squared up to a
+    wall, turned by a quarter or not, where it stands free and the room costs at most ``most``, the
+    cheapest by energy first."""
     task, group = judge.task, placed[at]
-    box = group.dressed.box
+    box = group.dressed.box.copy()
     if group.wish.group not in SHIFTED or is_backed(box, task.ground.walls, AMID):
         return
+    box[2] = square_up(float(box[2]), task.ground)
     pieces = (p for k, g in enumerate(placed) for p in g.pieces if k != at)
     standing = standing_of((*task.fixed, *task.beside, *pieces), flat_kinds(task.catalog))
     boxes = stand_at(task, group.dressed.case, _shift(box, group.wish.group in FREE), standing)
