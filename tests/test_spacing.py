@@ -192,6 +192,11 @@ def test_a_sofa_keeps_off_the_sides_of_a_bed():
     assert not rules.list_close([bed, far])
 
 
+def test_no_screen_is_moved_to_where_a_column_hides_it():
+    home = sw.solve(sw.read("sample:home-curved"), seed=53)
+    assert any(p.category == "tv" for p in home.pieces)
+
+
 def test_a_chest_that_cannot_be_opened_is_left_out_by_name():
     chest = group("chest", "chest_of_drawers", 0.0, 0.0, 0.0, 1.0, 0.4)
     bed = group("sleeping", "double_bed", 1.2 + 0.1, 0.0, pi, 1.4, 2.0)

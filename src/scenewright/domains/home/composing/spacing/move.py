@@ -35,6 +35,7 @@ from scenewright.domains.home.composing.spacing.making_room import (
 )
 from scenewright.domains.home.composing.spacing.rules import list_close, measure_closeness
 from scenewright.domains.home.composing.spacing.shifts import list_shifted
+from scenewright.domains.home.composing.views import is_unseen
 from scenewright.domains.home.composing.walked_places import try_places
 from scenewright.domains.home.second_try import Opened
 
@@ -55,6 +56,8 @@ WALKED = 4  # rooms that are walked through with their home, for each group
 ROUNDS = 3
 SEATED = frozenset(("dining", "dining_wall"))
 """Groups whose chairs may go to other sides."""
+WATCHED = frozenset(("media", "seating"))
+"""What is not moved to where a screen is out of sight."""
 SPARE = frozenset(("plant",))
 """What stands on a group and may be lost for it."""
 HAIR = 1e-6
@@ -135,7 +138,7 @@ def _list_apart(task: RoomTask, placed: Placed, at: int) -> Iterator[Placed]:
             continue
         if measure_before_doors(other[at], task.ground) > doors + HAIR:
             continue
-        if count_unmet(task, other) > unmet:
+        if count_unmet(task, other) > unmet or _hides_screen(task, other, placed, at):
             continue
         if sum_faults(task, other) - faults < FAULTS * gain:
             rooms.append((cost - WORTH * gain, other))
@@ -144,6 +147,13 @@ def _list_apart(task: RoomTask, placed: Placed, at: int) -> Iterator[Placed]:
     for other in _take_turns(sorted(rooms, key=lambda row: row[0]), at):
         if barred.issuperset(find_blocked(narrow, other)):
             yield other
+
+
+def _hides_screen(task: RoomTask, other: Placed, placed: Placed, at: int) -> bool:
+    """Whether nobody sees a screen any more once it, or its seats, are elsewhere."""
+    edges = task.ground.edges
+    watched = placed[at].wish.group in WATCHED and is_unseen(other, edges)
+    return watched and not is_unseen(placed, edges)
 
 
 def _measure(task: RoomTask, placed: Placed) -> float:
