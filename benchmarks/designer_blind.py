@@ -114,8 +114,9 @@ def open_key(key: list[BlindPair], verdicts: dict[int, str]) -> dict[str, list[s
 def tell(folder: Path, verdicts: Path) -> None:
     """Print who was preferred where."""
     key = [BlindPair(**row) for row in json.loads((folder / "key.json").read_text())]
-    rows = [line.split() for line in verdicts.read_text().splitlines() if line.strip()]
-    for whose, rooms in open_key(key, {int(number): letter for number, letter in rows}).items():
+    rows = (line.split("#")[0].split() for line in verdicts.read_text().splitlines())
+    told = {int(row[0]): row[1] for row in rows if row}
+    for whose, rooms in open_key(key, told).items():
         print(f"{whose}: {len(rooms)} of {len(key)}", *rooms, sep="\n  ")
 
 
