@@ -37,7 +37,8 @@ RUGS_APART = 0.1  # between rugs of one room, metres
 WIDTHS = 2.3  # distance from seat to screen in widths of the screen that is aimed at
 MOST_WIDTHS = 3.15  # and no further in widths of one that reaches beyond its stand
 OVERHANG = 0.36  # a screen may be wider than its stand, metres
-ONE_SIDE = 0.16  # and one that ends over an end of it, metres
+ONE_SIDE = 0.16  # and one that reaches beyond one end of it only, metres
+HAIR = 1e-6
 STEP = 0.1  # screens are tried in steps, metres
 LEAST_SCREEN, SCREEN_DEPTH, SCREEN_RATIO = 0.75, 0.22, 0.62
 """The narrowest screen, how deep it stands, metres, and its height as a share of its width."""
@@ -148,7 +149,7 @@ def _screens(screen: Piece, pieces: Sequence[Piece]) -> Iterator[Piece]:
     x, y, z, heading = screen.pose
     for wide in np.arange(most, screen.size.width, -STEP).round(2).tolist():
         over = max(wide - stand.size.width, 0.0) / 2
-        for aside in (0.0, over, -over) if 0.0 < over <= ONE_SIDE / 2 else (0.0,):
+        for aside in (0.0, over, -over) if 0.0 < over <= ONE_SIDE / 2 + HAIR else (0.0,):
             pose = Pose(x - sin(heading) * aside, y + cos(heading) * aside, z, heading)
             yield replace(screen, pose=pose, size=Size(wide, screen.size.depth, ratio * wide))
 
@@ -166,7 +167,7 @@ def _find_widest(stood: Same[Piece], on: Same[Ground], near: tuple[Same[Piece], 
     stand = stood.value
     widths = np.arange(stand.size.width + OVERHANG, LEAST_SCREEN, -STEP)
     over = np.maximum(widths - stand.size.width, 0.0) / 2
-    beyond = np.where(over <= ONE_SIDE / 2, over, 0.0)
+    beyond = np.where(over <= ONE_SIDE / 2 + HAIR, over, 0.0)
     aside = np.concatenate([np.zeros_like(over), beyond, -beyond])
     wide, (x, y, z, heading) = np.tile(widths, 3), stand.pose
     turn, deep = np.full_like(wide, heading), np.full_like(wide, SCREEN_DEPTH)
