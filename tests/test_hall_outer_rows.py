@@ -81,6 +81,6 @@ def least_aisle(solution: Solution) -> float:
 
 @pytest.mark.parametrize("seed", range(3))
 def test_a_library_has_no_slot_at_its_walls(seed: int) -> None:
-    found = scenewright.solve(library(count=24), seed=seed, steps=2000, threads=1)
+    found = scenewright.solve(library(count=40), seed=seed, steps=2000, threads=1)
     assert scenewright.check(found).valid
     assert least_aisle(found) > 0.85

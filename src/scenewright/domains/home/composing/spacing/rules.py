@@ -9,9 +9,11 @@ left free of which others.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from functools import lru_cache
 from math import cos, hypot, sin
 from typing import NamedTuple
 
+from scenewright.core.same import Same
 from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import FurnishedGroup
 from scenewright.domains.home.composing.case_faults import RUN
@@ -82,15 +84,29 @@ def list_close(
     for being broken and half by the share of its floor that is taken, or of which one turns its
     back on an armchair; and groups whose seats have a wall, a door or a column of the ``ground``
     too near, or that stand askew on it."""
-    own = [(g.name, p) for g in groups for p in g.pieces if _is_low(p)]
-    low = [*own, *(("", p) for p in fixed if _is_low(p))]
+    return list(_list_close(Same(groups), Same(fixed), Same(ground)))
+
+
+@lru_cache(maxsize=32)
+def _list_close(
+    known: Same[Sequence[FurnishedGroup]], beside: Same[Sequence[Piece]], on: Same[Ground | None]
+) -> tuple[Close, ...]:
+    """The same, of the same groups found once."""
+    own = [(g.name, p) for g in known.value for p in g.pieces if _is_low(p)]
+    low = [*own, *(("", p) for p in beside.value if _is_low(p))]
     found = list[Close]()
     for name, piece in own:
         found += [*_list_near(name, piece, low), *_list_backs(name, piece, low)]
-        if ground is not None:
-            found += [Close(name, "", cost) for cost in list_walled(piece, ground)]
-            found += [Close(name, "", ASKEW)] if is_askew(piece, ground) else []
-    return found
+        if on.value is not None:
+            found += [Close(name, "", cost) for cost in _measure_alone(Same(piece), on)]
+    return tuple(found)
+
+
+@lru_cache(maxsize=1024)
+def _measure_alone(known: Same[Piece], on: Same[Ground]) -> tuple[float, ...]:
+    """What is wrong with where a piece stands, whatever else does; most of a room's do not move."""
+    walled = tuple(list_walled(known.value, on.value))
+    return (*walled, ASKEW) if is_askew(known.value, on.value) else walled
 
 
 def _list_backs(name: str, piece: Piece, low: Sequence[tuple[str, Piece]]) -> Iterator[Close]:
@@ -123,10 +139,7 @@ def _is_low(piece: Piece) -> bool:
 
 def _list_near(name: str, piece: Piece, low: Sequence[tuple[str, Piece]]) -> Iterator[Close]:
     """What stands on the floor that is to be free at one piece."""
-    for row in DISTANCES:
-        if piece.category not in row.of:
-            continue
-        floor = _make_floor(piece, row)
+    for row, floor in _make_floors(Same(piece)):
         for other, there in low:
             if other != name and _is_meant(row, there) and _may_meet(floor, there):
                 share = float(common_area(floor, _frame(there))) / _whole(floor, row, piece, there)
@@ -144,6 +157,13 @@ def _whole(floor: Frame, row: Distance, piece: Piece, other: Piece) -> float:
 
 def _is_meant(row: Distance, other: Piece) -> bool:
     return other.category in row.by if row.by else other.category not in MOVED
+
+
+@lru_cache(maxsize=1024)
+def _make_floors(known: Same[Piece]) -> tuple[tuple[Distance, Frame], ...]:
+    """The rows a piece is of, each with its floor."""
+    piece = known.value
+    return tuple((row, _make_floor(piece, row)) for row in DISTANCES if piece.category in row.of)
 
 
 def _make_floor(piece: Piece, row: Distance) -> Frame:
