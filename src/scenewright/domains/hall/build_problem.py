@@ -29,6 +29,7 @@ from scenewright.domains.hall.patterns import PATTERNS
 from scenewright.domains.hall.problem import Floats, HallGround, HallProblem, Ints, Units
 from scenewright.domains.hall.settings import HallSettings
 from scenewright.domains.hall.visitor_plan import plan_visitors
+from scenewright.domains.hall.wall_corners import corner_share
 from scenewright.domains.hall.zones import HallPlan
 
 LANDING = 1.5
@@ -229,7 +230,7 @@ def _kept_free(space: Space, seen: tuple[DoorApproach, ...]) -> list[list[float]
 def _stretches(hall: HallContext, wishes: list[HallDemand], units: list[Unit]) -> list[list[float]]:
     floor = shapely.Polygon(hall.space.outline, hall.space.holes)
     return [
-        [wall.x0, wall.y0, wall.x1, wall.y1, float(number), _in_corner(wall, floor)]
+        [wall.x0, wall.y0, wall.x1, wall.y1, float(number), corner_share(wall, floor)]
         for number, walls in enumerate(hall.walls)
         for wall in space_places(walls, _wall_need(wishes, units, number))
     ]
@@ -245,14 +246,6 @@ def _wall_need(wishes: list[HallDemand], units: list[Unit], zone: int) -> WallNe
     ]
     wide, deep, side = np.array(rows).max(0) if rows else (0.0, 0.0, 0.0)
     return WallNeed(float(wide), float(deep), len(rows), bool(side > 0.0))
-
-
-def _in_corner(wall: WallStretch, floor: shapely.Polygon) -> float:
-    """1 if another wall stands at the start of a stretch."""
-    start, way = np.array([wall.x0, wall.y0]), np.array([wall.x1 - wall.x0, wall.y1 - wall.y0])
-    way = way / np.hypot(*way)
-    probe = start - 0.12 * way + 0.1 * np.array([-way[1], way[0]])
-    return 0.0 if shapely.contains_xy(floor, *probe) else 1.0
 
 
 def _without_windows(walls: tuple[WallStretch, ...]) -> tuple[WallStretch, ...]:

@@ -101,14 +101,14 @@ def _measure_ways(
 
 
 def _find_used(small: list[HallDemand], boxes: Placed) -> tuple[Floats, Floats]:
-    """The boxes (n, 5) of those demands that people walk up to, and 1 for the sides (n, 4) of
-    which one of each must be reached."""
-    sides = [[float(side in KINDS[wish.category].access) for side in SIDES] for wish in small]
-    used = [(_stack(mine), of) for mine, of in zip(boxes, sides, strict=False) if any(of)]
-    access = [np.tile(of, (len(mine), 1)) for mine, of in used]
-    return (
-        np.concatenate([np.zeros((0, 5)), *(mine for mine, _ in used)]),
-        np.concatenate([np.zeros((0, 4)), *access]),
+    """The boxes (n, 5) of those demands, and 1 for the sides (n, 4) of which one of each must be
+    reached: any where its kind is used from none."""
+    access = [
+        np.tile([float(side in (KINDS[wish.category].access or SIDES)) for side in SIDES], (n, 1))
+        for wish, n in zip(small, (len(_stack(mine)) for mine in boxes), strict=False)
+    ]
+    return np.concatenate([np.zeros((0, 5)), _stack(*boxes)]), np.concatenate(
+        [np.zeros((0, 4)), *access]
     )
 
 
