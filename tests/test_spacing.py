@@ -220,7 +220,8 @@ def _task():
 
 def _ground(keep_free=()):
     edges = np.array([[-1, -2, 3, -2], [3, -2, 3, 2], [3, 2, -1, 2], [-1, 2, -1, -2]], float)
-    return SimpleNamespace(edges=edges, keep_free=np.array(keep_free, float).reshape(-1, 5))
+    free, nothing = np.array(keep_free, float).reshape(-1, 5), np.zeros((0, 4))
+    return SimpleNamespace(edges=edges, keep_free=free, area=0.0, paths=nothing)
 
 
 def test_a_chair_with_a_wall_right_behind_it_is_wedged():

@@ -60,6 +60,8 @@ WASHER = "washer"
 STORING = frozenset(
     ("wardrobe", "chest_of_drawers", "bookcase", "sideboard", "shelf_unit", "storage_shelf")
 )
+COOKING = frozenset(("kitchen", "kitchenette", "fridge", "counter", "island"))
+LEAST_SECOND = 4.0  # a wet room of less is no second kitchen of a home, square metres
 WASHROOM = "washroom"
 WET = ("bathroom", "toilet", WASHROOM)
 
@@ -68,8 +70,8 @@ class Household(NamedTuple):
     """What is decided for a home as a whole: how many live there, in how many bedrooms; the rooms
     (their ids, empty: none) where they eat, where shoes stand and where one works; the wet rooms;
     where a number of residents is ``stated``, the rooms that get ``bunks``, those large enough for
-    two children in which one sleeps ``alone``; the area of each room, square metres; and which
-    washroom has the washing machine.
+    two children in which one sleeps ``alone``; the area of each room, square metres; which
+    washroom has the washing machine, and in which of several kitchens one cooks.
     """
 
     residents: int
@@ -83,6 +85,7 @@ class Household(NamedTuple):
     alone: tuple[str, ...] = ()
     areas: Mapping[str, float] = MappingProxyType({})
     washes_in: str = ""
+    cooks_in: str = ""
 
 
 def decide_household(rooms: Sequence[Space], stated: int | None = None) -> Household:
@@ -125,6 +128,7 @@ def decide_household(rooms: Sequence[Space], stated: int | None = None) -> House
         alone=_alone(uses, areas, sum(beds) - (stated or sum(beds))),
         areas=areas,
         washes_in=largest((WASHROOM,)),
+        cooks_in=largest(("kitchen",)),
     )
 
 
@@ -173,8 +177,9 @@ def share_out(
     household: Household, room: str, wishes: tuple[Wish, ...], others: frozenset[str]
 ) -> tuple[Wish, ...]:
     """The wishes of a room as the household has them: shoes stand in one room, elsewhere is a rack
-    for coats; of several washrooms one has the washing machine; a home none of whose rooms brings a
-    table eats where it has room. ``others`` are the groups that all rooms wish for.
+    for coats; of several washrooms one has the washing machine, and no second kitchen is fitted
+    into a tiny wet room; a home none of whose rooms brings a table eats where it has room.
+    ``others`` are the groups that all rooms wish for.
 
     >>> home = Household(3, 2, "living", "hall", "", ())
     >>> [wish.group for wish in share_out(home, "landing", (Wish("shoes", 1),), frozenset())]
@@ -188,6 +193,9 @@ def share_out(
         found += racks
     if household.washes_in not in ("", room):
         found = [wish for wish in found if wish.group != WASHER or wish.required]
+    tiny = room in household.wet and household.areas.get(room, LEAST_SECOND) < LEAST_SECOND
+    if tiny and household.cooks_in not in ("", room):
+        found = [wish for wish in found if wish.group not in COOKING or wish.required]
     if any(wish.group in TABLES and wish.required for wish in found):
         found = [wish for wish in found if wish.group not in TABLES or wish.required]
     if room == household.eats_in and not others & TABLES:

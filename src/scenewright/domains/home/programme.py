@@ -16,9 +16,9 @@ from scenewright.domains.home.groups.alone import own_groups
 
 
 class Attraction(NamedTuple):
-    """What draws a group, or keeps it away: a ``window``, ``door`` or ``wall``, or groups and
-    kinds, from ``near`` to ``far`` metres off; ``facing`` 1 to look at it, at the ``middle`` of
-    its front or anywhere along it."""
+    """What draws a group, or keeps it away: a ``window``, ``door`` or ``wall``, the ``outlook``
+    across from the doors, or groups and kinds, from ``near`` to ``far`` metres off; ``facing`` 1 to
+    look at it, at the ``middle`` of its front or anywhere along it."""
 
     to: tuple[str, ...]
     near: float = 0.0
@@ -231,6 +231,8 @@ HEARTH = PlacementPreference(
     draws=(Attraction(("fireplace",), near=0.6, far=2.6, facing=1.0, middle=True),)
 )
 """Seats gather before the middle of a fireplace that stands."""
+VIEW = PlacementPreference(draws=(Attraction(("outlook",), facing=0.1),))
+"""Who sits on a balcony looks out or along it, not at the house."""
 PRIVATE = PlacementPreference(draws=(Attraction(("door",), near=3.0),))
 ROOMY = 40.0
 """A bed in a room of so many square metres that is also lived or cooked in is away from doors."""
@@ -295,9 +297,11 @@ def programme(
 
 def _usual_place(group: str, shared: bool) -> PlacementPreference:
     """Where a group is wished though nobody says: beds of a ``shared`` room away from its doors,
-    seats before a fireplace."""
+    seats before a fireplace, chairs of a balcony looking out."""
     if group in BEDS and shared:
         return PRIVATE
+    if group in ("lounger", "terrace"):
+        return VIEW
     return HEARTH if group == "seating" else PlacementPreference()
 
 

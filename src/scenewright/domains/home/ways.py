@@ -101,6 +101,44 @@ def walk(
     return set(walked.owner) - near, joined
 
 
+def walk_floor(ground: Ground, solid: Floats, narrow: float, wide: float) -> float:
+    """Square metres of the middles of discs ``wide`` metres across that stand free of boxes
+    ``solid`` (n, 5) and to which none as ``narrow`` gets from any door."""
+    known = known_ground(ground)
+    grids = _empty_grid(known, narrow), _empty_grid(known, wide)
+    cells = np.empty((3, *grids[0].free.shape), np.uint64)
+    return count_cut_off(*grids, solid, cells) * CELL**2
+
+
+@compiled
+def count_cut_off(
+    narrow: RouteGrid, wide: RouteGrid, solid: Floats, cells: NDArray[np.uint64]
+) -> int:
+    """How many cells are free in the ``wide`` grid beside boxes ``solid`` (n, 5) that nobody gets
+    to in the ``narrow`` one. ``cells`` (3, h, k) is scratch."""
+    free, reached, stand = cells[0], cells[1], cells[2]
+    for row in range(free.shape[0]):
+        for word in range(free.shape[1]):
+            free[row, word], stand[row, word] = narrow.free[row, word], wide.free[row, word]
+            reached[row, word] = NONE
+    for k in range(solid.shape[0]):
+        sweep_box(free, narrow, _frame(solid, k), narrow.radius, CLEAR)
+        sweep_box(stand, wide, _frame(solid, k), wide.radius, CLEAR)
+    for k in range(narrow.doors.shape[0]):
+        for row in range(free.shape[0]):
+            for word in range(free.shape[1]):
+                reached[row, word] |= narrow.doors[k, row, word] & free[row, word]
+    flood(reached, free)
+    count = 0
+    for row in range(free.shape[0]):
+        for word in range(free.shape[1]):
+            left = stand[row, word] & ~reached[row, word]
+            while left != NONE:
+                left &= left - np.uint64(1)
+                count += 1
+    return count
+
+
 @lru_cache(maxsize=256)
 def _empty_grid(known: KnownGround, width: float) -> RouteGrid:
     """The grid of a room in which nothing stands but what is built in."""

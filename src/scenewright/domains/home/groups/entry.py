@@ -8,6 +8,10 @@ from math import pi
 from scenewright.core.catalog import Group, Member
 from scenewright.core.scene import Size
 
+SHELVES = (0.19, 0.3, 0.4)
+"""Depths of shelving, metres; the least leaves the floor behind the door of a closet half a metre
+deep free."""
+
 
 def desk() -> Iterator[Group]:
     """A desk at the wall, its chair before it, a screen and a lamp on it."""
@@ -115,21 +119,21 @@ def _console(width: float, depth: float = 0.3) -> Group:
 def storage() -> Iterator[Group]:
     """Storage shelving, 0.4 to 3.0 m long."""
     for width in (0.3, 0.4, 0.5, 0.6, 0.8, 1.0, 1.2, 1.4, 1.6, 2.0, 2.4, 3.0):
-        for depth in (0.2, 0.3, 0.4):
+        for depth in SHELVES:
             yield _shelving(width, depth)
 
 
 def fitted_storage() -> Iterator[Group]:
     """Shelving made to measure, 0.7 to 3.0 m long in steps of 0.1 m."""
     for width in range(7, 31):
-        for depth in (0.2, 0.3, 0.4):
+        for depth in SHELVES:
             yield _shelving(width / 10, depth)
 
 
 def fitted_shelving() -> Iterator[Group]:
     """Shelving from wall to wall, 0.5 to 3.6 m long in steps of 0.05 m."""
     for width in range(10, 73):
-        for depth in (0.2, 0.3, 0.4):
+        for depth in SHELVES:
             yield _shelving(width / 20, depth)
 
 

@@ -24,6 +24,9 @@ Floats = NDArray[np.float64]
 
 WISHED = 4.0  # weight of a place that is wished for
 CONNECTED = 2.0  # weight of an outlet within reach
+PARTS = (("wall",), ("window",), ("door",), ("outlook",))
+"""What draws a group to a part of its room."""
+ACROSS = 0.7  # cosine of the angle by which an edge is turned from one it is across from
 FRONT = 1  # the side of a box that is its front, of those that spots_of lists
 BACKWARD = frozenset(("desk", "kids_desk", "vanity", "piano"))
 """Groups at which one sits before the piece and looks over it."""
@@ -83,10 +86,12 @@ def _collect_wished_places(
 
 
 def spots_of(to: tuple[str, ...], space: Space, fixed: tuple[Piece, ...]) -> Floats:
-    """Segments (k, 4) of what is meant: openings, walls, sides of fixed pieces; none if the room
-    has none."""
+    """Segments (k, 4) of what is meant: openings, walls, those across from doors, sides of fixed
+    pieces; none if the room has none."""
     if to == ("wall",):
         return np.hstack([space.outline, np.roll(space.outline, -1, 0)])
+    if to == ("outlook",):
+        return _list_across(space)
     if to in (("window",), ("door",)):
         return np.array(
             [
@@ -100,6 +105,16 @@ def spots_of(to: tuple[str, ...], space: Space, fixed: tuple[Piece, ...]) -> Flo
     boxes = np.array([(p.pose.x, p.pose.y, p.pose.heading, *p.size[:2]) for p in there])
     points = corners(boxes.reshape(-1, 5))
     return np.concatenate([points, np.roll(points, -1, axis=1)], axis=2).reshape(-1, 4)
+
+
+def _list_across(space: Space) -> Floats:
+    """The edges (k, 4) of a room that look back at a door, none of which has one itself."""
+    walls = spots_of(("wall",), space, ())
+    way = walls[:, 2:] - walls[:, :2]
+    into = np.column_stack([-way[:, 1], way[:, 0]]) / np.hypot(*way.T)[:, None]
+    doors = np.array([g.inward for g in gates(space) if g.opening.kind != "window"]).reshape(-1, 2)
+    across = into @ doors.T
+    return walls[(across < -ACROSS).any(1) & (across < ACROSS).all(1)]
 
 
 def _middles(to: tuple[str, ...], space: Space, fixed: tuple[Piece, ...]) -> Floats:
@@ -130,4 +145,4 @@ def _collect_outlet_places(
 
 def list_attractions(wish: Wish) -> tuple[Attraction, ...]:
     """The places among a wish's that are other groups, not parts of the room."""
-    return tuple(d for d in wish.sway.draws if d.to not in (("wall",), ("window",), ("door",)))
+    return tuple(d for d in wish.sway.draws if d.to not in PARTS)

@@ -10,10 +10,12 @@ from scenewright.domains.home.composing.spacing.rules import list_close
 from scenewright.domains.home.programme import WELCOME
 
 NEVER = 9
-CHEST = "chest"
-"""What goes only where it cannot be opened itself."""
-YIELDING = {"counter": 1, CHEST: 1} | dict.fromkeys(
-    ("console", "plant", "reading", "shelf", "sideboard", "vanity"), WELCOME
+OPENED = {"chest": NEVER, "shelf": WELCOME}
+"""What goes only if it cannot be opened itself, below a rank of its wish."""
+YIELDING = (
+    {"counter": 1}
+    | dict.fromkeys(OPENED, 1)
+    | dict.fromkeys(("console", "plant", "reading", "sideboard", "vanity"), WELCOME)
 )
 """What a room looks no emptier without than it looks crowded with, from the rank of its wish on."""
 MUCH = 3.0
@@ -46,7 +48,8 @@ def _find_near(task: RoomTask, placed: Placed) -> FurnishedGroup | None:
     for group in placed:
         wish = group.wish
         spare = wish.rank >= YIELDING.get(wish.group, NEVER) and not wish.required
-        stuck = group.name in (hindered if wish.group == CHEST else near)
+        opened = wish.rank < OPENED.get(wish.group, 0)
+        stuck = group.name in (hindered if opened else near)
         if spare and stuck and not _is_needed(task, group, placed):
             return group
     return None

@@ -20,6 +20,7 @@ from scenewright.domains.home.composing.case_faults import RUN
 from scenewright.domains.home.composing.fronts import MOVED, ON_FLOOR
 from scenewright.domains.home.composing.spacing.askew import COST as ASKEW
 from scenewright.domains.home.composing.spacing.askew import is_askew
+from scenewright.domains.home.composing.spacing.cut_off import cost_of_cut_off
 from scenewright.domains.home.composing.spacing.walled import BACK, FRONT, list_walled
 from scenewright.domains.home.furnishing.bed_rugs import BEDS
 from scenewright.domains.home.furnishing.enlarge import SOFAS
@@ -35,6 +36,15 @@ BACKED = frozenset((*SOFAS, "dining_chair"))
 VIEW, AWAY, BEHIND = (0.5, 1.6), 0.5, 4.0
 """The floor before an armchair (width, depth; m), the cosine of the angle by which a back on it is
 turned at most, and what it costs."""
+FRONTED = RUN - {"fridge"}
+"""What is stood before to cook, and opens."""
+CUPBOARDS = frozenset(
+    (
+        *("bookcase", "chest_of_drawers", "coat_rack", "console_table", "desk", "shelf_unit"),
+        *("shoe_cabinet", "sideboard", "storage_shelf", "tv_stand", "vanity", "wardrobe"),
+    )
+)
+"""What is not to stand across the end of a worktop."""
 HAIR = 0.02  # so much floor is not seen, square metres
 
 
@@ -51,9 +61,11 @@ class Distance(NamedTuple):
 
 DISTANCES = (
     Distance(BEDS | {*SOFAS, "armchair"}, ROUND, 0.3, RUN, 10.0),
+    Distance(frozenset(("nightstand",)), ROUND, 0.25, RUN, 6.0),
     Distance(BEDS, FRONT, 0.4, frozenset(SOFAS), 4.0),
     Distance(BEDS, ROUND, 0.3, frozenset(SOFAS), 5.0),
     Distance(frozenset(("tv_stand", "wall_shelf")), ROUND, 0.3, RUN, 6.0),
+    Distance(FRONTED, FRONT, 0.4, CUPBOARDS, 6.0),
     Distance(frozenset(("wardrobe",)), FRONT, 0.5, frozenset(), 8.0),
     Distance(
         frozenset(("chest_of_drawers", "sideboard", "tv_stand")), FRONT, 0.5, frozenset(), 6.0
@@ -99,7 +111,17 @@ def _list_close(
         found += [*_list_near(name, piece, low), *_list_backs(name, piece, low)]
         if on.value is not None:
             found += [Close(name, "", cost) for cost in _measure_alone(Same(piece), on)]
-    return tuple(found)
+    return (*found, *_list_cut_off(low, on.value)) if on.value is not None else tuple(found)
+
+
+def _list_cut_off(low: Sequence[tuple[str, Piece]], ground: Ground) -> Iterator[Close]:
+    """That floor is cut off, as the fault of the group without which least of it is, if any is."""
+    solid = [(name, p) for name, p in low if p.category not in MOVED]
+    cost = cost_of_cut_off([p for _, p in solid], ground)
+    if cost:
+        names = dict.fromkeys(name for name, _ in solid if name)
+        less = {n: cost_of_cut_off([p for name, p in solid if name != n], ground) for n in names}
+        yield Close(min(less, key=lambda name: less[name]), "", cost)
 
 
 @lru_cache(maxsize=1024)

@@ -1,0 +1,45 @@
+"""Floor on which somebody could stand and to which nobody gets: a strip behind a sofa, a niche."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scenewright.core.piece_outlines import boxes_of
+from scenewright.core.same import Same
+from scenewright.core.scene import Piece
+from scenewright.domains.home.problem import Ground
+from scenewright.domains.home.ways import walk_floor
+from scenewright.geometry.boxes import Floats
+
+LARGE = 10.0
+"""In rooms of so many square metres floor is worth getting to."""
+SQUEEZE, STAND = 0.44, 0.6
+"""Gaps through which one gets, and the floor one stands on, in metres."""
+SEEN, COST, EACH, MOST = 0.1, 4.0, 5.0, 10.0
+"""Square metres of middles of such floor that are not noticed, what more costs, what each square
+metre of them costs besides, and the most that counts."""
+
+
+def cost_of_cut_off(pieces: Sequence[Piece], ground: Ground) -> float:
+    """What it costs that some floor of a room is cut off by pieces."""
+    if ground.area < LARGE or not len(ground.doors):
+        return 0.0
+    area = measure_cut_off(pieces, ground)
+    return min(COST + EACH * area, MOST) if area > SEEN else 0.0
+
+
+def measure_cut_off(pieces: Sequence[Piece], ground: Ground) -> float:
+    """Square metres of the middles of discs :data:`STAND` wide that stand free in a room and to
+    which none :data:`SQUEEZE` wide gets from a door, less what is cut off in the empty room."""
+    boxes: Floats = np.array([box for p in pieces for box in boxes_of(p)]).reshape(-1, 5)
+    return max(walk_floor(ground, boxes, SQUEEZE, STAND) - _measure_empty(Same(ground)), 0.0)
+
+
+@lru_cache(maxsize=64)
+def _measure_empty(same: Same[Ground]) -> float:
+    nothing: NDArray[np.float64] = np.zeros((0, 5))
+    return walk_floor(same.value, nothing, SQUEEZE, STAND)
