@@ -49,6 +49,7 @@ from scenewright.domains.hall.hall_layout import HallLayout
 from scenewright.domains.hall.holdings import HallDemand, collect_demands, restrict_patterns
 from scenewright.domains.hall.idle_guides import drop_units, find_barring, find_idle, report_idle
 from scenewright.domains.hall.lack import lacks, leaves_open, measure_lack
+from scenewright.domains.hall.lounges import part_lounges
 from scenewright.domains.hall.move_borders import move_borders, read_slack, search_with_borders
 from scenewright.domains.hall.on_stage import put_on_stage
 from scenewright.domains.hall.presets import PRESETS, HallPreset, count_steps
@@ -354,7 +355,7 @@ def furnish_layout(
     demands = {group.id: group.demand for group in groups}
     rails = place_barriers(hall.space, fitted.problem, best, solid, demands, catalog)
     parts = parts_of(fitted.problem, p, s, lost)
-    known = {wish.id: wish for wish in wishes}
+    known = {wish.id: wish for wish in part_lounges(wishes)}
     grown = (grow_to_floor(piece, known[piece.function], catalog) for piece in objects)
     every = (*around, *grown, *low, *rails)
     standing_hall = StandingHall(hall, fitted.problem, best, wishes, every)
@@ -387,7 +388,7 @@ def _seat_desks(
     if hall.settings.whole:
         return ()
     solid = (*objects, *others)
-    names = {wish.id: f"{wish.id} {wish.name}" for wish in wishes}
+    names = {wish.id: f"{wish.id} {wish.name}" for wish in part_lounges(wishes)}
     served = {wish.id for wish in wishes if wish.seated}
     found = desk_chairs(objects, names, served, solid, catalog)
     return keep_reached_chairs(hall.space, fitted.problem, best, found, solid)

@@ -13,6 +13,7 @@ from scenewright.domains.hall.build_problem import HallContext
 from scenewright.domains.hall.desk_ways import part_desks
 from scenewright.domains.hall.few_in_rows import set_few_in_rows
 from scenewright.domains.hall.holdings import HallDemand
+from scenewright.domains.hall.lounges import join_lounges
 from scenewright.domains.hall.on_stage import split_carried
 from scenewright.domains.hall.seating import join_chairs
 
@@ -33,8 +34,9 @@ def find_locked(hall: HallContext) -> tuple[Piece, ...]:
 def split_demands(
     hall: HallContext, asked: list[HallDemand], catalog: Catalog, together: bool
 ) -> SplitDemands:
-    """The demands of a hall, chairs joined with tables; pianos and small objects are laid out with
-    the rest if all are ``together``."""
+    """The demands of a hall, chairs joined with tables and sofas with low tables; pianos and
+    small objects are laid out with the rest if all are ``together``, and sofas by themselves."""
+    asked = asked if together else join_lounges(asked)
     joined = set_few_in_rows(hall, join_chairs(asked, catalog))
     parted = part_desks(hall, abut_stands(hall, joined, catalog))
     wishes, carried = split_carried(parted, hall.fixed, together)
