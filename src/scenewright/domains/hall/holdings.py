@@ -34,11 +34,11 @@ class HallDemand(NamedTuple):
     Chairs asked for by themselves name the demand ``at`` whose tables they stand; once joined
     (:mod:`.seating`), that holds them as ``seated``. A desk then stands with ``before`` metres for
     its chair, ``turned`` so that who sits at it looks ahead. Counters at a wall stand with
-    ``staff`` metres behind them; those in a ``row`` are one object until they
-    are furnished, and so are two rows back to back (``double``). Of
-    what is ``unplaced`` the brief says neither whether it stands at a wall nor in what pattern; of
-    what is ``unstated`` neither this nor what it looks at, its free floor or how full its zone is.
-    What is ``set_last`` is set once all else stands. Each object of sofas in ``lounges``
+    ``staff`` metres behind them, and ``before`` them is the floor of stools; those in a ``row`` are
+    one object until they are furnished, and so are two rows back to back (``double``). Of what is
+    ``unplaced`` the brief says neither whether it stands at a wall nor in what pattern; of what is
+    ``unstated`` neither this nor what it looks at, its free floor or how full its zone is. What is
+    ``set_last`` is set once all else stands. Each object of sofas in ``lounges``
     (:mod:`.lounges`) is one of these until it is furnished."""
 
     id: str

@@ -201,7 +201,7 @@ def _part_line(wish: HallDemand, pose: Pose, size: Size) -> list[Place]:
 
 def grow_to_floor(piece: Piece, wish: HallDemand, catalog: Catalog) -> Piece:
     """A piece as large as the floor it takes with its chairs or staff."""
-    if wish.before:
+    if wish.before and wish.seated:
         return grow_desk(piece, wish.before)
     if wish.staff or wish.double:
         return _grow_staff(piece, KINDS[wish.category].staff)
