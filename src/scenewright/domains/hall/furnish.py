@@ -61,11 +61,11 @@ def furnish_hall(
                 continue
             places += part_row(wish, pose, fitted)
         rows = enumerate(places, 1)
-        pieces += [_piece(hall, wish, group, number, place, catalog) for number, place in rows]
+        pieces += [make_piece(hall, wish, group, number, place, catalog) for number, place in rows]
     return tuple(pieces)
 
 
-def _piece(
+def make_piece(
     hall: HallContext, wish: HallDemand, group: str, number: int, place: Place, catalog: Catalog
 ) -> Piece:
     """The object of a group with a number, at its place."""
@@ -98,7 +98,7 @@ def _furnish_lounge(
     for part, at in set_parts(lounge, pose):
         told[part.wish.id] += 1
         number = before * len(lounge) + told[part.wish.id]
-        yield _piece(hall, part.wish, group, number, (at, part.size), catalog)
+        yield make_piece(hall, part.wish, group, number, (at, part.size), catalog)
 
 
 def _model_of(wish: HallDemand, number: int, size: Size, catalog: Catalog) -> Asset | None:

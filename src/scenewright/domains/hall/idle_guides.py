@@ -25,7 +25,10 @@ from scenewright.domains.hall.solvers.outcome import MeasuredLayout
 from scenewright.domains.hall.terms.state import Kept
 from scenewright.engine.draws import streams
 
-OPEN = "nowhere would they and the barriers beside them close the way in"
+OPEN = (
+    "nowhere would they and the barriers beside them close the way in: draw a zone at the entrance "
+    "for them, ask for a narrower door, or for less beside it"
+)
 STRAY = "there is no room for them before what they guide people to"
 BARRING = "they would bar the way to where people are served"
 ASTRAY = 1.5

@@ -34,6 +34,7 @@ from scenewright.domains.hall.asked_low_tables import set_low_tables
 from scenewright.domains.hall.assemble import Laid, assemble_solution
 from scenewright.domains.hall.barriers import place_barriers
 from scenewright.domains.hall.barring_ropes import find_served_at
+from scenewright.domains.hall.boarding_gates import set_boarding_gates
 from scenewright.domains.hall.build_problem import HallContext, hall_of
 from scenewright.domains.hall.chairs import with_chairs
 from scenewright.domains.hall.compose import compose
@@ -249,6 +250,10 @@ def _lay(
     asked = restrict_patterns(collect_demands(brief, task.number, locked, catalog), task.lean)
     weights, seed = preset.weights, task.seed
     together = preset.settings.whole or task.solver != "anneal"
+    boarding: tuple[Piece, ...] = ()
+    if not together:
+        hall, asked, boarding = set_boarding_gates(hall, asked, catalog)
+    locked = (*locked, *boarding)
     wishes, carried, small = split_demands(hall, asked, catalog, together)
     wishes, fitted = fit_with_staff(hall, wishes, weights, catalog, seed, cancel, small)
     if not fitted.units:
@@ -257,7 +262,7 @@ def _lay(
         kept = (*kept_groups(hall, locked), *groups)
         layout = HallLayout(hall.plan.zones, hall.plan.links, kept)
         way = tour(hall.space, hall.fixed, layout, catalog, hall.route) if kept else None
-        return Laid(on, kept, (), (), (*missing, *out), 0.0, 0, way)
+        return Laid((*boarding, *on), kept, (), (), (*missing, *out), 0.0, 0, way)
     budget = task.budget
     if budget.steps is None and budget.seconds is None and task.solver == preset.solver:
         budget = budget._replace(steps=count_steps(preset, len(fitted.units) + count_groups(small)))
@@ -289,7 +294,7 @@ def _lay(
     laid = _furnish_guided(search, fitted, best, locked, missing, found.evaluations)
     on, groups, out = put_on_stage(hall, carried, (*hall.fixed, *laid.pieces), catalog)
     return laid._replace(
-        pieces=(*laid.pieces, *on),
+        pieces=(*boarding, *laid.pieces, *on),
         groups=(*laid.groups, *groups),
         left_out=(*laid.left_out, *out),
         zones=hall.plan.zones,
