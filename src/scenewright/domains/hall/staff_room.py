@@ -17,6 +17,7 @@ from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains.hall.build_problem import HallContext
 from scenewright.domains.hall.chairs import grow_table
 from scenewright.domains.hall.counter_forms import list_forms
+from scenewright.domains.hall.desk_ways import list_parted
 from scenewright.domains.hall.fit import Fitted, fit
 from scenewright.domains.hall.holdings import HallDemand
 from scenewright.domains.hall.lounges import count_parts, list_lounge_forms, part_lounges
@@ -80,9 +81,10 @@ def _fit_forms(
 def _list_forms(
     hall: HallContext, wish: HallDemand, small: Sequence[HallDemand]
 ) -> Iterator[HallDemand]:
-    """The forms of counters, or of lounges, that leave these open."""
+    """The forms of counters, lounges and desks that leave these open."""
     yield from list_forms(hall, wish, small)
     yield from list_lounge_forms(wish)
+    yield from list_parted(hall, wish)
 
 
 class Stand(NamedTuple):
