@@ -316,7 +316,7 @@ def _furnish_guided(
     if not may_retry(search):
         return laid
     served = find_served_at(laid.pieces)
-    idle = find_barring(search, fitted, best, served) | find_idle(fitted, best, laid.pieces)
+    idle = find_barring(search, fitted, best, served) | find_idle(wishes, fitted, best, laid.pieces)
     if not idle:
         return laid
     fitted, best, idle, fewer = place_fewer_of_each(search, fitted, best, idle, served)
