@@ -33,7 +33,7 @@ def cafe(*demands: dict[str, Any], size: float = 10.0) -> Brief:
 
 
 def join(*demands: dict[str, Any]) -> list[HallDemand]:
-    return join_lounges(collect_demands(cafe(*demands), 0, (), catalog_of([])))
+    return join_lounges(collect_demands(cafe(*demands), 0, (), catalog_of([])), 0.9)
 
 
 def of(found: Solution, category: str) -> list[Piece]:
@@ -58,6 +58,25 @@ def test_sofa_and_armchairs_stand_round_the_low_table(seed: int) -> None:
     assert table.function == "coffee_table"
     assert scenewright.check(found).valid
     assert not found.left_out
+
+
+@pytest.mark.parametrize(("sofas", "tables", "chairs"), [(2, 1, 2), (2, 2, 5), (1, 1, 4)])
+def test_one_gets_to_all_seats_of_a_lounge(sofas: int, tables: int, chairs: int) -> None:
+    asked = [SOFA | {"count": sofas}, TABLE | {"count": tables}, CHAIRS | {"count": chairs}]
+    found = scenewright.solve(cafe(*asked), seed=59, threads=1)
+    assert len({piece.group for piece in found.pieces}) == 1
+    assert scenewright.check(found).valid
+    assert not found.left_out
+
+
+def test_one_gets_to_narrow_sofas_and_by_a_wide_route() -> None:
+    narrow = SOFA | {"size": [1.6, 0.85, 0.8]}
+    for asked, route in ((narrow, 0.9), (SOFA, 1.2)):
+        brief = cafe(asked, TABLE, CHAIRS).model_copy(update={"route_width": route})
+        found = scenewright.solve(brief, seed=59, threads=1)
+        assert len({piece.group for piece in found.pieces}) == 1
+        assert scenewright.check(found).valid
+        assert not found.left_out
 
 
 def test_each_table_has_its_sofa_and_its_share_of_the_chairs() -> None:

@@ -34,12 +34,15 @@ class SetGates(NamedTuple):
     pieces: tuple[Piece, ...]
 
 
-def set_boarding_gates(hall: HallContext, asked: list[HallDemand], catalog: Catalog) -> SetGates:
+def set_boarding_gates(
+    hall: HallContext, asked: list[HallDemand], catalog: Catalog, together: bool = False
+) -> SetGates:
     """Boarding gates before the exits of their zones, one row before each, where they and the route
-    on both sides of them find free floor."""
+    on both sides of them find free floor; none where all are laid out ``together``."""
     used, rest, found = set[str](), list[HallDemand](), list[Piece]()
     for wish in asked:
-        exits = [door for door in _find_exits(hall, wish) if door.opening.id not in used]
+        doors = [] if together else _find_exits(hall, wish)
+        exits = [door for door in doors if door.opening.id not in used]
         there = (*hall.fixed, *found)
         rows = ((door, _line_up(wish, door)) for door in exits)
         row = next((row for row in rows if _is_free(hall, row[1], there)), None)

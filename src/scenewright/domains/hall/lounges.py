@@ -16,21 +16,24 @@ from scenewright.domains.hall.low_tables import CATEGORY as TABLE
 
 SOFA, CHAIRS = "sofa", ("armchair", "lounge_seat")
 """What stands at the back of a lounge, and what joins it."""
-KNEES, BESIDE, ROW = 0.4, 0.2, 3
+KNEES, BESIDE, ROW = 0.45, 0.2, 3
 """Metres between a low table and the seats at it and between two chairs, and most chairs in a row
 across from a sofa."""
+LITTLE = 0.03
+"""Metres by which the way past a table to a sofa is wider than the route."""
 CLEARANCE = (0.3, 0.6, 0.0, 0.6)
 """Metres free before a lounge, at its left, back and right: one comes in at an end."""
 AROUND, COMPANY = ("around",), 2
 """The pattern of chairs at a low table without a sofa, and how many are a company."""
 
 
-def join_lounges(wishes: list[HallDemand]) -> list[HallDemand]:
+def join_lounges(wishes: list[HallDemand], route: float) -> list[HallDemand]:
     """Demands in which sofas, low tables and chairs of the same zones are lounges where the brief
-    says no more of them; chairs at tables without a sofa look at each other round these."""
+    says no more of them; chairs at tables without a sofa look at each other round these. A route so
+    wide leads to every sofa."""
     left = {wish.id: wish for wish in wishes}
     for sofas in [wish for wish in wishes if wish.category == SOFA and _is_open(wish)]:
-        joined = _join(sofas, left)
+        joined = _join(sofas, left, route)
         if joined:
             left |= {wish.id: wish for wish in joined}
     low = {w.zones for w in left.values() if w.category == TABLE and w.unstated and w.sizes}
@@ -49,7 +52,7 @@ def _look_inwards(wish: HallDemand) -> HallDemand:
     return wish._replace(patterns=AROUND) if seats else wish
 
 
-def _join(sofas: HallDemand, left: dict[str, HallDemand]) -> list[HallDemand]:
+def _join(sofas: HallDemand, left: dict[str, HallDemand], route: float) -> list[HallDemand]:
     """The sofas of a demand as lounges, and the demands of tables and chairs less those in them;
     nothing without tables enough."""
     near = [w for w in left.values() if w.zones == sofas.zones and w.unstated and w.sizes]
@@ -65,6 +68,7 @@ def _join(sofas: HallDemand, left: dict[str, HallDemand]) -> list[HallDemand]:
             [LoungePart(sofas, size) for size in sofas.sizes[k::number]],
             LoungePart(tables, tables.sizes[k]),
             [LoungePart(*seat) for seat in seats[k::number]],
+            route,
         )
         for k in range(number)
     )
@@ -92,20 +96,23 @@ def _as_one(
 
 
 def _arrange(
-    sofas: list[LoungePart], table: LoungePart, chairs: list[LoungePart]
+    sofas: list[LoungePart], table: LoungePart, chairs: list[LoungePart], route: float
 ) -> tuple[LoungePart, ...]:
-    """The pieces of a lounge about the middle of its table, the sofas first."""
+    """The pieces of a lounge about the middle of its table, the sofas first; these stand out at the
+    open end, on the left, as far as one needs to come before them past the table."""
     across = 0 if len(sofas) > 1 else min(len(chairs), 2 if len(chairs) < ROW + 1 else ROW)
+    past = 0.5 * (table.size.width + route) + LITTLE
+    sofas = [s._replace(along=min(0.5 * s.size.width - past, 0.0)) for s in sofas]
     row, end = [*sofas[1:], *chairs[:across]], chairs[across:]
     deep = 0.5 * table.size.depth + KNEES
     back = sofas[0]._replace(ahead=-deep - 0.5 * sofas[0].size.depth)
     before = [
-        part._replace(along=at, ahead=deep + 0.5 * part.size.depth, turn=math.pi)
+        part._replace(along=part.along + at, ahead=deep + 0.5 * part.size.depth, turn=math.pi)
         for part, at in _line_up(row)
     ]
     wide = 0.5 * table.size.width + KNEES
     if len(end) > 1:
-        wide = max(wide, *(0.5 * sofa.size.width + BESIDE for sofa in sofas))
+        wide = max(wide, *(s.along + 0.5 * s.size.width + BESIDE for s in sofas))
     beside = [
         part._replace(along=wide + 0.5 * part.size.depth, ahead=at, turn=0.5 * math.pi)
         for part, at in _line_up(end)

@@ -246,14 +246,11 @@ def _lay(
 ) -> Laid:
     preset = task.preset
     hall = task.hall._replace(settings=preset.settings)
-    locked = find_locked(hall)
-    asked = restrict_patterns(collect_demands(brief, task.number, locked, catalog), task.lean)
-    weights, seed = preset.weights, task.seed
+    asked = collect_demands(brief, task.number, find_locked(hall), catalog)
+    asked = restrict_patterns(asked, task.lean)
     together = preset.settings.whole or task.solver != "anneal"
-    boarding: tuple[Piece, ...] = ()
-    if not together:
-        hall, asked, boarding = set_boarding_gates(hall, asked, catalog)
-    locked = (*locked, *boarding)
+    hall, asked, boarding = set_boarding_gates(hall, asked, catalog, together)
+    locked, weights, seed = find_locked(hall), preset.weights, task.seed
     wishes, carried, small = split_demands(hall, asked, catalog, together)
     wishes, fitted = fit_with_staff(hall, wishes, weights, catalog, seed, cancel, small)
     if not fitted.units:

@@ -37,7 +37,7 @@ def split_demands(
 ) -> SplitDemands:
     """The demands of a hall, chairs joined with tables and sofas with low tables; pianos and
     small objects are laid out with the rest if all are ``together``, and sofas by themselves."""
-    asked = asked if together else join_lounges(asked)
+    asked = asked if together else join_lounges(asked, hall.route)
     joined = set_few_in_rows(hall, join_chairs(asked, catalog))
     joined = joined if together else keep_stools(joined)
     parted = part_desks(hall, abut_stands(hall, joined, catalog))
