@@ -2,10 +2,18 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from scenewright.core.scene import Piece, Pose, Size
-from scenewright.domains.hall.accessories.benches import WEDGED, find_bench_spots
+from scenewright.domains.hall.accessories.benches import (
+    AT_WALL,
+    BARS,
+    FARS,
+    WEDGED,
+    find_bench_spots,
+)
 from scenewright.domains.hall.accessories.setting import Setting
 
 NOWHERE = np.zeros((0, 4))
@@ -38,3 +46,32 @@ def test_a_place_before_a_column_costs() -> None:
     assert (costs[0] > costs[1]).any()
     assert not (costs[0] < costs[1]).any()
     assert np.allclose(costs[1], find_costs(walls=np.array([[4.8, 4.0, 5.2, 4.0]])))
+
+
+def test_a_place_right_before_another_picture_costs() -> None:
+    """Benches that look at the picture stand about (5, 7); another hangs beside them, or far."""
+    wall = 0.5 * np.pi
+    beside, far = (piece("wall_exhibit", 5.0, y, Size(1.2, 0.4, 2.2)) for y in (6.2, 2.0))
+    turned = [one._replace(heading=wall) for one in (beside.pose, far.pose)]
+    barred, free = (
+        find_costs(replace(one, pose=pose)) for one, pose in zip((beside, far), turned, strict=True)
+    )
+    assert barred[: len(FARS)].min() > free[: len(FARS)].min() + BARS - 1e-9
+
+
+def test_a_place_under_a_picture_is_the_last_at_a_wall() -> None:
+    walls = np.array([[9.0, 10.0, 1.0, 10.0]])
+    picture = piece("wall_exhibit", 5.0, 9.8, Size(1.2, 0.4, 2.2))
+    spots = find_bench_spots(Setting((), walls, (picture,), np.zeros((0, 5))), BENCH)
+    at_wall = np.abs(spots.boxes[:, 1] - 9.8) < 0.1
+    near = np.abs(spots.boxes[:, 0] - 5.0) < 0.6
+    assert (spots.costs[at_wall & near] >= AT_WALL + BARS).all()
+    assert spots.costs[at_wall & ~near].min() < AT_WALL + BARS
+
+
+def test_a_wall_is_a_better_place_than_beside_another_bench() -> None:
+    walls = np.array([[1.0, 0.0, 9.0, 0.0]])
+    picture = piece("wall_exhibit", 5.0, 9.8, Size(1.2, 0.4, 2.2))
+    there = np.array([[5.0, 7.1, 0.5 * np.pi, *BENCH[:2]]])
+    spots = find_bench_spots(Setting((), walls, (picture,), there), BENCH)
+    assert spots.boxes[np.argmin(spots.costs), 1] < 1.0

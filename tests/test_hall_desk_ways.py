@@ -57,3 +57,19 @@ def test_stated_patterns_and_crowded_halls_stay_as_they_are(own: dict[str, Any])
     count = sum(piece.category == "desk" for piece in found.pieces)
     assert count == asked["count"]
     assert least_gap(found) < 0.6
+
+
+def test_desks_for_advice_part_also_where_they_take_more_than_half_of_their_floor() -> None:
+    asked = {"category": "desk", "count": 5, "name": "advice", "size": [1.6, 0.8, 0.74]}
+    room = {
+        "name": "Bank",
+        "outline": [[0, 0], [11, 0], [11, 6], [0, 6]],
+        "doors": [{"at": [1, 0], "width": 1.6}],
+        "demands": [asked],
+    }
+    brief = Brief.model_validate({"domain": "hall", "name": "Bank", "rooms": [room]})
+    found = scenewright.solve(brief, seed=59, threads=1)
+    assert sum(piece.category == "desk" for piece in found.pieces) == 5
+    assert sum(piece.category == "dining_chair" for piece in found.pieces) == 10
+    assert least_gap(found) > 1.2 - 1e-6
+    assert scenewright.check(found).valid

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
@@ -13,6 +14,16 @@ from scenewright.building.plan import spaces
 from scenewright.core.brief import Brief
 from scenewright.core.solution import Solution
 from scenewright.domains.hall.desks import SERVING
+from scenewright.domains.hall.retouch.desks import (
+    BACK_TO,
+    desks_adrift,
+    find_desks,
+    first_desks,
+    propose_desks,
+)
+from scenewright.domains.hall.solvers.chains import begin_chain, layout_of
+from scenewright.domains.hall.solving import problems
+from scenewright.engine.draws import streams
 
 
 def welcome(found: Solution) -> list[float]:
@@ -69,3 +80,57 @@ def test_serving_counters_stand_with_their_backs_at_the_wall_between_the_doors(s
         ahead = np.array([math.cos(piece.pose.heading), math.sin(piece.pose.heading)])
         back = np.array(piece.pose[:2]) - 0.5 * piece.size.depth * ahead
         assert walls.distance(shapely.Point(back)) < 1.3
+
+
+def bank(*more: dict[str, Any]) -> Brief:
+    """A lobby and, beyond it, a waiting zone with a desk."""
+    room = {
+        "name": "Bank",
+        "outline": [[0, 0], [18, 0], [18, 8], [0, 8]],
+        "doors": [{"at": [0, 4], "width": 1.8}],
+        "zones": [
+            {"id": "lobby", "outline": [[0, 0], [6, 0], [6, 8], [0, 8]]},
+            {"id": "waiting", "outline": [[6, 0], [18, 0], [18, 8], [6, 8]]},
+        ],
+        "demands": [
+            {"category": "cash_machine", "count": 3, "zone": "lobby"},
+            {"id": "desk", "category": "info_desk", "zone": "waiting"},
+            {"category": "lounge_seat", "count": 8, "zone": "waiting"},
+            *more,
+        ],
+    }
+    return Brief.model_validate({"domain": "hall", "rooms": [room]})
+
+
+def test_a_desk_to_ask_at_is_first_where_none_is_in_the_zone_of_the_entrance() -> None:
+    nearer = {"id": "nearer", "category": "info_desk", "zone": "lobby"}
+    bar = {"id": "bar", "category": "counter", "zone": "waiting"}
+    for more, name in ([], "desk"), ([nearer], "nearer"), ([bar], "desk"):
+        (one,) = problems(bank(*more))
+        first = find_desks(first_desks(one.problem), one.start)
+        assert [one.problem.names[unit].split("/")[-1] for unit in first] == [name]
+
+
+def test_a_reception_with_its_back_to_the_door_is_turned_where_there_is_room() -> None:
+    (one,) = problems(bank())
+    unit = next(k for k, name in enumerate(one.problem.names) if name.endswith("desk"))
+    pose = one.start.pose.copy()
+    pose[unit, :3] = 14.0, 4.0, 0.0
+    chain = begin_chain(one.problem, one.start._replace(pose=pose), streams(0, 1)[0])
+    layout, desks = layout_of(chain), first_desks(one.problem)
+    before = desks_adrift(desks, layout.kept, layout.boxes)
+    (desk,) = layout.boxes[slice(*one.problem.units.spans[unit])]
+    assert before > BACK_TO
+    poses = [kept.pose[unit] for kept in propose_desks(desks, layout.kept, layout.boxes)]
+    assert any(x < 9.0 and abs(math.cos(turn) + 1.0) < 1e-6 for x, _, turn, _ in poses)
+    assert desk[0] == 14.0
+
+
+@pytest.mark.parametrize("seed", [59, 61])
+def test_a_reception_in_another_zone_looks_to_the_door(seed: int) -> None:
+    found = scenewright.solve(bank(), seed=seed, threads=1)
+    (desk,) = (piece for piece in found.pieces if piece.function == "desk")
+    way = np.array([0.0, 4.0]) - desk.pose[:2]
+    front = math.cos(desk.pose.heading), math.sin(desk.pose.heading)
+    assert way @ front > -0.3 * math.hypot(*way)
+    assert scenewright.check(found).valid

@@ -14,7 +14,8 @@ from scenewright.core.brief import Brief
 from scenewright.core.piece_outlines import polygons_of
 from scenewright.domains.hall.rails import RowOfGates, find_way_in, lay_rails, reach
 from scenewright.domains.hall.retouch.audience import measure_audience as sits_aside
-from scenewright.domains.hall.retouch.ropes import Anchor, measure_before
+from scenewright.domains.hall.retouch.lines import line_up
+from scenewright.domains.hall.retouch.ropes import Anchor, forms_lane, measure_before
 from scenewright.domains.hall.retouch.tills import measure_tills
 from scenewright.domains.hall.solving import problems
 
@@ -178,6 +179,50 @@ def test_ropes_with_no_room_before_their_counter_are_left_out_by_name() -> None:
     assert gone > 0
     assert len(standing) + gone == 16
     assert all("before what they guide" in left.reason for left in told)
+
+
+def _bank(seed: int, **more: Any) -> Any:
+    """Counters in a hall too narrow for two lines of ropes before them."""
+    room = {
+        "name": "Counters",
+        "outline": [[0, 0], [3.5, 0], [3.5, 10], [0, 10]],
+        "doors": [{"id": "in", "at": [0.9, 0], "width": 1.2, "swing": "slide"}],
+        "demands": [
+            {"category": "counter", "count": 3, "size": [1.6, 0.7, 1.1], "place": "wall"},
+            {"id": "ropes", "category": "rope_barrier", "count": 2, **more},
+        ],
+    }
+    brief = Brief.model_validate({"domain": "hall", "rooms": [room]})
+    return scenewright.solve(brief, seed=seed, threads=1)
+
+
+@pytest.mark.parametrize("seed", [59, 61, 67])
+def test_ropes_that_may_be_left_out_form_a_lane_or_are_left_out_by_name(seed: int) -> None:
+    found = _bank(seed, required=False)
+    groups = [g for g in found.detail.layout.groups if g.demand == "ropes"]
+    lines = [len(part.layers) for group in groups for part in group.parts]
+    told = [left.reason for left in found.left_out if "rope" in left.what]
+    assert all(count > 1 for count in lines)
+    assert bool(told) != bool(lines)
+    assert scenewright.check(found).valid
+
+
+def test_ropes_that_must_stand_do_so_in_one_line_too() -> None:
+    found = _bank(61)
+    assert sum(piece.function == "ropes" for piece in found.pieces) == 2
+    assert not found.left_out
+
+
+def test_one_line_of_ropes_is_no_lane() -> None:
+    demands = [{"category": "counter", "count": 3}, {"category": "rope_barrier", "count": 4}]
+    outline = [[0, 0], [14, 0], [14, 11], [0, 11]]
+    room = {"outline": outline, "doors": [{"at": [7, 0], "width": 1.8}], "demands": demands}
+    (one,) = problems(Brief.model_validate({"domain": "hall", "rooms": [room]}))
+    unit = next(k for k, name in enumerate(one.problem.names) if "rope" in name)
+    pose, boxes = (3.0, 5.0, 0.0), np.zeros((int(one.problem.units.spans.max()), 5))
+    for lines, lane in ((1, False), (2, True)):
+        kept = line_up(one.problem, one.start, unit, pose, lines, 1.0)
+        assert forms_lane(one.problem, kept, boxes, unit) == lane
 
 
 @pytest.mark.parametrize("seed", [0, 1])

@@ -92,6 +92,11 @@ FAULTS: dict[str, tuple[Room, str]] = {
     "an unknown place": (asks(place="roof"), "demands[0].place"),
     "an unknown key": (asks(colour="red"), "demands[0].colour: is not a known key"),
     "facing itself": (asks(id="x", facing="x"), "demands[0] 'x': is to face itself"),
+    "a freezer": (asks(category="freezer"), "use fridge_shelf"),
+    "chest freezers": (asks(category="chest_freezers"), "use fridge_shelf"),
+    "a quantity": (asks(quantity=3), 'quantity: is not a known key; did you mean "count"?'),
+    "a number": (asks(number=3), 'number: is not a known key; did you mean "count"?'),
+    "an amount": (asks(amount=3), 'amount: is not a known key; did you mean "count"?'),
     "facing itself by its category": (asks(facing="showcase"), "is to face itself"),
     "facing a zone": (
         hall(zones=TWO, demands=[{"category": "bench", "facing": "a"}, {"category": "stage"}]),

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from scenewright.core.brief import Brief
-from scenewright.domains.hall.patterns import CHAIN, FAN, RADIATION
+from scenewright.domains.hall.patterns import CHAIN, FAN, GRID, RADIATION
 from scenewright.domains.hall.problem import HallProblem
 from scenewright.domains.hall.retouch import retouch_layout
 from scenewright.domains.hall.retouch.lines import line_up
@@ -50,3 +50,17 @@ def test_lines_asked_for_and_short_ones_stay() -> None:
         assert not list(propose_circles(problem, layout.kept, layout.boxes))
     problem, layout = in_a_line(patterns=["chain"])
     assert int(retouch_layout(problem, layout).kept.rows[0, 0]) == CHAIN
+
+
+def test_a_loose_grid_of_poufs_is_drawn_together() -> None:
+    """Their free floor lies under one another then: that costs nothing."""
+    problem, layout = in_a_line(8)
+    rows, layers = layout.kept.rows.copy(), layout.kept.layers.copy()
+    rows[0] = GRID, 2
+    layers[:2] = (4.0, 1.07, 2.285, GRID, 0.0)
+    kept = layout.kept._replace(rows=rows, layers=layers)
+    loose = layout_of(begin_chain(problem, kept, streams(0, 1)[0]))
+    assert measure_fences(problem, loose.kept, loose.boxes) == 2.0
+    found = retouch_layout(problem, loose)
+    assert int(found.kept.rows[0, 0]) in (FAN, RADIATION)
+    assert np.ptp(found.boxes[:, :2], axis=0).max() < 4.5

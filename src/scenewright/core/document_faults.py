@@ -45,6 +45,8 @@ LENGTHS = frozenset(
     )
 )
 """Keys under which numbers are metres."""
+MEANT = {"count": ("quantity", "number", "amount", "qty", "how_many")}
+"""Keys, and what else they are called by sense, not by spelling."""
 BROKEN = ("holds half of a surrogate pair, which is not a character", "whole Unicode characters")
 """What is wrong with a text that UTF-8 cannot hold, and what is wanted."""
 KINDS = {
@@ -153,7 +155,7 @@ def _respelt(
     loc: tuple[int | str, ...], schema: dict[str, Any], missing: Sequence[str] = ()
 ) -> str:
     """What an unknown key was most likely meant to be: of those ``missing`` there the nearest, or
-    the only one, else the nearest of all; empty if nothing is like it.
+    the only one, else the one of this sense, else the nearest of all; empty if none is like it.
 
     >>> _respelt(("rooms", 0, "outlin"), {"properties": {"rooms": {"items": {"$ref": "#/$defs/R"}}},
     ...                                   "$defs": {"R": {"properties": {"outline": {}}}}})
@@ -161,6 +163,7 @@ def _respelt(
     """
     keys = _keys(loc[:-1], schema, schema["$defs"])
     near = difflib.get_close_matches(str(loc[-1]), missing, 1, 0.0 if len(missing) == 1 else 0.6)
+    near = near or [key for key in keys if loc[-1] in MEANT.get(key, ())]
     near = near or difflib.get_close_matches(str(loc[-1]), keys, 1, 0.6)
     return f'did you mean "{near[0]}"?' if near else ""
 

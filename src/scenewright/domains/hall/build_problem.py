@@ -288,6 +288,8 @@ def _access(wishes: list[HallDemand], units: list[Unit], catalog: Catalog) -> Fl
         sides: tuple[str, ...] = catalog.kinds.get(category, Kind(category)).access
         if any(word in category for word in SEATS):
             sides = ()  # one goes along the row, sideways
+        elif wishes[unit.demand].lounges:
+            sides = ("left", "right")
         elif wishes[unit.demand].double:
             sides = ("front", "back")
         elif wishes[unit.demand].turned:

@@ -45,7 +45,7 @@ def list_forms(
         yield _line_at_wall(wish, 1)
     if number * wide + ROUND <= longest:
         yield _line_free(wish)
-    if number % 2 == 0 and 0.5 * number * wide + ROUND <= longest:
+    if not wish.before and number % 2 == 0 and 0.5 * number * wide + ROUND <= longest:
         yield _stand_back_to_back(wish)
     if free and number % 2 == 0 and number > 2 and (walls // (0.5 * number * wide)).sum() > 1:
         yield _line_at_wall(wish, 2)

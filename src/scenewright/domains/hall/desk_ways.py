@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from scenewright.catalog.kinds import hall_use
 from scenewright.catalog.kinds.usual import DESKS
 from scenewright.core.scene import Size
@@ -14,8 +16,9 @@ WAY, APART = 0.6, 1.2
 other's talk."""
 SEATED = 0.55
 """How far chairs stand out on both sides of a desk at which customers sit, in metres."""
-FULL = 0.5
-"""Of the floor of their zones, what desks with their ways and free floor take at most."""
+FULL, FULLEST = 0.5, 0.65
+"""Of the floor of their zones, what desks with their ways and free floor take at most, and where
+nothing is lost by it."""
 
 
 def part_desks(hall: HallContext, wishes: list[HallDemand]) -> list[HallDemand]:
@@ -30,15 +33,30 @@ def part_desks(hall: HallContext, wishes: list[HallDemand]) -> list[HallDemand]:
 
 def _part(wish: HallDemand, areas: dict[str, float]) -> HallDemand:
     """One demand, parted where it is of several desks and its zones of some areas hold that."""
+    parted = _with_way(wish) if _is_open(wish) else wish
+    return parted if _measure_share(parted, areas) <= FULL else wish
+
+
+def list_parted(hall: HallContext, wish: HallDemand) -> Iterator[HallDemand]:
+    """Desks with floor beside each that take more than half of their zones so: to be tried."""
+    if _is_open(wish) and not wish.aside:
+        parted, areas = _with_way(wish), dict(zip(hall.names, zone_areas(hall), strict=True))
+        if FULL < _measure_share(parted, areas) <= FULLEST:
+            yield parted
+
+
+def _is_open(wish: HallDemand) -> bool:
+    """Whether a demand is of several desks without a pattern or free sides of its own."""
     usual = hall_use(wish.category)
     own = set(wish.patterns) != set(usual.patterns) or wish.clearance[1::2] != usual.clearance[1::2]
-    if wish.category not in DESKS or len(wish.sizes) < 2 or own:
-        return wish
-    parted = _with_way(wish)
-    front, left, back, right = parted.clearance
-    taken = sum((size.width + left + right) * (size.depth + front + back) for size in parted.sizes)
-    floor = sum(areas[name] for name in wish.zones or areas)
-    return parted if taken <= FULL * floor else wish
+    return wish.category in DESKS and len(wish.sizes) > 1 and not own
+
+
+def _measure_share(wish: HallDemand, areas: dict[str, float]) -> float:
+    """How much of the floor of its zones, of some areas, a demand takes with its free floor."""
+    front, left, back, right = wish.clearance
+    taken = sum((size.width + left + right) * (size.depth + front + back) for size in wish.sizes)
+    return taken / max(sum(areas[name] for name in wish.zones or areas), 1e-9)
 
 
 def _with_way(wish: HallDemand) -> HallDemand:

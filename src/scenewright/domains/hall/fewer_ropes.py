@@ -11,10 +11,22 @@ from scenewright.domains.hall.barring_ropes import count_missed_among
 from scenewright.domains.hall.build_problem import build_problem
 from scenewright.domains.hall.energy import capacity
 from scenewright.domains.hall.fit import Fitted
-from scenewright.domains.hall.idle_guides import ASTRAY, BARRING, STRAY, drop_units, report_fewer
+from scenewright.domains.hall.idle_guides import (
+    ASTRAY,
+    BARRING,
+    LONE,
+    STRAY,
+    drop_units,
+    report_fewer,
+)
 from scenewright.domains.hall.problem import Floats
 from scenewright.domains.hall.retouch.lines import count_objects, find_layers, line_up
-from scenewright.domains.hall.retouch.ropes import forgive_queues, measure_ropes, propose_ropes
+from scenewright.domains.hall.retouch.ropes import (
+    forgive_queues,
+    forms_lane,
+    measure_ropes,
+    propose_ropes,
+)
 from scenewright.domains.hall.search import HallSearch
 from scenewright.domains.hall.solvers.chains import HallChain, begin_chain, layout_of
 from scenewright.domains.hall.solvers.guided_metropolis import bring_back
@@ -38,8 +50,9 @@ def place_fewer_of_each(
     """The layout with as many ropes of each ``idle`` unit as find room, the units that are idle
     still, and what is left out by that."""
     missing: tuple[LeftOut, ...] = ()
-    for unit, why in [row for row in idle.items() if row[1] in (STRAY, BARRING)]:
-        fewer = place_fewer(search, fitted, layout, unit, served)
+    for unit, why in [row for row in idle.items() if row[1] in (STRAY, BARRING, LONE)]:
+        spare = not search.wishes[fitted.units[unit].demand].required
+        fewer = place_fewer(search, fitted, layout, unit, served, lane=spare)
         if fewer is not None:
             gone = report_fewer(search.hall, search.wishes, fitted, fewer[0], unit, why)
             missing = (*missing, *gone)
@@ -48,11 +61,17 @@ def place_fewer_of_each(
 
 
 def place_fewer(
-    search: HallSearch, fitted: Fitted, layout: MeasuredLayout, unit: int, served: Floats
+    search: HallSearch,
+    fitted: Fitted,
+    layout: MeasuredLayout,
+    unit: int,
+    served: Floats,
+    *,
+    lane: bool = False,
 ) -> tuple[Fitted, MeasuredLayout] | None:
     """The layout with as many ropes of a unit as find room before what they guide people to, and
     let people by, to where they are ``served`` (k, 5) too, as the hall without them does; None if
-    hardly any do."""
+    hardly any do. They form a ``lane`` if asked to."""
     bare, without = drop_units(search.hall, search.wishes, fitted, layout, [unit], search.catalog)
     least = count_missed_among(bare.problem, without, served)
     for count in range(int(count_objects(fitted.problem)[unit]), FEWEST - 1, -1):
@@ -61,7 +80,7 @@ def place_fewer(
         first = int(fitted.problem.units.spans[unit, 0])
         gone = np.arange(first + count, fitted.problem.units.spans[unit, 1])
         boxes = np.delete(layout.boxes, gone, axis=0)
-        for kept in _find_places(chain, less, boxes, unit, without.energy + DEAR):
+        for kept in _find_places(chain, less, boxes, unit, without.energy + DEAR, lane):
             found = layout_of(chain._replace(best=kept))
             open_ways = count_missed_among(less.problem, found, served) <= least
             if open_ways and found.lacking <= without.lacking + 1e-9:
@@ -86,7 +105,7 @@ def _shorten(search: HallSearch, fitted: Fitted, kept: Kept, unit: int, count: i
 
 
 def _find_places(
-    chain: HallChain, fitted: Fitted, boxes: Floats, unit: int, most: float
+    chain: HallChain, fitted: Fitted, boxes: Floats, unit: int, most: float, lane: bool
 ) -> list[Kept]:
     """Layouts with the ropes of a unit near their place that cost at most so much, the cheapest
     first."""
@@ -98,7 +117,8 @@ def _find_places(
             copy_frames(chain.s, stand)
             fault = measure_ropes(fitted.problem, kept, stand, unit)
             forgiven = forgive_queues(fitted.problem, kept, stand, chain.p, chain.s)
-            if fault <= ASTRAY and energy - forgiven <= most:
+            guides = not lane or forms_lane(fitted.problem, kept, stand, unit)
+            if guides and fault <= ASTRAY and energy - forgiven <= most:
                 found.append((energy - forgiven + WEIGHT * fault, number, kept))
     return [kept for _, _, kept in sorted(found, key=lambda one: one[:2])[:WALKED]]
 

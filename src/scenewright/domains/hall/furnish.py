@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
+from collections.abc import Iterator
 
 import numpy as np
 import shapely
@@ -13,7 +15,8 @@ from scenewright.domains.hall.assign import Unit
 from scenewright.domains.hall.build_problem import HallContext
 from scenewright.domains.hall.energy import capacity
 from scenewright.domains.hall.hall_layout import Layer, PatternPart, PlacedGroup
-from scenewright.domains.hall.holdings import HallDemand
+from scenewright.domains.hall.holdings import HallDemand, LoungePart
+from scenewright.domains.hall.lounges import set_parts
 from scenewright.domains.hall.patterns import ACROSS, ALONG, CODE, NUMBER, PART, PATTERNS
 from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.seating import bare_tables
@@ -46,18 +49,23 @@ def furnish_hall(
     for unit, group in zip(units, problem.names, strict=True):
         wish = wishes[unit.demand]
         places: list[Place] = []
-        for size in wish.sizes[unit.first : unit.last]:
+        for k, size in enumerate(wish.sizes[unit.first : unit.last], unit.first):
             x, y, heading = next(bare)[:3]
+            pose = Pose(x, y, 0.0, _wrap_angle(heading))
             low, deep = min(size.height, hall.space.height), 2 * wish.chairs + wish.before
             wide, deep = size.width - 2 * wish.aside, size.depth - deep - wish.staff
             fitted = Size(round(wide, 9), round(deep, 9), low)
-            places += part_row(wish, Pose(x, y, 0.0, _wrap_angle(heading)), fitted)
+            if wish.lounges:
+                lounge = wish.lounges[k]
+                pieces += _furnish_lounge(hall, lounge, group, k - unit.first, pose, catalog)
+                continue
+            places += part_row(wish, pose, fitted)
         rows = enumerate(places, 1)
-        pieces += [_piece(hall, wish, group, number, place, catalog) for number, place in rows]
+        pieces += [make_piece(hall, wish, group, number, place, catalog) for number, place in rows]
     return tuple(pieces)
 
 
-def _piece(
+def make_piece(
     hall: HallContext, wish: HallDemand, group: str, number: int, place: Place, catalog: Catalog
 ) -> Piece:
     """The object of a group with a number, at its place."""
@@ -74,6 +82,23 @@ def _piece(
         function=wish.id,
         footprint=footprint_of(asset, size),
     )
+
+
+def _furnish_lounge(
+    hall: HallContext,
+    lounge: tuple[LoungePart, ...],
+    group: str,
+    before: int,
+    pose: Pose,
+    catalog: Catalog,
+) -> Iterator[Piece]:
+    """The pieces of a lounge that stands at a pose, after so many others ``before`` it in its
+    group."""
+    told = Counter[str]()
+    for part, at in set_parts(lounge, pose):
+        told[part.wish.id] += 1
+        number = before * len(lounge) + told[part.wish.id]
+        yield make_piece(hall, part.wish, group, number, (at, part.size), catalog)
 
 
 def _model_of(wish: HallDemand, number: int, size: Size, catalog: Catalog) -> Asset | None:
@@ -137,7 +162,8 @@ def placed_groups(
     found: list[PlacedGroup] = []
     layer = 0
     for number, (unit, name) in enumerate(zip(units, problem.names, strict=True)):
-        mine = tuple(piece for piece in pieces if piece.group == name)
+        own = wishes[unit.demand].id
+        mine = tuple(p for p in pieces if p.group == name and p.function == own)
         used = int(kept.rows[number, 1])
         layers = kept.layers[layer : layer + used]
         pattern = NAMES[int(kept.rows[number, 0])]
@@ -145,7 +171,7 @@ def placed_groups(
         found.append(
             PlacedGroup(
                 id=name,
-                demand=wishes[unit.demand].id,
+                demand=own,
                 space=hall.space.id,
                 zone=hall.names[unit.zone],
                 pattern=pattern,

@@ -34,11 +34,12 @@ class HallDemand(NamedTuple):
     Chairs asked for by themselves name the demand ``at`` whose tables they stand; once joined
     (:mod:`.seating`), that holds them as ``seated``. A desk then stands with ``before`` metres for
     its chair, ``turned`` so that who sits at it looks ahead. Counters at a wall stand with
-    ``staff`` metres behind them; those in a ``row`` are one object until they
-    are furnished, and so are two rows back to back (``double``). Of
-    what is ``unplaced`` the brief says neither whether it stands at a wall nor in what pattern; of
-    what is ``unstated`` neither this nor what it looks at, its free floor or how full its zone is.
-    What is ``set_last`` is set once all else stands."""
+    ``staff`` metres behind them, and ``before`` them is the floor of stools; those in a ``row`` are
+    one object until they are furnished, and so are two rows back to back (``double``). Of what is
+    ``unplaced`` the brief says neither whether it stands at a wall nor in what pattern; of what is
+    ``unstated`` neither this nor what it looks at, its free floor or how full its zone is. What is
+    ``set_last`` is set once all else stands. Each object of sofas in ``lounges``
+    (:mod:`.lounges`) is one of these until it is furnished."""
 
     id: str
     name: str
@@ -62,11 +63,23 @@ class HallDemand(NamedTuple):
     row: tuple[Size, ...] = ()
     double: bool = False
     unplaced: bool = False
+    lounges: tuple[tuple[LoungePart, ...], ...] = ()
 
     @property
     def at_wall(self) -> bool:
         """Whether its objects stand at walls."""
         return self.patterns == ("wall",)
+
+
+class LoungePart(NamedTuple):
+    """A piece of a lounge: its demand and size, how far its middle is to the right of that of the
+    lounge and ahead of it, in metres, and how far it is turned from where the lounge looks."""
+
+    wish: HallDemand
+    size: Size
+    along: float = 0.0
+    ahead: float = 0.0
+    turn: float = 0.0
 
 
 def may_stand_together(one: HallDemand, other: HallDemand) -> bool:

@@ -18,32 +18,39 @@ from scenewright.domains.hall.fit import Fitted
 from scenewright.domains.hall.holdings import HallDemand
 from scenewright.domains.hall.problem import Floats
 from scenewright.domains.hall.retouch.gates import find_gates
-from scenewright.domains.hall.retouch.ropes import find_ropes, measure_ropes
+from scenewright.domains.hall.retouch.ropes import find_ropes, forms_lane, measure_ropes
 from scenewright.domains.hall.search import HallSearch
 from scenewright.domains.hall.solvers.chains import begin_chain, layout_of
 from scenewright.domains.hall.solvers.outcome import MeasuredLayout
 from scenewright.domains.hall.terms.state import Kept
 from scenewright.engine.draws import streams
 
-OPEN = "nowhere would they and the barriers beside them close the way in"
+OPEN = (
+    "nowhere would they and the barriers beside them close the way in: draw a zone at the entrance "
+    "for them, ask for a narrower door, or for less beside it"
+)
 STRAY = "there is no room for them before what they guide people to"
+LONE = "there is no room for two lines of them with a lane between before where people are served"
 BARRING = "they would bar the way to where people are served"
 ASTRAY = 1.5
 """Metres of fault from which on ropes guide nobody."""
 
 
-def find_idle(fitted: Fitted, layout: MeasuredLayout, pieces: tuple[Piece, ...]) -> dict[int, str]:
-    """The units of a layout that guide nobody, and why: gates without barriers among its ``pieces``
-    and ropes off their place."""
+def find_idle(
+    wishes: list[HallDemand], fitted: Fitted, layout: MeasuredLayout, pieces: tuple[Piece, ...]
+) -> dict[int, str]:
+    """The units of a layout that guide nobody, and why: gates without barriers among its
+    ``pieces``, ropes off their place, and those that may be left out and form no lane."""
     if layout.loose:
         return {}
     problem, kept, boxes = fitted.problem, layout.kept, layout.boxes
     closed = {piece.group for piece in pieces if piece.function.endswith(BARRIERS)}
     idle = {u: OPEN for u in find_gates(problem, kept) if problem.names[u] not in closed}
-    astray = (
-        u for u in find_ropes(problem, kept) if measure_ropes(problem, kept, boxes, u) > ASTRAY
-    )
-    return idle | dict.fromkeys(astray, STRAY)
+    ropes = find_ropes(problem, kept)
+    spare = (u for u in ropes if not wishes[fitted.units[u].demand].required)
+    lone = (u for u in spare if not forms_lane(problem, kept, boxes, u))
+    astray = (u for u in ropes if measure_ropes(problem, kept, boxes, u) > ASTRAY)
+    return idle | dict.fromkeys(lone, LONE) | dict.fromkeys(astray, STRAY)
 
 
 def find_barring(

@@ -34,6 +34,7 @@ from scenewright.domains.hall.asked_low_tables import set_low_tables
 from scenewright.domains.hall.assemble import Laid, assemble_solution
 from scenewright.domains.hall.barriers import place_barriers
 from scenewright.domains.hall.barring_ropes import find_served_at
+from scenewright.domains.hall.boarding_gates import set_boarding_gates
 from scenewright.domains.hall.build_problem import HallContext, hall_of
 from scenewright.domains.hall.chairs import with_chairs
 from scenewright.domains.hall.compose import compose
@@ -49,6 +50,7 @@ from scenewright.domains.hall.hall_layout import HallLayout
 from scenewright.domains.hall.holdings import HallDemand, collect_demands, restrict_patterns
 from scenewright.domains.hall.idle_guides import drop_units, find_barring, find_idle, report_idle
 from scenewright.domains.hall.lack import lacks, leaves_open, measure_lack
+from scenewright.domains.hall.lounges import part_lounges
 from scenewright.domains.hall.move_borders import move_borders, read_slack, search_with_borders
 from scenewright.domains.hall.on_stage import put_on_stage
 from scenewright.domains.hall.presets import PRESETS, HallPreset, count_steps
@@ -244,10 +246,11 @@ def _lay(
 ) -> Laid:
     preset = task.preset
     hall = task.hall._replace(settings=preset.settings)
-    locked = find_locked(hall)
-    asked = restrict_patterns(collect_demands(brief, task.number, locked, catalog), task.lean)
-    weights, seed = preset.weights, task.seed
+    asked = collect_demands(brief, task.number, find_locked(hall), catalog)
+    asked = restrict_patterns(asked, task.lean)
     together = preset.settings.whole or task.solver != "anneal"
+    hall, asked, boarding = set_boarding_gates(hall, asked, catalog, together)
+    locked, weights, seed = find_locked(hall), preset.weights, task.seed
     wishes, carried, small = split_demands(hall, asked, catalog, together)
     wishes, fitted = fit_with_staff(hall, wishes, weights, catalog, seed, cancel, small)
     if not fitted.units:
@@ -256,7 +259,7 @@ def _lay(
         kept = (*kept_groups(hall, locked), *groups)
         layout = HallLayout(hall.plan.zones, hall.plan.links, kept)
         way = tour(hall.space, hall.fixed, layout, catalog, hall.route) if kept else None
-        return Laid(on, kept, (), (), (*missing, *out), 0.0, 0, way)
+        return Laid((*boarding, *on), kept, (), (), (*missing, *out), 0.0, 0, way)
     budget = task.budget
     if budget.steps is None and budget.seconds is None and task.solver == preset.solver:
         budget = budget._replace(steps=count_steps(preset, len(fitted.units) + count_groups(small)))
@@ -288,7 +291,7 @@ def _lay(
     laid = _furnish_guided(search, fitted, best, locked, missing, found.evaluations)
     on, groups, out = put_on_stage(hall, carried, (*hall.fixed, *laid.pieces), catalog)
     return laid._replace(
-        pieces=(*laid.pieces, *on),
+        pieces=(*boarding, *laid.pieces, *on),
         groups=(*laid.groups, *groups),
         left_out=(*laid.left_out, *out),
         zones=hall.plan.zones,
@@ -310,7 +313,7 @@ def _furnish_guided(
     if not may_retry(search):
         return laid
     served = find_served_at(laid.pieces)
-    idle = find_barring(search, fitted, best, served) | find_idle(fitted, best, laid.pieces)
+    idle = find_barring(search, fitted, best, served) | find_idle(wishes, fitted, best, laid.pieces)
     if not idle:
         return laid
     fitted, best, idle, fewer = place_fewer_of_each(search, fitted, best, idle, served)
@@ -354,7 +357,7 @@ def furnish_layout(
     demands = {group.id: group.demand for group in groups}
     rails = place_barriers(hall.space, fitted.problem, best, solid, demands, catalog)
     parts = parts_of(fitted.problem, p, s, lost)
-    known = {wish.id: wish for wish in wishes}
+    known = {wish.id: wish for wish in part_lounges(wishes)}
     grown = (grow_to_floor(piece, known[piece.function], catalog) for piece in objects)
     every = (*around, *grown, *low, *rails)
     standing_hall = StandingHall(hall, fitted.problem, best, wishes, every)
@@ -387,7 +390,7 @@ def _seat_desks(
     if hall.settings.whole:
         return ()
     solid = (*objects, *others)
-    names = {wish.id: f"{wish.id} {wish.name}" for wish in wishes}
+    names = {wish.id: f"{wish.id} {wish.name}" for wish in part_lounges(wishes)}
     served = {wish.id for wish in wishes if wish.seated}
     found = desk_chairs(objects, names, served, solid, catalog)
     return keep_reached_chairs(hall.space, fitted.problem, best, found, solid)

@@ -10,9 +10,11 @@ from scenewright.domains.hall.abut_stands import abut_stands
 from scenewright.domains.hall.accessories import split_accessories
 from scenewright.domains.hall.asked_low_tables import split_low_tables
 from scenewright.domains.hall.build_problem import HallContext
+from scenewright.domains.hall.counter_stools import keep_stools
 from scenewright.domains.hall.desk_ways import part_desks
 from scenewright.domains.hall.few_in_rows import set_few_in_rows
 from scenewright.domains.hall.holdings import HallDemand
+from scenewright.domains.hall.lounges import join_lounges
 from scenewright.domains.hall.on_stage import split_carried
 from scenewright.domains.hall.seating import join_chairs
 
@@ -33,9 +35,11 @@ def find_locked(hall: HallContext) -> tuple[Piece, ...]:
 def split_demands(
     hall: HallContext, asked: list[HallDemand], catalog: Catalog, together: bool
 ) -> SplitDemands:
-    """The demands of a hall, chairs joined with tables; pianos and small objects are laid out with
-    the rest if all are ``together``."""
+    """The demands of a hall, chairs joined with tables and sofas with low tables; pianos and
+    small objects are laid out with the rest if all are ``together``, and sofas by themselves."""
+    asked = asked if together else join_lounges(asked, hall.route)
     joined = set_few_in_rows(hall, join_chairs(asked, catalog))
+    joined = joined if together else keep_stools(joined)
     parted = part_desks(hall, abut_stands(hall, joined, catalog))
     wishes, carried = split_carried(parted, hall.fixed, together)
     rest, small = split_accessories(wishes, together)

@@ -17,8 +17,10 @@ from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains.hall.build_problem import HallContext
 from scenewright.domains.hall.chairs import grow_table
 from scenewright.domains.hall.counter_forms import list_forms
+from scenewright.domains.hall.desk_ways import list_parted
 from scenewright.domains.hall.fit import Fitted, fit
 from scenewright.domains.hall.holdings import HallDemand
+from scenewright.domains.hall.lounges import count_parts, list_lounge_forms, part_lounges
 from scenewright.domains.hall.seating import grow_desk
 from scenewright.engine.solve import Cancel
 
@@ -36,9 +38,10 @@ def fit_with_staff(
 ) -> tuple[list[HallDemand], Fitted]:
     """Demands as they find room, and their first layout (:func:`.fit.fit`): counters at walls in
     rows with room for their staff, else each by itself, else with their backs at the wall, where
-    something lacks in any case as lacks least; those of which the brief leaves open where they
-    stand in the first form (:mod:`.counter_forms`) by which nothing is lost that else would stand.
-    As they are where groups stay as printed. ``small`` objects are set last."""
+    something lacks in any case as lacks least; lounges apart where they find no room; those of
+    which the brief leaves open where they stand in the first form (:mod:`.counter_forms`,
+    :mod:`.lounges`) by which nothing is lost that else would stand. As they are where groups stay
+    as printed. ``small`` objects are set last."""
 
     def fit_one(asked: list[HallDemand]) -> Stand:
         fitted = fit(hall, asked, weights, catalog, seed, hall.settings.whole, cancel)
@@ -47,18 +50,41 @@ def fit_with_staff(
 
     if hall.settings.whole:
         return fit_one(wishes)[1:]
-    every, lined = sum(len(wish.sizes) for wish in wishes), hall.settings.lined
-    forms = [list(list_forms(hall, wish, small)) if lined else [] for wish in wishes]
+    best, every = _fit_forms(hall, wishes, small, fit_one)
+    if best.placed < every and any(wish.lounges for wish in wishes):
+        apart, _ = _fit_forms(hall, part_lounges(wishes), small, fit_one)
+        best = apart if apart.placed > best.placed else best
+    return best[1:]
+
+
+def _fit_forms(
+    hall: HallContext,
+    wishes: list[HallDemand],
+    small: Sequence[HallDemand],
+    fit_one: Callable[[list[HallDemand]], Stand],
+) -> tuple[Stand, int]:
+    """Demands in the forms by which most find room, and how many objects they are in all."""
+    every, lined = sum(_count_objects(w, len(w.sizes)) for w in wishes), hall.settings.lined
+    forms = [list(_list_forms(hall, wish, small)) if lined else [] for wish in wishes]
     if any(forms):
         whole = fit_one(
             [_in_row(_with_staff((f or [w])[0])) for f, w in zip(forms, wishes, strict=True)]
         )
         if whole.placed == every and not _built_for(whole, wishes):
-            return whole[1:]
+            return whole, every
     best = _fit_said(wishes, every, fit_one)
     for number, row in enumerate(forms):
         best = _line_up(best, number, row, fit_one)
-    return best[1:]
+    return best, every
+
+
+def _list_forms(
+    hall: HallContext, wish: HallDemand, small: Sequence[HallDemand]
+) -> Iterator[HallDemand]:
+    """The forms of counters, lounges and desks that leave these open."""
+    yield from list_forms(hall, wish, small)
+    yield from list_lounge_forms(wish)
+    yield from list_parted(hall, wish)
 
 
 class Stand(NamedTuple):
@@ -104,7 +130,7 @@ def _built_for(stand: Stand, before: list[HallDemand]) -> bool:
 
 def _count_objects(wish: HallDemand, count: int) -> int:
     """How many objects so many of a demand are once they are furnished."""
-    return count * max(len(wish.row), 1) * (2 if wish.double else 1)
+    return count_parts(wish, count) * max(len(wish.row), 1) * (2 if wish.double else 1)
 
 
 def _ways_to_stand(wishes: list[HallDemand]) -> Iterator[list[HallDemand]]:
@@ -177,7 +203,7 @@ def _part_line(wish: HallDemand, pose: Pose, size: Size) -> list[Place]:
 
 def grow_to_floor(piece: Piece, wish: HallDemand, catalog: Catalog) -> Piece:
     """A piece as large as the floor it takes with its chairs or staff."""
-    if wish.before:
+    if wish.before and wish.seated:
         return grow_desk(piece, wish.before)
     if wish.staff or wish.double:
         return _grow_staff(piece, KINDS[wish.category].staff)

@@ -14,6 +14,8 @@ ISLANDS = (
 """What an exhibit island is drawn as where it is called so."""
 PICTURES = ("painting", "picture", "photograph", "photo", "drawing", "print", "poster", "art")
 """What hangs at a wall where a wall exhibit is called so."""
+COLD = "fridge_shelf, a cooler for goods, or fridge, as in a kitchen"
+"""What cools."""
 OTHERS = {
     "mirror": "fitting_room, which has one",
     "tv": "screen",
@@ -40,6 +42,7 @@ OTHERS = {
     "wall": "partition",
     "column": "holes of the room",
     "atm": "cash_machine",
+    **dict.fromkeys(("freezer", "chest freezer", "cooler", "chiller", "refrigerator"), COLD),
 }
 """By what is asked for."""
 

@@ -21,6 +21,7 @@ from scenewright.domains.hall.terms.visitors import (
     LOUNGE,
     LOW,
     MAIN,
+    RECEPTION,
     SPEAKER,
     STAGE,
     TABLE,
@@ -41,12 +42,14 @@ LOUNGES = frozenset(("lounge_seat", "armchair", "sofa", "pouf"))
 TABLES = frozenset(("reading_table", "dining_table", "round_table", "outdoor_table"))
 ON_SHOW = frozenset((*EXHIBITS[:4], "exhibit_panel", "display_table", "mannequin"))
 LOW_TABLES = frozenset(("coffee_table",))
+RECEPTIONS = frozenset(("info_desk",))
 SHOWN = ((STAGE, frozenset(("stage",))), (TABLE, TABLES))
 STANDING = (
     (ALOOF, LOUNGES | TABLES | LOW_TABLES | ON_SHOW),
     (LOUNGE, LOUNGES),
     (LOW, LOW_TABLES),
     *SHOWN,
+    (RECEPTION, RECEPTIONS),
 )
 """Roles that depend on nothing but the category."""
 

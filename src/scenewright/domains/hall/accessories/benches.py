@@ -6,9 +6,9 @@ import numpy as np
 import shapely
 
 from scenewright.core.layout import corners
-from scenewright.core.piece_outlines import polygons_of
+from scenewright.core.piece_outlines import boxes_of, polygons_of
 from scenewright.core.scene import Piece, Size
-from scenewright.domains.hall.accessories.setting import Bools, Setting
+from scenewright.domains.hall.accessories.setting import Bools, Setting, lead_before
 from scenewright.domains.hall.accessories.spots import (
     Spots,
     face,
@@ -34,9 +34,12 @@ PITCH = 3.0
 """Metres of a side of an island for each bench."""
 NEAR, CROWD = 5.0, 0.4
 """Within how many metres benches are too many, and what each metre of that costs."""
-CLOSE, WEDGED = 0.8, 2.5
+BEFORE, ASIDE, BARS = 1.5, 0.6, 3.0
+"""Metres before a picture and beside it that a bench bars, and what that costs: whoever looks at it
+stands there."""
+CLOSE, WEDGED = 0.8, 4.5
 """Metres that a bench amid the floor keeps from walls, columns and whatever stands there, and what
-it costs nearer: wedged between two tables it looks pushed aside."""
+it costs nearer: wedged between two tables it looks pushed aside, at a wall it does not."""
 
 
 def may_look(wish: HallDemand, wishes: list[HallDemand]) -> bool:
@@ -54,7 +57,7 @@ def is_large_island(wish: HallDemand) -> bool:
 
 def find_bench_spots(setting: Setting, size: Size) -> Spots:
     """Spots before pictures and the long sides of islands, turned to these; cheaper away from the
-    benches that stand; else at walls."""
+    benches that stand and from what hangs right beside; else at walls."""
     at_walls = make_spots(line_walls(setting.walls, size)[0], AT_WALL)
     parts = [make_spots(np.zeros((0, 5)), 0.0)]
     for piece in setting.pieces:
@@ -64,14 +67,29 @@ def find_bench_spots(setting: Setting, size: Size) -> Spots:
     wedged = WEDGED * _stand_near(amid.boxes, setting)
     found = join_spots([at_walls, amid._replace(costs=amid.costs + wedged)])
     crowd = CROWD * measure_crowd(found.boxes, setting.others, NEAR)
-    return found._replace(costs=found.costs + crowd)
+    barring = BARS * _bar_pictures(found.boxes, setting)
+    return found._replace(costs=found.costs + crowd + barring)
+
+
+def _bar_pictures(boxes: Floats, setting: Setting) -> Bools:
+    """Which of boxes (k, 5) stand right before or under some picture, or beside it."""
+    rows = [box for p in setting.pieces if p.category == PICTURE for box in boxes_of(p)]
+    pictures = np.array(rows).reshape(-1, 5)
+    pictures[:, 3] += 2.0 * ASIDE
+    floors = shapely.polygons(corners(lead_before(pictures, BEFORE)))
+    floors = np.concatenate([floors, shapely.polygons(corners(pictures))])
+    near = np.zeros(len(boxes), np.bool_)
+    stands = shapely.polygons(corners(boxes))
+    near[shapely.STRtree(floors).query(stands, "intersects")[0]] = True
+    return near
 
 
 def _stand_near(boxes: Floats, setting: Setting) -> Bools:
-    """Which of boxes (k, 5) stand too near to some piece, column or wall."""
+    """Which of boxes (k, 5) stand too near to some piece, another bench, a column or a wall."""
     bodies = polygons_of([p for p in setting.pieces if p.pose.z < HEAD_HEIGHT])
     walls = shapely.linestrings(setting.walls.reshape(-1, 2, 2))
-    tree = shapely.STRtree(np.concatenate([bodies, walls]))
+    others = shapely.polygons(corners(setting.others))
+    tree = shapely.STRtree(np.concatenate([bodies, walls, others]))
     near = np.zeros(len(boxes), np.bool_)
     near[tree.query(shapely.polygons(corners(boxes)), "dwithin", CLOSE)[0]] = True
     return near

@@ -17,6 +17,8 @@ from scenewright.domains.hall.holdings import HallDemand
 from scenewright.domains.hall.problem import Floats
 
 REASON = "no place is left for it that bars no way"
+REMEDIES = {"bar_stool": "ask for fewer, a longer counter, or less beside it"}
+"""What may help, by category."""
 
 Furnished = tuple[tuple[Piece, ...], tuple[PlacedGroup, ...], tuple[LeftOut, ...]]
 """Pieces, their groups, and what found no place."""
@@ -113,5 +115,7 @@ def _report(there: StandingHall, small: list[HallDemand], placed: Placed) -> tup
         absent, many = sum(box is None for box in boxes), len(boxes)
         if absent:
             what = f"{absent} of {many} {wish.name}" if many > 1 else wish.name
-            found.append(LeftOut(there.hall.space.id, what, REASON, wish.required))
+            remedy = REMEDIES.get(wish.category)
+            reason = f"{REASON}: {remedy}" if remedy else REASON
+            found.append(LeftOut(there.hall.space.id, what, reason, wish.required))
     return tuple(found)

@@ -55,9 +55,18 @@ def _before(counter: Piece, size: Size) -> Iterator[Floats]:
     front = np.array([math.cos(heading), math.sin(heading)])
     right = np.array([front[1], -front[0]])
     at = np.array(counter.pose[:2]) + (0.5 * (counter.size.depth + size.depth) + OFF) * front
-    for number in range(int((wide - SERVED) / PLACE + 1e-9)):
+    for number in range(count_before(wide)):
         along = (number + 0.5) * PLACE - 0.5 * wide
         yield face((at + along * right)[None], heading + math.pi, size)[0]
+
+
+def count_before(wide: float) -> int:
+    """How many stools have a place before a counter of so many metres.
+
+    >>> count_before(4.0)
+    5
+    """
+    return max(int((wide - SERVED) / PLACE + 1e-9), 0)
 
 
 def _around(table: Piece, size: Size) -> Iterator[Floats]:

@@ -48,7 +48,7 @@ from scenewright.domains.hall.retouch.nearness import (
 )
 from scenewright.domains.hall.retouch.outer_rows import measure_slots, propose_lines
 from scenewright.domains.hall.retouch.parted import measure_parted, propose_sides
-from scenewright.domains.hall.retouch.poufs import measure_fences, propose_circles
+from scenewright.domains.hall.retouch.poufs import forgive_poufs, measure_fences, propose_circles
 from scenewright.domains.hall.retouch.rings import propose_rings, rings_off
 from scenewright.domains.hall.retouch.ropes import forgive_queues, propose_ropes, ropes_adrift
 from scenewright.domains.hall.retouch.runs import measure_runs, propose_runs
@@ -79,7 +79,7 @@ RETOUCHES: dict[str, Retouch] = {
     "tills": Retouch(_whole, tills_adrift, propose_tills, mind_order, find_tills),
     "ropes": Retouch(_whole, ropes_adrift, propose_ropes, forgive_queues),
     "parted": Retouch(_whole, measure_parted, propose_sides, make_room=False),
-    "poufs": Retouch(_whole, measure_fences, propose_circles, make_room=False),
+    "poufs": Retouch(_whole, measure_fences, propose_circles, forgive_poufs, make_room=False),
     "companies": Retouch(_whole, measure_apart, propose_companies),
     "bare": Retouch(find_floor, measure_bare, propose_moves),
     "runs": Retouch(_whole, measure_runs, propose_runs, make_room=False),

@@ -16,7 +16,7 @@ from scenewright.domains.hall.retouch.arrivals import box_round, find_met
 from scenewright.domains.hall.retouch.lines import forgive_space, line_up
 from scenewright.domains.hall.terms.state import Kept, PreparedHall, State
 from scenewright.domains.hall.terms.table import ORDER
-from scenewright.domains.hall.terms.visitors import FIRST, LANE, TILL
+from scenewright.domains.hall.terms.visitors import FIRST, LANE, RECEPTION, TILL
 
 STEP, PROPOSED, APART = 0.4, 120, 0.9
 """Metres between two places that are tried along a wall, how many of the best of them, and the
@@ -42,15 +42,25 @@ FIRST_OF_ALL = 12.0
 LONGEST, LINES, SHORT = 4.0, 24, 6.5
 """Metres off a wall beyond which more count no more, how many lines through other objects are
 tried, and the longest row that may stand with its side at a wall, in metres."""
+AMID = 0.7
+"""The most that metres off a wall count of a desk to ask at where no desk stands in the zone of the
+entrance, and metres between two places amid its zone that are tried."""
 MOST, PARTED = 6, 2.0
 """Desks that one row holds at most, and metres that each further row of a group counts."""
 BACK = 2
 """The column of ``access`` that says whether one comes up to a back."""
 
 
+class Rates(NamedTuple):
+    """What each metre too far from the entrance counts, and the most that metres off a wall do."""
+
+    too_far: float
+    off_wall: float
+
+
 class Desks(NamedTuple):
     """Which desks of a problem are seen to: those ``first`` of all, one each in the zone of the
-    entrance, or all others."""
+    entrance, or to ask at where none is there, or all others."""
 
     problem: HallProblem
     first: bool
@@ -77,8 +87,16 @@ def find_desks(desks: Desks, kept: Kept) -> list[int]:
         if not int(roles[unit]) & LANE
         and units.targets[unit] < 0
         and not units.access[firsts[unit], BACK]
-        and desks.first == (int(np.ptp(units.spans[unit])) == 1 and _is_at_door(problem, unit))
+        and desks.first == (int(np.ptp(units.spans[unit])) == 1 and _is_first(problem, unit))
     ]
+
+
+def _is_first(problem: HallProblem, unit: int) -> bool:
+    """Whether a desk stands in the zone of the entrance, or one asks at it and no desk does."""
+    if _is_at_door(problem, unit):
+        return True
+    asks = bool(int(problem.visitors.roles[unit]) & RECEPTION)
+    return asks and not any(_is_at_door(problem, k) for k in range(len(problem.units.zones)))
 
 
 def _is_at_door(problem: HallProblem, unit: int) -> bool:
@@ -103,11 +121,17 @@ def _fault(desks: Desks, kept: Kept, unit: int, box: Floats) -> float:
     """The fault of the desks of one unit in a ``box`` (5,) round them, in metres."""
     row, rows = int(desks.problem.units.spans[unit, 0]), int(kept.rows[unit, 1])
     parted = PARTED * (rows - 1) if int(kept.rows[unit, 0]) == CHAIN else 0.0
-    far = TOO_FAR if desks.first else LITTLE
-    return float(measure_desks(desks.problem, box[None], row, far)[0]) + parted
+    return float(measure_desks(desks.problem, box[None], row, _rate(desks, unit))[0]) + parted
 
 
-def measure_desks(problem: HallProblem, boxes: Floats, row: int, too_far: float) -> Floats:
+def _rate(desks: Desks, unit: int) -> Rates:
+    """What counts for the desk of a unit."""
+    if not desks.first:
+        return Rates(LITTLE, LONGEST)
+    return Rates(TOO_FAR, LONGEST if _is_at_door(desks.problem, unit) else AMID)
+
+
+def measure_desks(problem: HallProblem, boxes: Floats, row: int, rates: Rates) -> Floats:
     """How far desks (n, 5) are from where one looks for them (n,): metres their back is off a wall
     beyond what who serves needs, how far they are from the entrance, how much of them and their
     queue lies on the way in, and whether they turn their back to who comes in."""
@@ -122,13 +146,13 @@ def measure_desks(problem: HallProblem, boxes: Floats, row: int, too_far: float)
     adrift = np.where(boxes[:, 3] <= SHORT, np.minimum(adrift, aside), adrift)
     far = np.hypot(*(middles - door).T)
     turned = np.where(((door - middles) * front).sum(1) < -0.3 * far, BACK_TO, 0.0)
-    adrift = np.minimum(np.maximum(adrift - BEHIND, 0.0), LONGEST)
+    adrift = np.minimum(np.maximum(adrift - BEHIND, 0.0), rates.off_wall)
     before = middles + 0.5 * (depth + QUEUE) * front
     queues = np.column_stack([before, boxes[:, 2:4], np.full(len(boxes), QUEUE)])
     middle, ahead = door + 0.5 * WAY * inward, np.arctan2(inward[1], inward[0])
     free = shapely.polygons(corners(np.array([[*middle, ahead, 2 * WIDE, WAY]])))[0]
     across = _share(boxes, free) + WAITING * _share(queues, free)
-    return adrift + too_far * np.maximum(far - FAR, 0.0) + across + turned
+    return adrift + rates.too_far * np.maximum(far - FAR, 0.0) + across + turned
 
 
 def _share(boxes: Floats, free: shapely.Polygon) -> Floats:
@@ -187,15 +211,27 @@ def forgive_walls(
 
 def propose_desks(desks: Desks, kept: Kept, boxes: Floats) -> Iterator[Kept]:
     """Layouts with the desks of one group in a row at a wall of its zone, the best places first."""
-    problem, far = desks.problem, TOO_FAR if desks.first else LITTLE
+    problem = desks.problem
     for unit in find_desks(desks, kept):
         row = int(problem.units.spans[unit, 0])
         places = _places(problem, boxes, unit)
-        faults = measure_desks(problem, places, row, far)
+        if desks.first and not _is_at_door(problem, unit):
+            places = np.concatenate([places, _spread(problem, unit)])
+        faults = measure_desks(problem, places, row, _rate(desks, unit))
         now = _fault(desks, kept, unit, box_round(boxes[slice(*problem.units.spans[unit])]))
         better = np.flatnonzero(faults < now)
         for number in _spaced(places, better[np.argsort(faults[better], kind="stable")]):
             yield line_up(problem, kept, unit, places[number])
+
+
+def _spread(problem: HallProblem, unit: int) -> Floats:
+    """Boxes (n, 5) of the desk of a unit all over its zone, looking along its sides."""
+    low, high = problem.ground.zone_bounds[int(problem.units.zones[unit])].reshape(2, 2)
+    size = problem.units.sizes[int(problem.units.spans[unit, 0])]
+    rows = np.arange(low[0], high[0], AMID), np.arange(low[1], high[1], AMID), np.arange(4)
+    x, y, turn = (grid.ravel() for grid in np.meshgrid(*rows))
+    boxes = np.column_stack([x, y, 0.5 * np.pi * turn])
+    return np.column_stack([boxes, np.broadcast_to(size, (len(boxes), 2))])
 
 
 def _spaced(places: Floats, order: Ints) -> list[int]:

@@ -143,6 +143,12 @@ def measure_ropes(problem: HallProblem, kept: Kept, boxes: Floats, unit: int) ->
     return min((measure_before(mine, anchor) for anchor in anchors), default=0.0)
 
 
+def forms_lane(problem: HallProblem, kept: Kept, boxes: Floats, unit: int) -> bool:
+    """Whether the ropes of a unit stand in two lines and more, or where nobody queues."""
+    queues = any(anchor.queue for anchor in find_anchors(problem, kept, boxes, unit))
+    return not queues or (int(kept.rows[unit, 0]) == CHAIN and int(kept.rows[unit, 1]) > 1)
+
+
 def measure_before(ropes: Floats, anchor: Anchor) -> float:
     """How far some ropes (n, 5) are from their place before an anchor, in metres: in lines where
     people queue, else in one line, as several guard nothing more."""

@@ -1,0 +1,75 @@
+"""Gates in a zone that people only leave by stand in a row before its exit."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import scenewright
+from scenewright.core.brief import Brief
+from scenewright.core.solution import Solution
+
+GATES: dict[str, Any] = {"id": "gates", "category": "ticket_gate", "count": 2, "zone": "gate"}
+SEATS: dict[str, Any] = {"category": "bench", "count": 8, "zone": "gate", "size": [2, 0.5, 0.45]}
+
+
+def lounge(*demands: dict[str, Any], use: str = "exit") -> Brief:
+    room = {
+        "name": "Lounge",
+        "outline": [[0, 0], [18, 0], [18, 12], [0, 12]],
+        "doors": [
+            {"id": "way in", "at": [14, 0], "width": 3.0, "use": "entrance"},
+            {"id": "gate", "at": [4, 12], "width": 2.0, "swing": "slide", "use": use},
+        ],
+        "zones": [
+            {"id": "gate", "outline": [[0, 0], [9, 0], [9, 12], [0, 12]]},
+            {"id": "shop", "outline": [[9, 0], [18, 0], [18, 12], [9, 12]]},
+        ],
+        "demands": list(demands),
+    }
+    return Brief.model_validate({"domain": "hall", "name": "Lounge", "rooms": [room]})
+
+
+def find_gates(found: Solution) -> list[tuple[float, float]]:
+    return [(p.pose.x, p.pose.y) for p in found.pieces if p.function == "gates"]
+
+
+@pytest.mark.parametrize("seed", [59, 61])
+def test_boarding_gates_stand_side_by_side_before_the_exit(seed: int) -> None:
+    found = scenewright.solve(lounge(GATES, SEATS), seed=seed, threads=1)
+    (x0, y0), (x1, y1) = find_gates(found)
+    assert y0 == pytest.approx(y1)
+    assert 9.0 < y0 < 11.0
+    assert 0.5 * (x0 + x1) == pytest.approx(4.0, abs=0.01)
+    assert not found.left_out
+    assert scenewright.check(found).valid
+    group = next(g for g in found.detail.layout.groups if g.demand == "gates")
+    assert (group.zone, len(group.objects)) == ("gate", 2)
+
+
+def test_gates_where_people_come_in_are_not_boarding_gates() -> None:
+    found = scenewright.solve(lounge(GATES, SEATS, use="both"), seed=59, threads=1)
+    named = {p.category for p in found.pieces if p.function.startswith("gates")}
+    assert named <= {"ticket_gate", "glass_barrier"}
+    assert "glass_barrier" in named or found.left_out
+
+
+def test_locked_boarding_gates_stay_where_they_are(tmp_path: Path) -> None:
+    found, path = scenewright.solve(lounge(GATES, SEATS), seed=59, threads=1), tmp_path / "a.json"
+    scenewright.write(found, path)
+    document = json.loads(path.read_text())
+    for piece in document["pieces"]:
+        piece["fixed"] = piece["function"] == "gates"
+    path.write_text(json.dumps(document))
+    again = scenewright.solve(scenewright.read(path), seed=61, threads=1)
+    assert find_gates(again) == find_gates(found)
+
+
+def test_gates_that_find_no_room_say_what_to_do() -> None:
+    full = {"category": "counter", "size": [2.2, 2.2, 1.0], "count": 6, "zone": "gate"}
+    found = scenewright.solve(lounge(GATES | {"count": 9}, full, use="both"), seed=59, threads=1)
+    told = [lost.reason for lost in found.left_out if "close the way in" in lost.reason]
+    assert all("draw a zone at the entrance" in reason for reason in told)

@@ -1,0 +1,65 @@
+"""Counters keep the floor of the bar stools that are asked for beside them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+import scenewright
+from scenewright.catalog.loading import catalog_of
+from scenewright.core.brief import Brief
+from scenewright.domains.hall.accessories.stools import OFF
+from scenewright.domains.hall.counter_stools import keep_stools
+from scenewright.domains.hall.holdings import collect_demands
+
+BAR: dict[str, Any] = {"category": "counter", "size": [4.0, 0.8, 1.1], "place": "wall"}
+STOOLS: dict[str, Any] = {"category": "bar_stool", "count": 4}
+TABLES: dict[str, Any] = {"category": "round_table", "count": 6, "size": [0.8, 0.8, 0.74]}
+
+
+def cafe(*demands: dict[str, Any]) -> Brief:
+    room = {
+        "name": "Cafe",
+        "outline": [[0, 0], [12, 0], [12, 8], [0, 8]],
+        "doors": [{"at": [2, 0], "width": 1.2}, {"at": [12, 4], "width": 1.2}],
+        "zones": [],
+        "demands": list(demands),
+    }
+    return Brief.model_validate({"domain": "hall", "name": "Cafe", "rooms": [room]})
+
+
+def test_counters_are_as_much_deeper_as_stools_take() -> None:
+    asked = collect_demands(cafe(BAR, STOOLS, TABLES), 0, (), catalog_of([]))
+    bar, stools, tables = keep_stools(asked)
+    assert bar.before == pytest.approx(stools.sizes[0].depth + OFF)
+    assert bar.sizes[0].depth == pytest.approx(0.8 + bar.before)
+    assert tables == asked[2]
+
+
+def test_no_more_counters_keep_floor_than_stools_need() -> None:
+    second = BAR | {"id": "second"}
+    asked = collect_demands(cafe(BAR, second, STOOLS), 0, (), catalog_of([]))
+    first, other, _ = keep_stools(asked)
+    assert first.before
+    assert not other.before
+
+
+@pytest.mark.parametrize("seed", [59, 61, 67])
+def test_stools_stand_at_the_bar_among_many_tables(seed: int) -> None:
+    more = {"category": "dining_table", "count": 3}
+    found = scenewright.solve(cafe(BAR, STOOLS, TABLES, more), seed=seed, threads=1)
+    (bar,) = (piece for piece in found.pieces if piece.category == "counter")
+    stools = [piece for piece in found.pieces if piece.category == "bar_stool"]
+    assert len(stools) == 4
+    assert bar.size.depth == pytest.approx(0.8)
+    for stool in stools:
+        across = abs(stool.pose.x - bar.pose.x), abs(stool.pose.y - bar.pose.y)
+        gap = min(across) if max(across) < 0.5 * bar.size.width else max(across)
+        assert gap < 0.5 * (bar.size.depth + stool.size.depth) + 2 * OFF
+    assert scenewright.check(found).valid
+
+
+def test_what_may_help_is_said_where_no_stool_finds_a_place() -> None:
+    found = scenewright.solve(cafe(BAR, STOOLS | {"count": 24}), seed=59, threads=1)
+    assert all("longer counter" in lost.reason for lost in found.left_out)
