@@ -7,9 +7,11 @@ import pytest
 import shapely
 from tests.hall_briefs import answer, hall
 
+from scenewright.core.brief.zones import Demand
 from scenewright.core.layout import corners
-from scenewright.domains import check
+from scenewright.domains.hall.accessories import place
 from scenewright.domains.hall.borders import WallStretch
+from scenewright.domains.hall.holdings import fill_defaults
 from scenewright.domains.hall.wall_corners import corner_share
 
 
@@ -45,20 +47,11 @@ def test_a_stage_fits_a_wall_between_slanted_corners():
     assert stage.pose.y == pytest.approx(9.0, abs=0.02)
 
 
-def test_no_small_object_stands_where_nobody_gets():
-    """Two showcases shut off a corner of a small hall; no tree is put there."""
-    fixed = [
-        {"category": "showcase", "at": [4.5, 4.35], "size": [0.4, 1.3, 2.0]},
-        {"category": "showcase", "at": [5.35, 3.5], "size": [1.3, 0.4, 2.0]},
-    ]
-    room = hall(
-        outline=[[0, 0], [6, 0], [6, 5], [0, 5]],
-        doors=[{"id": "main", "at": [3, 0], "width": 1.2, "use": "entrance"}],
-        fixed=fixed,
-        demands=[{"category": "potted_tree", "count": 6, "required": False}],
-    )
-    found = answer(room)
-    trees = [p.pose for p in found.pieces if p.category == "potted_tree"]
-    assert len(trees) > 3
-    assert not any(tree.x > 4.7 and tree.y > 3.7 for tree in trees)
-    assert not check(found).findings
+@pytest.mark.parametrize(
+    ("category", "sides"), [("potted_tree", [1, 1, 1, 1]), ("bar_stool", [0, 1, 1, 1])]
+)
+def test_small_objects_are_reached_from_where_they_are_used_or_from_any_side(category, sides):
+    wish = fill_defaults(Demand(category=category), category)
+    boxes, access = place._find_used([wish], [[np.array([1.0, 2.0, 0.0, 0.5, 0.5]), None]])
+    assert boxes.tolist() == [[1.0, 2.0, 0.0, 0.5, 0.5]]
+    assert access.astype(int).tolist() == [sides]
