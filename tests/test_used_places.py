@@ -19,7 +19,7 @@ from scenewright.domains.home.composing.spacing import cut_off, rules
 from scenewright.domains.home.composing.spacing.leave_out import leave_out_near
 from scenewright.domains.home.ground import ground_of
 from scenewright.domains.home.household import decide_household, share_out
-from scenewright.domains.home.programme import Wish
+from scenewright.domains.home.programme import Wish, programme
 from scenewright.domains.home.wished.places import spots_of
 
 ROOM = {
@@ -153,3 +153,32 @@ def test_no_second_kitchen_in_a_tiny_wet_room(area, functions, cooks):
     for rooms, both in (([small, large], cooks), ([small], True)):
         found = share_out(decide_household(rooms), "a", wishes, frozenset())
         assert ("kitchen" in {wish.group for wish in found}) == both
+
+
+@pytest.mark.parametrize(
+    ("x", "wall", "shut"),
+    [(2.2, -1.4, True), (2.6, -1.4, False), (2.2, -1.0, False)],
+    ids=["across the aisle", "beyond it", "no aisle"],
+)
+def test_nothing_stands_across_the_end_of_an_aisle_beside_a_bed(x, wall, shut):
+    """A bed along x, its right side 0.4 m from a wall, or less, and a wardrobe at that wall."""
+    edges = np.array([[-1.0, wall, 6, wall], [6, wall, 6, 3], [6, 3, -1, 3], [-1, 3, -1, wall]])
+    ground = SimpleNamespace(
+        edges=edges, keep_free=np.zeros((0, 5)), area=0.0, paths=np.zeros((0, 4))
+    )
+    bed = group("sleeping", "double_bed", 0.0, 0.0, 0.0, 2.0, 2.0)
+    wardrobe = group("wardrobe", "wardrobe", x, wall + 0.3, pi / 2, 2.0, 0.6)
+    names = {c.other for c in rules.list_close([bed, wardrobe], (), ground) if c.cost >= 6.0}
+    assert names == ({"wardrobe"} if shut else set())
+
+
+def test_what_belongs_outside_stays_outside_and_no_second_toilet_is_in_a_kitchen():
+    def groups(function, area, home=()):
+        space = space_of(function=function)
+        return {wish.group for wish in programme(space, area, frozenset(home))}
+
+    assert {"terrace", "planter"} <= groups("balcony", 6.0)
+    assert not groups(["balcony", "bathroom"], 6.0) & {"terrace", "lounger", "planter"}
+    assert "toilet" in groups("bathroom", 6.0, {"toilet"})
+    assert "toilet" not in groups(["bathroom", "kitchen"], 12.0, {"toilet"})
+    assert "toilet" in groups(["bathroom", "kitchen"], 12.0)

@@ -133,19 +133,18 @@ def _bunk_bed(size: Size) -> Parts:
             for s in (-1, 1)
         ]
     for level in (upper + 0.22, upper + 0.34):
-        wood.append(block((-w, -w + 0.022), (-d + 0.06, d - 0.06), (level, level + 0.06)))
-        wood.append(block((w - 0.022, w), (-d + 0.06, d - 0.55), (level, level + 0.06)))
-    wood += _ladder(w, d - 0.3, h - 0.04)
+        for side in ((-w, -w + 0.022), (w - 0.022, w)):
+            wood.append(block(side, (-d + 0.06, d - 0.06), (level, level + 0.06)))
+    wood += _ladder(d, h - 0.04)
     found[PINE] = wood
     return parts(size, found)
 
 
-def _ladder(w: float, y: float, h: float) -> list[Mesh]:
-    rails = [
-        block((w - 0.025, w), (y + s * 0.19 - 0.015, y + s * 0.19 + 0.015), (0, h)) for s in (-1, 1)
-    ]
+def _ladder(d: float, h: float) -> list[Mesh]:
+    """A ladder before the foot, where no wall is whichever side of the bed is at one."""
+    rails = [block((s * 0.19 - 0.015, s * 0.19 + 0.015), (d - 0.025, d), (0, h)) for s in (-1, 1)]
     levels = [0.25 * k for k in range(1, int(h / 0.25) + 1)]
-    return rails + [rod((w - 0.013, y - 0.19, z), (w - 0.013, y + 0.19, z), 0.012) for z in levels]
+    return rails + [rod((-0.19, d - 0.013, z), (0.19, d - 0.013, z), 0.012) for z in levels]
 
 
 def _cot(size: Size) -> Parts:
@@ -239,9 +238,9 @@ def _single_symbol(size: Size) -> Lines:
 
 
 def _bunk_symbol(size: Size) -> Lines:
-    w, d = size.width / 2, size.depth / 2
-    rungs = [path((w - 0.12, y), (w, y)) for y in (d - 0.47, d - 0.38, d - 0.3, d - 0.22, d - 0.13)]
-    return *bed_symbol(size, 1), path((w - 0.12, d - 0.5), (w - 0.12, d - 0.1)), *rungs
+    d = size.depth / 2
+    rungs = [path((x, d - 0.12), (x, d)) for x in (-0.17, -0.08, 0.0, 0.08, 0.17)]
+    return *bed_symbol(size, 1), path((-0.2, d - 0.12), (0.2, d - 0.12)), *rungs
 
 
 def _cot_symbol(size: Size) -> Lines:

@@ -43,10 +43,10 @@ def are_open(bed: Piece, solid: Iterable[Sequence[float]], edges: Floats) -> boo
     """Whether both aisles of a bed are free of all that is ``solid``, boxes (n, 5), and on the
     floor within ``edges`` (e, 4)."""
     boxes = list(solid)
-    return all(_is_free(aisle, boxes, edges) for aisle in list_aisles(bed))
+    return all(is_free(aisle, boxes, edges) for aisle in list_aisles(bed))
 
 
-def _is_free(aisle: Box, solid: Iterable[Sequence[float]], edges: Floats) -> bool:
+def is_free(aisle: Box, solid: Iterable[Sequence[float]], edges: Floats) -> bool:
     """Whether no more than :data:`PASSED` of an aisle is taken or no floor."""
     frame, (x, y, _, width, depth) = make_frame(*aisle), aisle
     most, reach = PASSED * width * depth, hypot(width, depth) / 2

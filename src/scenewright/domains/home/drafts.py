@@ -20,7 +20,7 @@ from scenewright.domains.home.programme import BEDS, Wish
 from scenewright.domains.home.second_try import Opened, try_otherwise
 from scenewright.domains.home.stated_needs import AskedRooms
 
-DRAFTS, GOOD = 4, 60.0
+DRAFTS, GOOD = 8, 60.0
 """How often a studio is furnished at most, and from which cost on once more."""
 FIRST = 11
 """Drafts are numbered from here on; smaller numbers are those of second tries."""

@@ -72,6 +72,10 @@ class ProgrammeRow(NamedTuple):
 
 WELCOME = 2  # the rank of what is welcome
 
+_INDOORS = (
+    *("living", "dining", "kitchen", "study", "hall", "bathroom", "toilet", "washroom"),
+    *("double_bedroom", "single_bedroom", "child_bedroom"),
+)
 _PROGRAMME: dict[str, tuple[ProgrammeRow, ...]] = {
     "living": (
         ProgrammeRow("seating", 0),
@@ -132,7 +136,7 @@ _PROGRAMME: dict[str, tuple[ProgrammeRow, ...]] = {
         ProgrammeRow("basin", 0),
         ProgrammeRow("toilet", 0, 1.4, unless=("home:toilet",)),
         ProgrammeRow("toilet", 0, 1.0, 1.4, unless=("home:toilet", "home:bathroom")),
-        ProgrammeRow("toilet", 1, 4.5),
+        ProgrammeRow("toilet", 1, 4.5, unless=("living", "dining", "kitchen")),
         ProgrammeRow("shower", 2, 7),
         ProgrammeRow("washer", 1, 4.8, unless=("home:washroom",)),
         ProgrammeRow("linen", 2, 5),
@@ -157,9 +161,9 @@ _PROGRAMME: dict[str, tuple[ProgrammeRow, ...]] = {
         ProgrammeRow("storage", 2, 7.5),
     ),
     "balcony": (
-        ProgrammeRow("terrace", 1, 2.8),
-        ProgrammeRow("lounger", 1, 1.6, 2.8),
-        ProgrammeRow("planter", 1, 2),
+        ProgrammeRow("terrace", 1, 2.8, unless=_INDOORS),
+        ProgrammeRow("lounger", 1, 1.6, 2.8, unless=_INDOORS),
+        ProgrammeRow("planter", 1, 2, unless=_INDOORS),
         ProgrammeRow("drying", 2, 6),
     ),
     "other": (),

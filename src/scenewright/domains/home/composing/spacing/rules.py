@@ -21,6 +21,7 @@ from scenewright.domains.home.composing.fronts import MOVED, ON_FLOOR
 from scenewright.domains.home.composing.spacing.askew import COST as ASKEW
 from scenewright.domains.home.composing.spacing.askew import is_askew
 from scenewright.domains.home.composing.spacing.cut_off import cost_of_cut_off
+from scenewright.domains.home.composing.spacing.shut_in import list_shut_in
 from scenewright.domains.home.composing.spacing.walled import BACK, FRONT, list_walled
 from scenewright.domains.home.furnishing.bed_rugs import BEDS
 from scenewright.domains.home.furnishing.enlarge import SOFAS
@@ -111,6 +112,8 @@ def _list_close(
         found += [*_list_near(name, piece, low), *_list_backs(name, piece, low)]
         if on.value is not None:
             found += [Close(name, "", cost) for cost in _measure_alone(Same(piece), on)]
+            shut = list_shut_in(piece, low, on.value)
+            found += [Close(name, other, cost) for other, cost in shut if other != name]
     return (*found, *_list_cut_off(low, on.value)) if on.value is not None else tuple(found)
 
 
