@@ -49,6 +49,7 @@ from scenewright.domains.hall.retouch.nearness import (
 from scenewright.domains.hall.retouch.outer_rows import measure_slots, propose_lines
 from scenewright.domains.hall.retouch.parted import measure_parted, propose_sides
 from scenewright.domains.hall.retouch.poufs import forgive_poufs, measure_fences, propose_circles
+from scenewright.domains.hall.retouch.queues import measure_queues, propose_queues
 from scenewright.domains.hall.retouch.rings import propose_rings, rings_off
 from scenewright.domains.hall.retouch.ropes import forgive_queues, propose_ropes, ropes_adrift
 from scenewright.domains.hall.retouch.runs import measure_runs, propose_runs
@@ -77,6 +78,7 @@ RETOUCHES: dict[str, Retouch] = {
     "desks": Retouch(first_desks, desks_adrift, propose_desks, mind_order, find_desks),
     "counters": Retouch(other_desks, desks_adrift, propose_desks, forgive_walls, find_desks),
     "tills": Retouch(_whole, tills_adrift, propose_tills, mind_order, find_tills),
+    "queues": Retouch(_whole, measure_queues, propose_queues, make_room=False),
     "ropes": Retouch(_whole, ropes_adrift, propose_ropes, forgive_queues),
     "parted": Retouch(_whole, measure_parted, propose_sides, make_room=False),
     "poufs": Retouch(_whole, measure_fences, propose_circles, forgive_poufs, make_room=False),
