@@ -55,6 +55,7 @@ from scenewright.domains.hall.retouch.ropes import forgive_queues, propose_ropes
 from scenewright.domains.hall.retouch.runs import measure_runs, propose_runs
 from scenewright.domains.hall.retouch.seats import propose_rows, sit_too_near
 from scenewright.domains.hall.retouch.spread import measure_spread, propose_spread
+from scenewright.domains.hall.retouch.stands import measure_backs, propose_turns
 from scenewright.domains.hall.retouch.tills import find_tills, propose_tills, tills_adrift
 from scenewright.domains.hall.solvers.outcome import MeasuredLayout
 
@@ -74,6 +75,7 @@ RETOUCHES: dict[str, Retouch] = {
     "lecterns": Retouch(_whole, lecterns_adrift, propose_lecterns),
     "exhibit": Retouch(find_exhibit, stand_aside, propose_places, charge_hiding, find_placed),
     "rings": Retouch(_whole, rings_off, propose_rings),
+    "stands": Retouch(_whole, measure_backs, propose_turns),
     "gates": Retouch(_whole, gates_adrift, propose_gates, forgive_doors, find_gates),
     "desks": Retouch(first_desks, desks_adrift, propose_desks, mind_order, find_desks),
     "counters": Retouch(other_desks, desks_adrift, propose_desks, forgive_walls, find_desks),
