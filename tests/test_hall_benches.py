@@ -11,6 +11,7 @@ from scenewright.domains.hall.accessories.benches import (
     AT_WALL,
     BARS,
     FARS,
+    HIDDEN,
     WEDGED,
     find_bench_spots,
 )
@@ -75,3 +76,25 @@ def test_a_wall_is_a_better_place_than_beside_another_bench() -> None:
     there = np.array([[5.0, 7.1, 0.5 * np.pi, *BENCH[:2]]])
     spots = find_bench_spots(Setting((), walls, (picture,), there), BENCH)
     assert spots.boxes[np.argmin(spots.costs), 1] < 1.0
+
+
+def test_a_place_from_where_a_column_hides_the_picture_costs() -> None:
+    """A column amid the way from a bench about (5, 7) to the picture, or beside that."""
+    hidden, beside = (
+        find_costs(walls=np.array([[x, 8.6, x + 0.2, 8.6]]))[-len(FARS) :] for x in (4.9, 6.0)
+    )
+    free = find_costs()
+    assert np.allclose(hidden - free, HIDDEN)
+    assert np.allclose(beside, free)
+
+
+def test_a_place_at_a_wall_behind_a_column_costs() -> None:
+    wall, column = [1.0, 0.0, 9.0, 0.0], [6.0, 0.9, 5.0, 0.9]
+    setting = Setting((), np.array([wall, column]), (), np.zeros((0, 5)))
+    spots = find_bench_spots(setting, BENCH)
+    behind = (np.abs(spots.boxes[:, 0] - 5.5) < 0.5) & (spots.boxes[:, 1] < 0.5)
+    free = (np.abs(spots.boxes[:, 0] - 3.0) < 0.5) & (spots.boxes[:, 1] < 0.5)
+    assert (spots.costs[behind] >= AT_WALL + HIDDEN).all()
+    assert (spots.costs[free] < AT_WALL + HIDDEN).all()
+    assert behind.any()
+    assert free.any()

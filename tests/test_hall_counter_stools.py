@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import pytest
@@ -63,3 +64,23 @@ def test_stools_stand_at_the_bar_among_many_tables(seed: int) -> None:
 def test_what_may_help_is_said_where_no_stool_finds_a_place() -> None:
     found = scenewright.solve(cafe(BAR, STOOLS | {"count": 24}), seed=59, threads=1)
     assert all("longer counter" in lost.reason for lost in found.left_out)
+
+
+def test_stools_stand_closer_where_all_find_a_place_at_the_counter_so() -> None:
+    short = BAR | {"size": [3.0, 0.7, 1.1]}
+    found = scenewright.solve(cafe(short, STOOLS, TABLES), seed=59, threads=1)
+    (bar,) = (piece for piece in found.pieces if piece.category == "counter")
+    stools = [piece for piece in found.pieces if piece.category == "bar_stool"]
+    assert len(stools) == 4
+    assert all(math.dist(stool.pose[:2], bar.pose[:2]) < 1.5 for stool in stools)
+
+
+def test_no_stool_stands_by_itself_where_the_counter_has_no_more_places() -> None:
+    short = BAR | {"size": [2.0, 0.7, 1.1]}
+    found = scenewright.solve(cafe(short, STOOLS), seed=59, threads=1)
+    (bar,) = (piece for piece in found.pieces if piece.category == "counter")
+    stools = [piece for piece in found.pieces if piece.category == "bar_stool"]
+    assert len(stools) == 2
+    assert all(math.dist(stool.pose[:2], bar.pose[:2]) < 1.5 for stool in stools)
+    (lost,) = found.left_out
+    assert "longer counter" in lost.reason

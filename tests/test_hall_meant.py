@@ -12,6 +12,7 @@ import scenewright
 from scenewright.catalog.assets import shipped
 from scenewright.core.brief import Brief
 from scenewright.core.solution import Solution
+from scenewright.domains.hall.stand_ins import offer_stand_in
 
 BOX = [[0, 0], [12, 0], [12, 9], [0, 9]]
 
@@ -142,3 +143,13 @@ def test_a_zone_smaller_than_asked_is_noted() -> None:
     assert [n.message for n in report.notes if "asked" in n.message] == [
         "hall: a has 72.0 m², 30 m² asked"
     ]
+
+
+def test_a_copier_stands_at_a_wall() -> None:
+    (copier,) = lay_out({"category": "copier"}).pieces
+    assert copier.asset == "copier"
+    assert copier.size.height == pytest.approx(1.1)
+
+
+def test_who_asks_for_a_photocopier_is_told_of_copiers() -> None:
+    assert offer_stand_in("photocopiers", {}) == "use copier"

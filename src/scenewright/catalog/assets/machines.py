@@ -1,6 +1,8 @@
-"""Machines that serve whoever stands before them: cash and tickets."""
+"""Machines that serve whoever stands before them: cash, tickets and copies."""
 
 from __future__ import annotations
+
+from itertools import pairwise
 
 from scenewright.catalog.assets.drawing import Drawing
 from scenewright.catalog.assets.materials import (
@@ -90,6 +92,47 @@ def _screen_symbol(size: Size) -> Lines:
     )
 
 
+def _copier(size: Size) -> Parts:
+    """Drawers for paper below a slot with a tray of copies, a glass under a lid that feeds sheets,
+    and keys beside a small screen before it."""
+    w, d, h = size.width / 2, size.depth / 2, size.height
+    slot, bed, lid = 0.6 * h, 0.72 * h, 0.9 * h
+    face, back = d - 0.02, -0.1 * d
+    ends = [0.06 + share * (slot - 0.08) for share in (0.0, 1 / 3, 2 / 3, 1.0)]
+    drawers = [
+        block((-w + 0.02, w - 0.02), (face, d), (low + 0.01, high - 0.01))
+        for low, high in pairwise(ends)
+    ]
+    grips = [
+        block((-0.3 * w, 0.3 * w), (d - 0.004, d + 0.004), (high - 0.04, high - 0.025))
+        for high in ends[1:]
+    ]
+    found: Stuff = {
+        WHITE: [
+            block((-w, w), (-d, face), (0.06, slot)),
+            block((-w, w), (-d, back), (slot, bed)),
+            block((-w, -0.8 * w), (back, face), (slot, bed)),
+            block((-w, w), (-d, face), (bed, 0.8 * h)),
+            *drawers,
+        ],
+        CHARCOAL: [
+            block((-w + 0.03, w - 0.03), (-d + 0.03, d - 0.05), (0, 0.06)),
+            block((-w, 0.7 * w), (-d, 0.5 * d), (0.8 * h, lid)),
+            block((-0.8 * w, 0.2 * w), (-0.8 * d, 0.1 * d), (lid, h)),
+        ],
+        PAPER: [block((-0.5 * w, 0.6 * w), (back, 0.8 * d), (slot, slot + 0.02))],
+        SCREEN: [block((0.1 * w, 0.7 * w), (0.55 * d, 0.9 * d), (0.8 * h, 0.8 * h + 0.01))],
+        BLACK: grips,
+    }
+    return parts(size, found)
+
+
+def _copier_symbol(size: Size) -> Lines:
+    """The lid, and the keys before it."""
+    w, d = size.width / 2, size.depth / 2
+    return rectangle(size), box(-w, 0.7 * w, -d, 0.5 * d), box(0.1 * w, 0.7 * w, 0.55 * d, 0.9 * d)
+
+
 _CASH = "cash atm bank bancomat bankomat geldautomat cajero 取款机 自动取款机"
 _TICKETS = (
     "ticket fare fahrkarte fahrkartenautomat fahrschein ticketautomat billet billets boleto "
@@ -99,6 +142,7 @@ _TICKETS = (
 ASSETS = (
     Drawing("cash_machine", _cash_machine, _screen_symbol),
     Drawing("ticket_machine", _ticket_machine, _screen_symbol),
+    Drawing("copier", _copier, _copier_symbol),
     Drawing(
         "vending_machine",
         _cash_machine,

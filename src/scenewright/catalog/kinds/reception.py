@@ -222,4 +222,22 @@ KINDS = (
         ),
         drawn_by=(".machines",),
     ),
+    Kind(
+        "copier",
+        access=FRONT,
+        reach=0.75,
+        sizes=size_range("50 70 140", "50 70 85", "95 110 130"),
+        hall=at_wall(0.9),
+        words=(
+            words(
+                en="copier, photocopier, copy machine, printer, laser printer",
+                fr="photocopieur, photocopieuse, imprimante",
+                de="kopierer, kopiergerät, fotokopierer, drucker, laserdrucker",
+                es="fotocopiadora, impresora",
+                zh="复印机, 打印机",
+                ja="コピー機, 複合機, プリンター",
+            ),
+        ),
+        drawn_by=(".machines",),
+    ),
 )

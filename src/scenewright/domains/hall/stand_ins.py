@@ -42,6 +42,8 @@ OTHERS = {
     "wall": "partition",
     "column": "holes of the room",
     "atm": "cash_machine",
+    "photocopier": "copier",
+    "printer": "copier",
     **dict.fromkeys(("freezer", "chest freezer", "cooler", "chiller", "refrigerator"), COLD),
 }
 """By what is asked for."""

@@ -54,7 +54,9 @@ ACCESSORIES: dict[str, Accessory] = {
     "litter_bin": Accessory(find_bin_spots, 3, 1.2),
     "planter": Accessory(find_planter_spots, 4, 1.2),
     "potted_tree": Accessory(find_planter_spots, 4, 0.9),
-    "bar_stool": Accessory(find_stool_spots, 5, 0.0, used_at=True, belongs=may_sit_high),
+    "bar_stool": Accessory(
+        find_stool_spots, 5, 0.0, used_at=True, belongs=may_sit_high, adrift=False
+    ),
 }
 """By category."""
 

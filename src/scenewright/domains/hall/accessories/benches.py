@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import product
+
 import numpy as np
 import shapely
 
@@ -41,6 +43,12 @@ CLOSE, WEDGED = 0.8, 4.5
 """Metres that a bench amid the floor keeps from walls, columns and whatever stands there, and what
 it costs nearer: wedged between two tables it looks pushed aside, at a wall it does not."""
 
+HIDDEN, SIGHT = 6.0, 0.2
+"""What a place costs from where a column or a wall hides what one is to look at, and half of the
+width of the look there; metres."""
+FREE = 0.8
+"""Metres before a bench at a wall in which no column is."""
+
 
 def may_look(wish: HallDemand, wishes: list[HallDemand]) -> bool:
     """Whether some picture or island may stand in a zone of benches."""
@@ -59,10 +67,17 @@ def find_bench_spots(setting: Setting, size: Size) -> Spots:
     """Spots before pictures and the long sides of islands, turned to these; cheaper away from the
     benches that stand and from what hangs right beside; else at walls."""
     at_walls = make_spots(line_walls(setting.walls, size)[0], AT_WALL)
+    blocked = _cross_walls(lead_before(at_walls.boxes, FREE), setting)
+    at_walls = at_walls._replace(costs=at_walls.costs + HIDDEN * blocked)
     parts = [make_spots(np.zeros((0, 5)), 0.0)]
     for piece in setting.pieces:
         sides = (0,) if piece.category == PICTURE else range(4) if piece.category == ISLAND else ()
-        parts += [_face_side(piece, side, size, far) for side in sides for far in FARS]
+        for side, far in product(sides, FARS):
+            spots = _face_side(piece, side, size, far)
+            looks = lead_before(spots.boxes, far - 0.5 * size.depth - SIGHT)
+            looks[:, 3] = 2.0 * SIGHT
+            hidden = HIDDEN * _cross_walls(looks, setting)
+            parts.append(spots._replace(costs=spots.costs + hidden))
     amid = join_spots(parts)
     wedged = WEDGED * _stand_near(amid.boxes, setting)
     found = join_spots([at_walls, amid._replace(costs=amid.costs + wedged)])
@@ -82,6 +97,14 @@ def _bar_pictures(boxes: Floats, setting: Setting) -> Bools:
     stands = shapely.polygons(corners(boxes))
     near[shapely.STRtree(floors).query(stands, "intersects")[0]] = True
     return near
+
+
+def _cross_walls(boxes: Floats, setting: Setting) -> Bools:
+    """Which of boxes (k, 5) a wall or a side of a column crosses."""
+    walls = shapely.linestrings(setting.walls.reshape(-1, 2, 2))
+    found = np.zeros(len(boxes), np.bool_)
+    found[shapely.STRtree(walls).query(shapely.polygons(corners(boxes)), "intersects")[0]] = True
+    return found
 
 
 def _stand_near(boxes: Floats, setting: Setting) -> Bools:

@@ -18,6 +18,8 @@ COUNTER = "counter"
 PLACE, OFF, SERVED = 0.6, 0.05, 0.9
 """Metres of a counter for each stool, between the two, and of each counter that stay free for who
 is served standing."""
+CLOSE, LITTLE = 0.55, 0.8
+"""The same where one more finds a place so."""
 AT_TABLE, NEXT = 0.5, 0.1
 """What a place at a table costs more than one at a counter, and each next one of the same."""
 
@@ -55,18 +57,25 @@ def _before(counter: Piece, size: Size) -> Iterator[Floats]:
     front = np.array([math.cos(heading), math.sin(heading)])
     right = np.array([front[1], -front[0]])
     at = np.array(counter.pose[:2]) + (0.5 * (counter.size.depth + size.depth) + OFF) * front
-    for number in range(count_before(wide)):
-        along = (number + 0.5) * PLACE - 0.5 * wide
+    count = count_before(wide)
+    pitch = PLACE if count == _count(wide, PLACE, SERVED) else CLOSE
+    for number in range(count):
+        along = (number + 0.5) * pitch - 0.5 * wide
         yield face((at + along * right)[None], heading + math.pi, size)[0]
 
 
 def count_before(wide: float) -> int:
-    """How many stools have a place before a counter of so many metres.
+    """How many stools have a place before a counter of so many metres, closer together where one
+    more finds a place so.
 
-    >>> count_before(4.0)
-    5
+    >>> count_before(4.0), count_before(3.0)
+    (5, 4)
     """
-    return max(int((wide - SERVED) / PLACE + 1e-9), 0)
+    return max(_count(wide, PLACE, SERVED), _count(wide, CLOSE, LITTLE))
+
+
+def _count(wide: float, place: float, served: float) -> int:
+    return max(int((wide - served) / place + 1e-9), 0)
 
 
 def _around(table: Piece, size: Size) -> Iterator[Floats]:

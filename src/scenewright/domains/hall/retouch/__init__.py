@@ -49,11 +49,13 @@ from scenewright.domains.hall.retouch.nearness import (
 from scenewright.domains.hall.retouch.outer_rows import measure_slots, propose_lines
 from scenewright.domains.hall.retouch.parted import measure_parted, propose_sides
 from scenewright.domains.hall.retouch.poufs import forgive_poufs, measure_fences, propose_circles
+from scenewright.domains.hall.retouch.queues import measure_queues, propose_queues
 from scenewright.domains.hall.retouch.rings import propose_rings, rings_off
 from scenewright.domains.hall.retouch.ropes import forgive_queues, propose_ropes, ropes_adrift
 from scenewright.domains.hall.retouch.runs import measure_runs, propose_runs
 from scenewright.domains.hall.retouch.seats import propose_rows, sit_too_near
 from scenewright.domains.hall.retouch.spread import measure_spread, propose_spread
+from scenewright.domains.hall.retouch.stands import measure_backs, propose_turns
 from scenewright.domains.hall.retouch.tills import find_tills, propose_tills, tills_adrift
 from scenewright.domains.hall.solvers.outcome import MeasuredLayout
 
@@ -73,10 +75,12 @@ RETOUCHES: dict[str, Retouch] = {
     "lecterns": Retouch(_whole, lecterns_adrift, propose_lecterns),
     "exhibit": Retouch(find_exhibit, stand_aside, propose_places, charge_hiding, find_placed),
     "rings": Retouch(_whole, rings_off, propose_rings),
+    "stands": Retouch(_whole, measure_backs, propose_turns),
     "gates": Retouch(_whole, gates_adrift, propose_gates, forgive_doors, find_gates),
     "desks": Retouch(first_desks, desks_adrift, propose_desks, mind_order, find_desks),
     "counters": Retouch(other_desks, desks_adrift, propose_desks, forgive_walls, find_desks),
     "tills": Retouch(_whole, tills_adrift, propose_tills, mind_order, find_tills),
+    "queues": Retouch(_whole, measure_queues, propose_queues, make_room=False),
     "ropes": Retouch(_whole, ropes_adrift, propose_ropes, forgive_queues),
     "parted": Retouch(_whole, measure_parted, propose_sides, make_room=False),
     "poufs": Retouch(_whole, measure_fences, propose_circles, forgive_poufs, make_room=False),

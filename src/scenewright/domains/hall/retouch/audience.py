@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from scenewright.core.layout import corners
 from scenewright.domains.hall.patterns import ACROSS, ALONG, CHAIN, CODE, FAN, GRID, NUMBER
 from scenewright.domains.hall.patterns.chain import BLOCK
 from scenewright.domains.hall.patterns.fan import AISLE
@@ -119,9 +120,18 @@ def propose_audiences(problem: HallProblem, kept: Kept, boxes: Floats) -> Iterat
     middle of a wall."""
     for audience in find_audiences(problem, kept):
         yield from _where_they_sit(problem, kept, audience.seats)
+        deep = _measure_fan(problem, kept, boxes, audience.seats)
         for moved, stage in propose_stages(problem, kept, boxes, audience.stage):
             for form in _forms(problem, moved, audience.seats):
-                yield from _before(problem, form, audience.seats, stage)
+                yield from _before(problem, form, audience.seats, stage, deep)
+
+
+def _measure_fan(problem: HallProblem, kept: Kept, boxes: Floats, seats: int) -> float:
+    """How deep the arcs of a unit lie among boxes (n, 5), from the seats in front to those in the
+    back, in metres."""
+    mine, heading = boxes[slice(*problem.units.spans[seats])], kept.pose[seats, 2]
+    along = corners(mine) @ np.array([np.cos(heading), np.sin(heading)])
+    return float(np.ptp(along))
 
 
 def _where_they_sit(problem: HallProblem, kept: Kept, seats: int) -> Iterator[Kept]:
@@ -183,14 +193,17 @@ def _long_rows(problem: HallProblem, seats: int, number: int, room: int) -> list
     return found[:LONGEST]
 
 
-def _before(problem: HallProblem, kept: Kept, seats: int, stage: Floats) -> Iterator[Kept]:
-    """Layouts with the seats on the axis of a stage (5,), at some distances from it."""
+def _before(
+    problem: HallProblem, kept: Kept, seats: int, stage: Floats, fan: float
+) -> Iterator[Kept]:
+    """Layouts with the seats on the axis of a stage (5,), at some distances from it; arcs lie so
+    deep as the ``fan``."""
     row, used = find_layers(problem, seats)[0], int(kept.rows[seats, 1])
     deep = float(problem.units.sizes[slice(*problem.units.spans[seats]), 1].max())
     gaps = float(kept.layers[row + 1 : row + used, ACROSS].sum())
     whole = used * deep + gaps
     if int(kept.rows[seats, 0]) == FAN:
-        whole = float(kept.layers[row : row + used, ACROSS].max()) if used else deep
+        whole = fan
     front = np.array([np.cos(stage[2]), np.sin(stage[2])])
     aside = _shift_aside(problem, kept, seats, stage)
     for far in (*FAR, *_find_edge(problem, seats, stage)):

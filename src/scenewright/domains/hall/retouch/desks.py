@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 import shapely
+from numpy.typing import NDArray
 
 from scenewright.core.layout import corners
 from scenewright.domains.hall.patterns import CHAIN, SINGLE
@@ -37,6 +38,9 @@ WAITING = 0.3
 """What a square metre of queue on the way in counts, of desk one metre."""
 BACK_TO = 1.5
 """What a back turned to who comes in counts, in metres."""
+ROOM, CRAMPED = 0.75, 2.0
+"""Metres behind a desk in which no wall is, else who serves cannot stand there, and what one counts
+that lacks them, in metres."""
 FIRST_OF_ALL = 12.0
 """What it costs beside the energy that others lie a metre nearer to the entrance."""
 LONGEST, LINES, SHORT = 4.0, 24, 6.5
@@ -134,7 +138,8 @@ def _rate(desks: Desks, unit: int) -> Rates:
 def measure_desks(problem: HallProblem, boxes: Floats, row: int, rates: Rates) -> Floats:
     """How far desks (n, 5) are from where one looks for them (n,): metres their back is off a wall
     beyond what who serves needs, how far they are from the entrance, how much of them and their
-    queue lies on the way in, and whether they turn their back to who comes in."""
+    queue lies on the way in, whether they turn their back to who comes in, and whether a wall
+    behind them leaves nobody room to serve."""
     door, inward = problem.visitors.entrances[0], problem.visitors.inward[0]
     middles, (width, depth) = boxes[:, :2], boxes[:, 3:, None].swapaxes(0, 1)
     front = np.stack([np.cos(boxes[:, 2]), np.sin(boxes[:, 2])], axis=1)
@@ -152,7 +157,20 @@ def measure_desks(problem: HallProblem, boxes: Floats, row: int, rates: Rates) -
     middle, ahead = door + 0.5 * WAY * inward, np.arctan2(inward[1], inward[0])
     free = shapely.polygons(corners(np.array([[*middle, ahead, 2 * WIDE, WAY]])))[0]
     across = _share(boxes, free) + WAITING * _share(queues, free)
-    return adrift + rates.too_far * np.maximum(far - FAR, 0.0) + across + turned
+    cramped = CRAMPED * _is_cramped(problem, boxes)
+    return adrift + rates.too_far * np.maximum(far - FAR, 0.0) + across + turned + cramped
+
+
+def _is_cramped(problem: HallProblem, boxes: Floats) -> NDArray[np.bool_]:
+    """Which of some desks (n, 5) have a wall so near behind that nobody can stand there."""
+    front = np.stack([np.cos(boxes[:, 2]), np.sin(boxes[:, 2])], axis=1)
+    strips = boxes.copy()
+    strips[:, :2] -= 0.5 * (boxes[:, 4:] + ROOM) * front
+    strips[:, 3], strips[:, 4] = 0.8 * boxes[:, 3], ROOM - NEXT
+    walls = shapely.linestrings(problem.ground.edges[:, :4].reshape(-1, 2, 2))
+    cramped = np.zeros(len(boxes), np.bool_)
+    cramped[shapely.STRtree(walls).query(shapely.polygons(corners(strips)), "intersects")[0]] = True
+    return cramped
 
 
 def _share(boxes: Floats, free: shapely.Polygon) -> Floats:
