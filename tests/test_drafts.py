@@ -106,3 +106,13 @@ def test_a_studio_holds_more_than_in_one_draft(monkeypatch):
     once = sw.solve(brief, seed=1)
     assert len(best.left_out) < len(once.left_out)
     assert check(best).valid
+
+
+def test_a_large_room_that_lacks_something_essential_is_furnished_again(task):
+    wishes = (Wish("seating", 0), Wish("dining", 0))
+    other = _answer(Wish("dining", 0))
+    seeds = []
+    drafts.furnish_best(task, wishes, _furnish([other] * drafts.DRAFTS, seeds))
+    assert len(seeds) == drafts.DRAFTS
+    drafts.furnish_best(task, (Wish("plant", 2),), _furnish([_answer()], seeds := []))
+    assert len(seeds) == 1

@@ -168,7 +168,7 @@ def test_nothing_stands_across_the_end_of_an_aisle_beside_a_bed(x, wall, shut):
     )
     bed = group("sleeping", "double_bed", 0.0, 0.0, 0.0, 2.0, 2.0)
     wardrobe = group("wardrobe", "wardrobe", x, wall + 0.3, pi / 2, 2.0, 0.6)
-    names = {c.other for c in rules.list_close([bed, wardrobe], (), ground) if c.cost >= 6.0}
+    names = {c.other for c in rules.list_close([bed, wardrobe], (), ground) if c.cost >= 4.0}
     assert names == ({"wardrobe"} if shut else set())
 
 

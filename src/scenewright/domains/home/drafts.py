@@ -1,4 +1,5 @@
-"""Rooms in which one sleeps, cooks and sits are furnished several times, and the best is kept.
+"""Rooms in which one sleeps, cooks and sits, and large ones that lack something essential, are
+furnished several times, and the best is kept.
 
 Rooms of one or two uses come out much alike from other random numbers. In a studio a bed, seats and
 their screen, a table and a kitchen compete for the same walls; what is laid out first decides what
@@ -31,11 +32,11 @@ Furnish = Callable[[RoomTask], RoomAnswer]
 
 
 def furnish_best(task: RoomTask, wishes: tuple[Wish, ...], furnish: Furnish) -> RoomAnswer:
-    """The answer for a room, of a studio the best of several drafts, with the others: the one that
-    lacks least and has least wrong with it, the first of equals; a good one is not tried to be
-    bettered."""
+    """The answer for a room, of a studio, or a room as large that lacks something essential, the
+    best of several drafts, with the others: the one that lacks least and has least wrong with it,
+    the first of equals; a good one is not tried to be bettered."""
     first = furnish(task)
-    if not is_studio(task, wishes):
+    if not (is_studio(task, wishes) or (is_composed(task) and _lacks(wishes, first))):
         return first
     drafts = [(cost_of_draft(task, wishes, first), first)]
     for number in range(FIRST, FIRST + DRAFTS - 1):
@@ -69,10 +70,22 @@ def choose_open(
 def is_studio(task: RoomTask, wishes: tuple[Wish, ...]) -> bool:
     """Whether a room that is composed is to hold a bed, seats and a kitchen and has floor for
     them."""
-    groups, exact = {wish.group for wish in wishes}, task.preset.settings.exact
+    groups = {wish.group for wish in wishes}
     several = all(groups.intersection(each) for each in (BEDS, RUNS, ("seating",)))
+    return several and is_composed(task)
+
+
+def is_composed(task: RoomTask) -> bool:
+    """Whether a room is one of those that are composed by us, and large."""
+    exact = task.preset.settings.exact
     composed = exact and not task.accessible and not task.library.own
-    return several and composed and task.ground.area >= LEAST
+    return composed and task.ground.area >= LEAST
+
+
+def _lacks(wishes: tuple[Wish, ...], answer: RoomAnswer) -> bool:
+    """Whether something essential is missing, or another kind of it stands there."""
+    there = {p.wish.group for p in answer.placed}
+    return any(wish.rank == 0 and wish.group not in there for wish in wishes)
 
 
 def cost_of_draft(task: RoomTask, wishes: tuple[Wish, ...], answer: RoomAnswer) -> float:

@@ -67,6 +67,7 @@ DISTANCES = (
     Distance(BEDS, ROUND, 0.3, frozenset(SOFAS), 5.0),
     Distance(frozenset(("tv_stand", "wall_shelf")), ROUND, 0.3, RUN, 6.0),
     Distance(FRONTED, FRONT, 0.4, CUPBOARDS, 6.0),
+    Distance(frozenset(("fridge",)), FRONT, 0.4, CUPBOARDS | {"side_table", "coffee_table"}, 6.0),
     Distance(frozenset(("wardrobe",)), FRONT, 0.5, frozenset(), 8.0),
     Distance(
         frozenset(("chest_of_drawers", "sideboard", "tv_stand")), FRONT, 0.5, frozenset(), 6.0

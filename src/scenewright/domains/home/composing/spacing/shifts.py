@@ -20,6 +20,8 @@ SHIFTED = FREE | {"seating"}
 """What is shifted; a sofa is not turned."""
 FAR, STEP = 1.0, 0.1
 """How far it is shifted along and across, and between two places, metres."""
+FARTHER, WIDER = 2.6, 0.2
+"""The same of what may be turned as well, beyond that."""
 QUARTER: Floats = np.array([0.0, 0.0, np.pi / 2, 0.0, 0.0])
 TRIED = 60  # places that are furnished, those first that cost least
 
@@ -49,11 +51,20 @@ def list_shifted(judge: RoomJudge, placed: Placed, at: int, most: float) -> Iter
 def _shift(box: Floats, turned: bool) -> Floats:
     """Boxes (n, 5) of one box (5,) shifted along its sides, itself not among them, then the same
     ``turned`` by a quarter."""
-    steps = np.arange(-FAR, FAR + STEP / 2, STEP)
-    along, across = (a.ravel() for a in np.meshgrid(steps, steps))
+    along, across = np.concatenate(
+        [_list_steps(FAR, STEP), _list_steps(FARTHER, WIDER)]
+        if turned
+        else [_list_steps(FAR, STEP)]
+    ).T
     moved = np.hypot(along, across) > STEP / 2
     boxes = np.repeat(box[None], int(moved.sum()), axis=0)
     c, s = np.cos(box[2]), np.sin(box[2])
     boxes[:, 0] += along[moved] * c - across[moved] * s
     boxes[:, 1] += along[moved] * s + across[moved] * c
     return np.concatenate([boxes, boxes + QUARTER]) if turned else boxes
+
+
+def _list_steps(far: float, step: float) -> Floats:
+    """Steps (n, 2) along and across, so ``far`` and as wide apart as a ``step``."""
+    steps = np.arange(-far, far + step / 2, step)
+    return np.stack(np.meshgrid(steps, steps), axis=-1).reshape(-1, 2)

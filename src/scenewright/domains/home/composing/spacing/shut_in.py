@@ -10,7 +10,7 @@ from scenewright.domains.home.bed_aisles import DOUBLE, is_free, list_aisles
 from scenewright.domains.home.composing.fronts import MOVED
 from scenewright.domains.home.problem import Ground
 
-COST = 6.0
+COST = 4.0
 """What each such aisle costs."""
 
 
