@@ -281,8 +281,10 @@ def test_a_table_is_shifted_and_turned_about_where_it_stands():
     box = np.array([2.0, 1.0, 0.5, 1.8, 1.2])
     boxes = shifts._shift(box, True)
     off = np.hypot(*(boxes[:, :2] - box[:2]).T)
-    assert len(boxes) == 2 * (21 * 21 - 1)
-    assert 0.09 < off.min() < off.max() < 1.5
+    assert len(boxes) == 2 * (21 * 21 - 1 + 27 * 27 - 11 * 11)
+    assert len(np.unique(boxes.round(6), axis=0)) == len(boxes)
+    assert 0.09 < off.min() < off.max() < 3.7
+    assert len(shifts._shift(box, False)) == 21 * 21 - 1
     assert set(np.round(boxes[:, 2] - box[2], 6)) == {0.0, round(pi / 2, 6)}
 
 
