@@ -51,11 +51,9 @@ def list_shifted(judge: RoomJudge, placed: Placed, at: int, most: float) -> Iter
 def _shift(box: Floats, turned: bool) -> Floats:
     """Boxes (n, 5) of one box (5,) shifted along its sides, itself not among them, then the same
     ``turned`` by a quarter."""
-    along, across = np.concatenate(
-        [_list_steps(FAR, STEP), _list_steps(FARTHER, WIDER)]
-        if turned
-        else [_list_steps(FAR, STEP)]
-    ).T
+    farther = _list_steps(FARTHER, WIDER)
+    farther = farther[(np.abs(farther).max(axis=1) > FAR + STEP / 2) & turned]
+    along, across = np.concatenate([_list_steps(FAR, STEP), farther]).T
     moved = np.hypot(along, across) > STEP / 2
     boxes = np.repeat(box[None], int(moved.sum()), axis=0)
     c, s = np.cos(box[2]), np.sin(box[2])
