@@ -55,3 +55,12 @@ def test_small_objects_are_reached_from_where_they_are_used_or_from_any_side(cat
     boxes, access = place._find_used([wish], [[np.array([1.0, 2.0, 0.0, 0.5, 0.5]), None]])
     assert boxes.tolist() == [[1.0, 2.0, 0.0, 0.5, 0.5]]
     assert access.astype(int).tolist() == [sides]
+
+
+@pytest.mark.parametrize(
+    ("x", "heading", "stands"), [(0.25, 0.0, True), (0.4, 0.0, False), (0.25, np.pi, False)]
+)
+def test_what_is_to_stand_at_a_wall_has_one_behind_it(x, heading, stands):
+    boxes = np.array([[x, 2.0, heading, 0.5, 0.5]])
+    setting = place.Setting((), np.array([[0.0, 5.0, 0.0, 0.0]]), (), np.zeros((0, 5)))
+    assert place._have_wall(boxes, setting).tolist() == [stands]

@@ -11,7 +11,7 @@ import shapely
 
 from scenewright.catalog.kinds import KINDS
 from scenewright.core.layout import corners
-from scenewright.core.piece_outlines import boxes_of
+from scenewright.core.piece_outlines import boxes_of, polygons_of
 from scenewright.core.scene import Piece, Size
 from scenewright.domains.hall.accessories import ACCESSORIES
 from scenewright.domains.hall.accessories.setting import (
@@ -39,6 +39,8 @@ HIDDEN, BEHIND = 1.5, 3.0
 """What a spot costs behind a desk, where only those who serve there see it, and how many metres."""
 BEFORE = 0.6
 """Metres before a small object in which others had better not stand."""
+AT_WALL = 0.045
+"""Metres from a wall to the back of what is to stand at one: the referee asks for 5 mm more."""
 TRIED, SAME = 12, 0.01
 """How many of the best spots, and of the others, are tried for what bars a way on the first, and
 metres between two spots that are one."""
@@ -158,6 +160,8 @@ def _choose_spots(
         spots = make(setting, size)
         own = row.used_at and make is row.spots
         stand = find_free(free, spots.boxes, own) & ~_overlap(spots.boxes, taken)
+        if wish.at_wall:
+            stand &= _have_wall(spots.boxes, setting)
         narrow = ~lie_open(free, spots.boxes, row.free, row.around)
         narrow |= _overlap(lead_before(spots.boxes, row.free), taken)
         narrow |= _overlap(spots.boxes, lead_before(taken, BEFORE))
@@ -167,6 +171,17 @@ def _choose_spots(
             order = np.argsort(costs, kind="stable")
             return spots.boxes[order[stand[order]]]
     return np.zeros((0, 5))
+
+
+def _have_wall(boxes: Floats, setting: Setting) -> Bools:
+    """Which of boxes (k, 5) have the middle of their back at a wall or a partition."""
+    back = boxes[:, :2] - 0.5 * boxes[:, 4:] * np.column_stack(
+        [np.cos(boxes[:, 2]), np.sin(boxes[:, 2])]
+    )
+    built = polygons_of([p for p in setting.pieces if p.category == "partition"])
+    walls = np.append(shapely.linestrings(setting.walls.reshape(-1, 2, 2)), built)
+    near = shapely.STRtree(walls).query(shapely.points(back), "dwithin", AT_WALL)[0]
+    return np.asarray(np.isin(np.arange(len(boxes)), near), bool)
 
 
 def _lie_behind(pieces: tuple[Piece, ...]) -> Floats:
