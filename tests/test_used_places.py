@@ -69,6 +69,16 @@ def test_floor_that_is_cut_off_agrees_with_counting_by_hand():
     assert cut_off.measure_cut_off([], ground) == 0.0
 
 
+def test_what_stands_already_is_nobodys_fault():
+    ground = ground_of(space_of(), (), 30.0)
+    wall = group("shelf", "bookcase", 2.0, 2.0, 0.0, 4.0, 0.2).pieces
+    plant = group("plant", "potted_tree", 4.5, 3.5, 0.0, 0.4, 0.4)
+    assert cut_off.cost_of_cut_off(wall, ground) > 0.0
+    for groups in ([], [plant]):
+        close = rules.list_close(groups, wall, ground)
+        assert not [c for c in close if c.cost >= cut_off.COST]
+
+
 def test_small_rooms_do_not_mind():
     ground = ground_of(space_of(outline=[[0, 0], [5, 0], [5, 1.8], [0, 1.8]]), (), 9.0)
     wall = [group("shelf", "bookcase", 2.0, 0.9, 0.0, 1.8, 0.2).pieces[0]]

@@ -10,6 +10,7 @@ from scenewright.core.catalog import Catalog
 from scenewright.core.scene import Piece, Size
 from scenewright.core.solution import LeftOut
 from scenewright.domains.hall.build_problem import HallContext
+from scenewright.domains.hall.free_to_sit import keep_off_seats
 from scenewright.domains.hall.hall_layout import PlacedGroup
 from scenewright.domains.hall.holdings import HallDemand
 from scenewright.domains.hall.low_tables import CATEGORY, keep_reached, low_tables
@@ -55,6 +56,7 @@ def set_low_tables(
     """The low tables that companies of seats stand round and people get to, those asked for among
     them, and what of these finds no seats."""
     tables = keep_reached(problem, layout, low_tables(groups, pieces, others, catalog))
+    tables = keep_off_seats(hall.space, problem, tables, (*pieces, *others), hall.route)
     return claim_low_tables(hall, wishes, groups, tables)
 
 

@@ -1,4 +1,5 @@
-"""Which of the chairs set in the end one can get to, and that bar no passage."""
+"""Which of the chairs set in the end one can get to, and that bar no passage, and which low tables
+leave the way to the seats round them."""
 
 from __future__ import annotations
 
@@ -8,9 +9,10 @@ import numpy as np
 import shapely
 
 from scenewright.core.layout import corners
-from scenewright.core.piece_outlines import polygons_of
+from scenewright.core.piece_outlines import boxes_of, polygons_of
 from scenewright.core.scene import Piece, Size
 from scenewright.core.space import Space
+from scenewright.domains.hall.accessories.setting import lead_before
 from scenewright.domains.hall.problem import HallProblem
 from scenewright.domains.hall.solvers.outcome import MeasuredLayout, lacking, measure_among
 
@@ -38,6 +40,35 @@ def keep_reached_chairs(
     return tuple(
         chair for chair, shape in zip(kept, shapes, strict=True) if shapely.intersects(near, shape)
     )
+
+
+def keep_off_seats(
+    space: Space,
+    problem: HallProblem,
+    tables: tuple[Piece, ...],
+    solid: tuple[Piece, ...],
+    route: float,
+) -> tuple[Piece, ...]:
+    """Some low tables less those, the nearest first, with which nobody gets to the front of a seat
+    of their group among what is ``solid``, sideways if need be, though one does without them; a
+    seat is reached from half a ``route`` and an arm before it."""
+    groups = {table.group for table in tables}
+    seats = [piece for piece in solid if piece.group in groups]
+    if not seats:
+        return tables
+    boxes = np.array([boxes_of(seat)[0] for seat in seats])
+    fronts = shapely.polygons(corners(lead_before(boxes, 0.5 * route + ARM)))
+    reached = shapely.intersects(_free_floor(space, problem, solid), fronts)
+    while tables:
+        with_tables = _free_floor(space, problem, (*solid, *tables))
+        lost = np.flatnonzero(reached & ~shapely.intersects(with_tables, fronts))
+        shut = [t for t in tables if len(lost) and t.group == seats[lost[0]].group]
+        if not shut:
+            return tables
+        x, y = seats[lost[0]].pose[:2]
+        worst = min(shut, key=lambda t: np.hypot(t.pose.x - x, t.pose.y - y))
+        tables = tuple(t for t in tables if t is not worst)
+    return tables
 
 
 def _grow(chair: Piece) -> Piece:

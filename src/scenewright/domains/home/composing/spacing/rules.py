@@ -119,13 +119,19 @@ def _list_close(
 
 
 def _list_cut_off(low: Sequence[tuple[str, Piece]], ground: Ground) -> Iterator[Close]:
-    """That floor is cut off, as the fault of the group without which least of it is, if any is."""
+    """That floor is cut off, as the fault of the group without which least of it is; what stands
+    already may cut off some by itself."""
     solid = [(name, p) for name, p in low if p.category not in MOVED]
     cost = cost_of_cut_off([p for _, p in solid], ground)
-    if cost:
-        names = dict.fromkeys(name for name, _ in solid if name)
-        less = {n: cost_of_cut_off([p for name, p in solid if name != n], ground) for n in names}
-        yield Close(min(less, key=lambda name: less[name]), "", cost)
+    if not cost:
+        return
+    less = {
+        n: cost_of_cut_off([p for name, p in solid if name != n], ground)
+        for n in dict.fromkeys(name for name, _ in solid if name)
+    }
+    worst = min(less, key=lambda name: less[name], default="")
+    if less.get(worst, cost) < cost:
+        yield Close(worst, "", cost)
 
 
 @lru_cache(maxsize=1024)
