@@ -49,9 +49,9 @@ def keep_off_seats(
     solid: tuple[Piece, ...],
     route: float,
 ) -> tuple[Piece, ...]:
-    """Some low tables less those, the nearest first, with which nobody gets to the front of a seat
-    of their group among what is ``solid``, sideways if need be, though one does without them; a
-    seat is reached from half a ``route`` and an arm before it."""
+    """Some low tables less those with which nobody gets to the front of a seat of their groups
+    among what is ``solid``, sideways if need be, though one does without them: the nearest to it
+    goes first. A seat is reached from half a ``route`` and an arm before it."""
     groups = {table.group for table in tables}
     seats = [piece for piece in solid if piece.group in groups]
     if not seats:
@@ -62,11 +62,10 @@ def keep_off_seats(
     while tables:
         with_tables = _free_floor(space, problem, (*solid, *tables))
         lost = np.flatnonzero(reached & ~shapely.intersects(with_tables, fronts))
-        shut = [t for t in tables if len(lost) and t.group == seats[lost[0]].group]
-        if not shut:
-            return tables
+        if not len(lost):
+            break
         x, y = seats[lost[0]].pose[:2]
-        worst = min(shut, key=lambda t: np.hypot(t.pose.x - x, t.pose.y - y))
+        worst = min(tables, key=lambda t: np.hypot(t.pose.x - x, t.pose.y - y))
         tables = tuple(t for t in tables if t is not worst)
     return tables
 

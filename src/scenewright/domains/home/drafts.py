@@ -23,6 +23,8 @@ from scenewright.domains.home.stated_needs import AskedRooms
 
 DRAFTS, GOOD = 8, 60.0
 """How often a studio is furnished at most, and from which cost on once more."""
+USUAL, FAIR = 4, 100.0
+"""After so many drafts one that costs less than this is good enough."""
 FIRST = 11
 """Drafts are numbered from here on; smaller numbers are those of second tries."""
 LEAST = 24.0  # square metres from which on a room is furnished several times
@@ -40,7 +42,8 @@ def furnish_best(task: RoomTask, wishes: tuple[Wish, ...], furnish: Furnish) -> 
         return first
     drafts = [(cost_of_draft(task, wishes, first), first)]
     for number in range(FIRST, FIRST + DRAFTS - 1):
-        if drafts[-1][0] < GOOD or task.cancelled():
+        enough = GOOD if len(drafts) < USUAL else FAIR
+        if min(cost for cost, _ in drafts) < enough or task.cancelled():
             break
         other = furnish(try_otherwise(task._replace(progress=None), number, 0.0))
         drafts.append((cost_of_draft(task, wishes, other), other))

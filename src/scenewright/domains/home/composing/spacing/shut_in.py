@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from functools import lru_cache
+from math import hypot
 
 from scenewright.core.piece_outlines import boxes_of
+from scenewright.core.same import Same
 from scenewright.core.scene import Piece
-from scenewright.domains.home.bed_aisles import DOUBLE, is_free, list_aisles
+from scenewright.domains.home.bed_aisles import AISLE, DOUBLE, Box, is_free, list_aisles
 from scenewright.domains.home.composing.fronts import MOVED
 from scenewright.domains.home.problem import Ground
 
@@ -19,13 +22,27 @@ def list_shut_in(
 ) -> Iterator[tuple[str, float]]:
     """The group of what stands across the end of an aisle of a bed that is free otherwise, the
     floor beyond its foot within the room, and what that costs; ``others`` with their groups."""
-    if bed.category != DOUBLE:
+    aisles = _list_within(Same(bed), Same(ground)) if bed.category == DOUBLE else ()
+    if not aisles:
         return
-    solid = [(n, p) for n, p in others if p is not bed and p.category not in MOVED]
-    boxes = [box for _, p in solid for box in boxes_of(p)]
-    for beside, along in zip(list_aisles(bed, further=0.0), list_aisles(bed), strict=True):
-        if not is_free(along, (), ground.edges) or not is_free(beside, boxes, ground.edges):
-            continue
-        across = [n for n, p in solid if not is_free(along, boxes_of(p), ground.edges)]
-        if across:
-            yield across[0], COST
+    near = [(name, p) for name, p in others if p is not bed and _is_near(bed, p)]
+    boxes = [box for _, p in near for box in boxes_of(p)]
+    for beside, along in aisles:
+        if not is_free(along, boxes, ground.edges) and is_free(beside, boxes, ground.edges):
+            across = (n for n, p in near if not is_free(along, boxes_of(p), ground.edges))
+            yield from ((name, COST) for name in list(across)[:1])
+
+
+@lru_cache(maxsize=256)
+def _list_within(known: Same[Piece], on: Same[Ground]) -> tuple[tuple[Box, Box], ...]:
+    """The aisles of a bed, each to its foot and beyond, that lie on the floor of the room."""
+    bed, edges = known.value, on.value.edges
+    pairs = zip(list_aisles(bed, further=0.0), list_aisles(bed), strict=True)
+    return tuple(pair for pair in pairs if is_free(pair[1], (), edges))
+
+
+def _is_near(bed: Piece, other: Piece) -> bool:
+    """Whether what is not pushed aside may reach into an aisle of a bed."""
+    far = hypot(other.pose.x - bed.pose.x, other.pose.y - bed.pose.y)
+    reach = hypot(*bed.size[:2]) / 2 + hypot(*other.size[:2]) / 2 + 2 * AISLE
+    return other.category not in MOVED and far < reach
