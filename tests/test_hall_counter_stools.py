@@ -84,3 +84,26 @@ def test_no_stool_stands_by_itself_where_the_counter_has_no_more_places() -> Non
     assert all(math.dist(stool.pose[:2], bar.pose[:2]) < 1.5 for stool in stools)
     (lost,) = found.left_out
     assert "longer counter" in lost.reason
+
+
+HIGH: dict[str, Any] = {"category": "dining_table", "size": [1.8, 0.6, 1.05]}
+
+
+def test_stools_stand_at_a_high_table_not_where_bread_is_sold() -> None:
+    bread = BAR | {"id": "bread", "name": "bread counter"}
+    found = scenewright.solve(cafe(bread, HIGH, STOOLS, TABLES), seed=59, threads=1)
+    (table,) = (p for p in found.pieces if p.category == "dining_table")
+    stools = [piece for piece in found.pieces if piece.category == "bar_stool"]
+    assert len(stools) == 4
+    assert all(math.dist(stool.pose[:2], table.pose[:2]) < 1.2 for stool in stools)
+    assert scenewright.check(found).valid
+
+
+def test_high_tables_keep_the_floor_of_stools_that_a_bar_has_no_place_for() -> None:
+    bar = BAR | {"id": "bar"}
+    for count, sides in ((4, 0.0), (7, 2 * OFF)):
+        brief = cafe(bar, HIGH, STOOLS | {"count": count})
+        _, table, stools = keep_stools(collect_demands(brief, 0, (), catalog_of([])))
+        deep = 2 * stools.sizes[0].depth if sides else 0.0
+        assert table.sizes[0].depth == pytest.approx(0.6 + sides + deep)
+        assert table.sizes[0].width == pytest.approx(1.8)

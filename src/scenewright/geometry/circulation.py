@@ -20,15 +20,19 @@ def solid_part(frame: Frame, inset: Sides) -> Frame:
 
 @inlined
 def is_reached(frame: Frame, access: Sides, reached: Bits, grid: RouteGrid) -> bool:
-    """True if some reached cell lies beside one of the sides it is used from, or none is asked."""
-    asked = False
+    """True if some reached cell lies beside one of the sides it is used from (``access`` above 0),
+    or none is asked, and beside each it has to be used from (above 1)."""
+    asked, found = False, False
     for side in range(4):
-        if access[side] > 0.0:
+        must = access[side] > 1.0
+        if must or (access[side] > 0.0 and not found):
             asked = True
             zone = beyond(frame, side, grid.radius - 0.5 * grid.cell + REACH)
             if sweep_box(reached, grid, zone, 0.0, LOOK):
-                return True
-    return not asked
+                found = True
+            elif must:
+                return False
+    return found or not asked
 
 
 @inlined

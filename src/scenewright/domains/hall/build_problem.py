@@ -41,6 +41,8 @@ MARGIN = 0.1
 """Passages are planned this much wider than asked for, in metres."""
 SEATS = ("auditorium_seat",)
 HEAD_HEIGHT = 2.0
+EACH = 2.0
+"""Access of sides each of which must be reached: those of two rows back to back."""
 SIDES = ("front", "left", "back", "right")
 
 
@@ -294,7 +296,8 @@ def _access(wishes: list[HallDemand], units: list[Unit], catalog: Catalog) -> Fl
             sides = ("front", "back")
         elif wishes[unit.demand].turned:
             sides = tuple(side for k, side in enumerate(SIDES) if SIDES[k - 2] in sides)
-        rows += [[float(side in sides) for side in SIDES]] * (unit.last - unit.first)
+        each = EACH if wishes[unit.demand].double else 1.0
+        rows += [[each * (side in sides) for side in SIDES]] * (unit.last - unit.first)
     return _rows(rows, 4)
 
 

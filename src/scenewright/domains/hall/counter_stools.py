@@ -1,31 +1,53 @@
-"""Counters beside which bar stools are asked for keep the floor of these before them."""
+"""High tables and counters beside which bar stools are asked for keep the floor of these."""
 
 from __future__ import annotations
 
-from scenewright.domains.hall.accessories.stools import COUNTER, OFF, count_before
-from scenewright.domains.hall.holdings import HallDemand, may_stand_together
+from scenewright.catalog.kinds.usual import is_high
+from scenewright.domains.hall.accessories.stools import (
+    COUNTER,
+    OFF,
+    count_around,
+    count_before,
+    is_bar,
+    sits_around,
+)
+from scenewright.domains.hall.holdings import HallDemand, may_stand_together, with_floor
 
 STOOL = "bar_stool"
 
 
 def keep_stools(wishes: list[HallDemand]) -> list[HallDemand]:
-    """Demands of which counters take up the floor of the stools before them as well: those of the
-    stools' own zones first, until all have a place."""
+    """Demands of which bars, then high tables, then other counters take up the floor of stools as
+    well: those of the stools' own zones first, until all have a place."""
     found = {wish.id: wish for wish in wishes}
     for stools in (wish for wish in wishes if wish.category == STOOL and wish.unstated):
         left = len(stools.sizes)
-        near = [w for w in wishes if w.category == COUNTER and may_stand_together(w, stools)]
-        near.sort(key=lambda wish: wish.zones != stools.zones)
-        for counters in near:
+        near = [w for w in wishes if _rank(w) and may_stand_together(w, stools)]
+        near.sort(key=lambda wish: (wish.zones != stools.zones, _rank(wish)))
+        for one in near:
             if left > 0:
                 deep = max(size.depth for size in stools.sizes) + OFF
-                found[counters.id] = _deepen(found[counters.id], deep)
-                left -= sum(count_before(size.width) for size in counters.sizes)
+                found[one.id] = _widen(found[one.id], deep)
+                left -= _count_places(one)
     return list(found.values())
 
 
-def _deepen(wish: HallDemand, before: float) -> HallDemand:
-    """Counters with so many metres more before them."""
-    more = max(before - wish.before, 0.0)
+def _rank(wish: HallDemand) -> int:
+    """1 for bars, 2 for high tables, 3 for other counters, 0 for what one does not sit at high."""
+    if wish.category == COUNTER:
+        return 1 if is_bar(wish.id) else 3
+    return 2 if is_high(wish.category, wish.sizes[0].height) else 0
+
+
+def _count_places(wish: HallDemand) -> int:
+    at_counter = wish.category == COUNTER
+    return sum(count_before(s.width) if at_counter else count_around(s) for s in wish.sizes)
+
+
+def _widen(wish: HallDemand, out: float) -> HallDemand:
+    """Counters with so many metres more before them, tables at the sides at which stools stand."""
+    if wish.category != COUNTER:
+        return with_floor(wish, out, all(sits_around(size) for size in wish.sizes))
+    more = max(out - wish.before, 0.0)
     sizes = tuple(size._replace(depth=size.depth + more) for size in wish.sizes)
     return wish._replace(sizes=sizes, before=wish.before + more)

@@ -46,10 +46,11 @@ def list_parted(hall: HallContext, wish: HallDemand) -> Iterator[HallDemand]:
 
 
 def _is_open(wish: HallDemand) -> bool:
-    """Whether a demand is of several desks without a pattern or free sides of its own."""
+    """Whether a demand is of several desks without a pattern or free sides of its own, that look
+    at nothing: in rows before a screen one gets up to the way behind."""
     usual = hall_use(wish.category)
     own = set(wish.patterns) != set(usual.patterns) or wish.clearance[1::2] != usual.clearance[1::2]
-    return wish.category in DESKS and len(wish.sizes) > 1 and not own
+    return wish.category in DESKS and len(wish.sizes) > 1 and not (own or wish.turned)
 
 
 def _measure_share(wish: HallDemand, areas: dict[str, float]) -> float:

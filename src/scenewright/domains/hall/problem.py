@@ -68,10 +68,10 @@ class Units(NamedTuple):
     """What is to be placed: ``n`` objects in ``g`` units.
 
     ``sizes`` (n, 2) width and depth; ``clear`` (n, 4) free depth wished for beyond each side;
-    ``access`` (n, 4) 1 for sides of which one must be reached. Unit u owns objects ``spans[u]``
-    (start, end) and stands in zone ``zones[u]``. ``walls`` (g,) 1 for a row along walls.
-    ``choices`` (g, 8) 1 for each pattern (row of the pattern table) the unit may take.
-    ``demands`` (g,) the number of the demand each unit serves, ``targets`` (g,) the unit each
+    ``access`` (n, 4) 1 for sides of which one must be reached, 2 for those that must each. Unit u
+    owns objects ``spans[u]`` (start, end) and stands in zone ``zones[u]``. ``walls`` (g,) 1 for a
+    row along walls. ``choices`` (g, 8) 1 for each pattern (row of the pattern table) the unit may
+    take. ``demands`` (g,) the number of the demand each unit serves, ``targets`` (g,) the unit each
     one looks at, -1: none.
     """
 

@@ -25,7 +25,7 @@ from scenewright.domains.hall.retouch.lines import count_objects, line_up
 from scenewright.domains.hall.retouch.mending import SeenTouch, weigh_proposals
 from scenewright.domains.hall.search import HallSearch, weigh_wrong
 from scenewright.domains.hall.solvers.chains import HallChain, begin_chain, cooled_hall, layout_of
-from scenewright.domains.hall.solvers.outcome import MeasuredLayout
+from scenewright.domains.hall.solvers.outcome import HallFound, MeasuredLayout
 from scenewright.domains.hall.terms.state import Kept
 from scenewright.domains.hall.turned_seats import SHARE, count_away
 from scenewright.engine.draws import streams
@@ -56,6 +56,13 @@ def seat_audiences(
     return fitted, layout, missing
 
 
+def seat_found(search: HallSearch, fitted: Fitted, found: HallFound) -> tuple[Fitted, HallFound]:
+    """What was found with all seats before what they look at, or as it is where some have no room
+    there."""
+    seated, best, missing = seat_audiences(search, fitted, found.layouts[0])
+    return (fitted, found) if missing else (seated, found._replace(layouts=(best,)))
+
+
 def _find_astray(search: HallSearch, fitted: Fitted, layout: MeasuredLayout) -> Iterator[int]:
     """The demands of seats in one zone that alone look at one object, of which more than may look
     past it or that stand in several groups."""
@@ -63,7 +70,8 @@ def _find_astray(search: HallSearch, fitted: Fitted, layout: MeasuredLayout) -> 
     for demand in {unit.demand for unit in fitted.units}:
         mine, wish = _units_of(fitted, demand), search.wishes[demand]
         target = int(units.targets[mine[0]])
-        if wish.category not in (*SEATS, *CHAIRS) or target < 0 or "chain" not in wish.patterns:
+        seats = wish.category in (*SEATS, *CHAIRS) or wish.turned
+        if not seats or target < 0 or "chain" not in wish.patterns:
             continue
         alone = sorted(np.flatnonzero(units.targets == target)) == mine
         together = len(set(units.zones[mine])) == 1 and np.diff(units.spans[target])[0] == 1

@@ -97,10 +97,16 @@ def _with_company(
     if table.category not in DESKS and company is not None:
         around = seats_around(table.category, catalog)
         return with_floor(table, deep - company.tuck, around)._replace(seated=seated)
+    shown = table.facing or find_show(table, wishes)
+    return with_chair(table, deep, shown)._replace(seated=seated)
+
+
+def with_chair(table: HallDemand, deep: float, shown: str) -> HallDemand:
+    """Desks on the floor they take with a chair ``deep`` metres deep before each, turned so that
+    who sits there looks at what is ``shown``, if anything is."""
     front, left, back, right = table.clearance
     before = deep - TUCK
     front = max(front - before, SEATWAY)
-    shown = table.facing or _find_show(table, wishes)
     sizes = tuple(size._replace(depth=size.depth + before) for size in table.sizes)
     if shown:
         front, back = back, front
@@ -110,11 +116,10 @@ def _with_company(
         facing=shown,
         before=before,
         turned=bool(shown),
-        seated=seated,
     )
 
 
-def _find_show(table: HallDemand, wishes: list[HallDemand]) -> str:
+def find_show(table: HallDemand, wishes: list[HallDemand]) -> str:
     """The id of what is shown in the zone of some desks; empty without."""
     shown = [wish for wish in wishes if wish.category in SHOWS and wish.zones == table.zones]
     shown.sort(key=lambda wish: SHOWS.index(wish.category))

@@ -23,12 +23,13 @@ from scenewright.domains.hall.assign import Unit
 from scenewright.domains.hall.build_problem import HallContext, build_problem
 from scenewright.domains.hall.energy import capacity
 from scenewright.domains.hall.fit import Fitted
+from scenewright.domains.hall.furnish_layout import furnish_layout
 from scenewright.domains.hall.holdings import HallDemand, collect_demands
 from scenewright.domains.hall.patterns import SINGLE
 from scenewright.domains.hall.presets import PRESETS
 from scenewright.domains.hall.problem import Floats
 from scenewright.domains.hall.solvers.outcome import MeasuredLayout
-from scenewright.domains.hall.solving import furnish_layout, hall_contexts
+from scenewright.domains.hall.solving import hall_contexts
 from scenewright.domains.hall.terms.state import Kept
 
 FITS = 0.01

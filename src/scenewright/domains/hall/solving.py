@@ -22,45 +22,31 @@ from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief
 from scenewright.core.catalog import Catalog
 from scenewright.core.layout import Watch
-from scenewright.core.piece_outlines import boxes_of
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
-from scenewright.core.solution import LeftOut, Solution
+from scenewright.core.solution import Solution
 from scenewright.core.space import Space
 from scenewright.domains.hall.accessories import count_groups
-from scenewright.domains.hall.accessories.pieces import furnish_accessories
-from scenewright.domains.hall.accessories.place import StandingHall
-from scenewright.domains.hall.asked_low_tables import set_low_tables
 from scenewright.domains.hall.assemble import Laid, assemble_solution
-from scenewright.domains.hall.barriers import place_barriers
-from scenewright.domains.hall.barring_ropes import find_served_at
 from scenewright.domains.hall.boarding_gates import set_boarding_gates
 from scenewright.domains.hall.build_problem import HallContext, hall_of
-from scenewright.domains.hall.chairs import with_chairs
 from scenewright.domains.hall.compose import compose
-from scenewright.domains.hall.desk_chairs import desk_chairs
 from scenewright.domains.hall.desks import turn_desks
-from scenewright.domains.hall.energy import parts_of
-from scenewright.domains.hall.fewer_ropes import place_fewer_of_each
 from scenewright.domains.hall.filling import fill_halls, settle_counts
-from scenewright.domains.hall.fit import Fitted
-from scenewright.domains.hall.free_to_sit import keep_reached_chairs
-from scenewright.domains.hall.furnish import furnish_hall, kept_groups, partitions, placed_groups
+from scenewright.domains.hall.furnish import kept_groups
+from scenewright.domains.hall.furnish_layout import furnish_guided
 from scenewright.domains.hall.hall_layout import HallLayout
-from scenewright.domains.hall.holdings import HallDemand, collect_demands, restrict_patterns
-from scenewright.domains.hall.idle_guides import drop_units, find_barring, find_idle, report_idle
+from scenewright.domains.hall.holdings import collect_demands, restrict_patterns
 from scenewright.domains.hall.lack import lacks, leaves_open, measure_lack
-from scenewright.domains.hall.lounges import part_lounges
 from scenewright.domains.hall.move_borders import move_borders, read_slack, search_with_borders
 from scenewright.domains.hall.on_stage import put_on_stage
 from scenewright.domains.hall.presets import PRESETS, HallPreset, count_steps
 from scenewright.domains.hall.search import HallSearch, may_retry, search_layout
-from scenewright.domains.hall.seating import seat_chairs
 from scenewright.domains.hall.settings import USUAL_ZONING, ZoningSettings
 from scenewright.domains.hall.shortfall import left_out
-from scenewright.domains.hall.solvers.outcome import MeasuredLayout, StartedHall, measure_layout
+from scenewright.domains.hall.solvers.outcome import StartedHall
 from scenewright.domains.hall.split_demands import find_locked, split_demands
-from scenewright.domains.hall.staff_room import fit_with_staff, grow_to_floor
+from scenewright.domains.hall.staff_room import fit_with_staff
 from scenewright.domains.hall.tour import tour
 from scenewright.domains.hall.unreached import drop_unreached
 from scenewright.domains.hall.zones import HallPlan, borders_of, zones_of
@@ -288,7 +274,7 @@ def _lay(
         fitted, best, missing = compose(search._replace(hall=hall), fitted, best, missing)
     best = turn_desks(hall, wishes, fitted.units, fitted.problem, best)
     search = search._replace(hall=hall, wishes=[*wishes, *small])
-    laid = _furnish_guided(search, fitted, best, locked, missing, found.evaluations)
+    laid = furnish_guided(search, fitted, best, locked, missing, found.evaluations)
     on, groups, out = put_on_stage(hall, carried, (*hall.fixed, *laid.pieces), catalog)
     return laid._replace(
         pieces=(*boarding, *laid.pieces, *on),
@@ -297,100 +283,3 @@ def _lay(
         zones=hall.plan.zones,
         shifts=shifts,
     )
-
-
-def _furnish_guided(
-    search: HallSearch,
-    fitted: Fitted,
-    best: MeasuredLayout,
-    locked: tuple[Piece, ...],
-    missing: tuple[LeftOut, ...],
-    seen: int,
-) -> Laid:
-    """A furnished hall without gates beside which the way stays open and ropes before nothing."""
-    hall, wishes, catalog = search.hall, search.wishes, search.catalog
-    laid = furnish_layout(hall, wishes, fitted, best, locked, missing, seen, catalog)
-    if not may_retry(search):
-        return laid
-    served = find_served_at(laid.pieces)
-    idle = find_barring(search, fitted, best, served) | find_idle(wishes, fitted, best, laid.pieces)
-    if not idle:
-        return laid
-    fitted, best, idle, fewer = place_fewer_of_each(search, fitted, best, idle, served)
-    missing = (*missing, *fewer, *report_idle(hall, wishes, fitted, idle))
-    fitted, best = drop_units(hall, wishes, fitted, best, idle, catalog)
-    return furnish_layout(hall, wishes, fitted, best, locked, missing, seen, catalog)
-
-
-def furnish_layout(
-    hall: HallContext,
-    wishes: list[HallDemand],
-    fitted: Fitted,
-    best: MeasuredLayout,
-    locked: tuple[Piece, ...],
-    missing: tuple[LeftOut, ...],
-    evaluations: int,
-    catalog: Catalog,
-) -> Laid:
-    """A hall with the objects of a layout, its walls, chairs, groups, terms and tour."""
-    p, s, lost = measure_layout(fitted.problem, best)
-    objects = furnish_hall(hall, wishes, fitted.units, fitted.problem, best.boxes, catalog)
-    walls = partitions(hall, fitted.problem, best.kept, best.boxes, catalog)
-    joined, alone = seat_chairs(hall, wishes, objects, (*hall.fixed, *walls), catalog)
-    served = {wish.id for wish in wishes if wish.seated}
-    tables = tuple(piece for piece in objects if piece.function not in served)
-    standing = (*hall.fixed, *walls, *(p for p in objects if p.function in served), *joined)
-    bringing = {wish.id for wish in wishes if wish.chairs} - served
-    chairs = (*joined, *with_chairs(tables, standing, catalog, bringing))
-    groups = (
-        *kept_groups(hall, locked),
-        *placed_groups(hall, wishes, fitted.units, fitted.problem, best.kept, objects),
-    )
-    around = (*hall.fixed, *walls)
-    measured = best._replace(missed=lost)
-    low, seatless = set_low_tables(
-        hall, wishes, groups, (*objects, *chairs), around, fitted.problem, measured, catalog
-    )
-    low += _seat_desks(hall, wishes, fitted, best, objects, (*around, *chairs, *low), catalog)
-    solid = np.array([boxes_of(piece)[0] for piece in (*around, *chairs, *low)])
-    solid = solid.reshape(-1, 5)
-    demands = {group.id: group.demand for group in groups}
-    rails = place_barriers(hall.space, fitted.problem, best, solid, demands, catalog)
-    parts = parts_of(fitted.problem, p, s, lost)
-    known = {wish.id: wish for wish in part_lounges(wishes)}
-    grown = (grow_to_floor(piece, known[piece.function], catalog) for piece in objects)
-    every = (*around, *grown, *low, *rails)
-    standing_hall = StandingHall(hall, fitted.problem, best, wishes, every)
-    small, more, lost_small = furnish_accessories(standing_hall, catalog)
-    groups = (*groups, *more)
-    layout = HallLayout(hall.plan.zones, hall.plan.links, groups, tuple(w.id for w in walls))
-    way = tour(hall.space, (*every, *small), layout, catalog, hall.route)
-    return Laid(
-        (*walls, *objects, *chairs, *low, *rails, *small),
-        groups,
-        layout.partitions,
-        parts,
-        (*missing, *alone, *seatless, *lost_small),
-        sum(part.cost for part in parts),
-        evaluations,
-        way,
-    )
-
-
-def _seat_desks(
-    hall: HallContext,
-    wishes: list[HallDemand],
-    fitted: Fitted,
-    best: MeasuredLayout,
-    objects: tuple[Piece, ...],
-    others: tuple[Piece, ...],
-    catalog: Catalog,
-) -> tuple[Piece, ...]:
-    """The chairs of desks among ``objects``; none where groups stay as printed."""
-    if hall.settings.whole:
-        return ()
-    solid = (*objects, *others)
-    names = {wish.id: f"{wish.id} {wish.name}" for wish in part_lounges(wishes)}
-    served = {wish.id for wish in wishes if wish.seated}
-    found = desk_chairs(objects, names, served, solid, catalog)
-    return keep_reached_chairs(hall.space, fitted.problem, best, found, solid)

@@ -11,6 +11,7 @@ from scenewright.domains.hall.accessories import split_accessories
 from scenewright.domains.hall.asked_low_tables import split_low_tables
 from scenewright.domains.hall.build_problem import HallContext
 from scenewright.domains.hall.counter_stools import keep_stools
+from scenewright.domains.hall.desk_rows import turn_to_show
 from scenewright.domains.hall.desk_ways import part_desks
 from scenewright.domains.hall.few_in_rows import set_few_in_rows
 from scenewright.domains.hall.holdings import HallDemand
@@ -39,7 +40,7 @@ def split_demands(
     small objects are laid out with the rest if all are ``together``, and sofas by themselves."""
     asked = asked if together else join_lounges(asked, hall.route)
     joined = set_few_in_rows(hall, join_chairs(asked, catalog))
-    joined = joined if together else keep_stools(joined)
+    joined = joined if together else keep_stools(turn_to_show(joined, catalog))
     parted = part_desks(hall, abut_stands(hall, joined, catalog))
     wishes, carried = split_carried(parted, hall.fixed, together)
     rest, small = split_accessories(wishes, together)

@@ -12,6 +12,7 @@ from dataclasses import replace
 from typing import NamedTuple
 
 from scenewright.catalog.kinds import KINDS
+from scenewright.catalog.kinds.usual import is_high
 from scenewright.core.catalog import Catalog
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains.hall.build_problem import HallContext
@@ -202,12 +203,14 @@ def _part_line(wish: HallDemand, pose: Pose, size: Size) -> list[Place]:
 
 
 def grow_to_floor(piece: Piece, wish: HallDemand, catalog: Catalog) -> Piece:
-    """A piece as large as the floor it takes with its chairs or staff."""
+    """A piece as large as the floor it takes with its chairs or staff; a high table as it is, for
+    its stools are set last."""
     if wish.before and wish.seated:
         return grow_desk(piece, wish.before)
     if wish.staff or wish.double:
         return _grow_staff(piece, KINDS[wish.category].staff)
-    return grow_table(piece, wish.chairs, catalog)
+    stools = is_high(piece.category, piece.size.height)
+    return piece if stools else grow_table(piece, wish.chairs, catalog)
 
 
 def _grow_staff(counter: Piece, staff: float) -> Piece:

@@ -14,6 +14,7 @@ from scenewright.domains.hall.build_problem import build_problem
 from scenewright.domains.hall.fit import Fitted
 from scenewright.domains.hall.problem import Ints
 from scenewright.domains.hall.search import HallSearch, measure_wrong, search_layout, weigh_wrong
+from scenewright.domains.hall.seat_audiences import seat_found
 from scenewright.domains.hall.solvers.chains import first_layout
 from scenewright.domains.hall.solvers.outcome import HallFound, measure_layout
 from scenewright.domains.hall.terms.table import REACH
@@ -39,6 +40,8 @@ def drop_unreached(search: HallSearch, fitted: Fitted, found: HallFound) -> Reac
     nothing and no passage is too narrow, or nothing is left to give up. What cannot be solved
     without is kept, for the referee to find."""
     given_up, crowding = frozenset[int](), frozenset[int]()
+    if measure_wrong(found.layouts[0]) > NOTHING:
+        fitted, found = seat_found(search, fitted, found)
     fitted, found = try_elsewhere(search, fitted, found, True)
     whole = _complete(search, fitted.units)
     for attempt in range(search.preset.settings.search.given_up):

@@ -41,6 +41,8 @@ BEFORE = 0.6
 """Metres before a small object in which others had better not stand."""
 AT_WALL = 0.045
 """Metres from a wall to the back of what is to stand at one: the referee asks for 5 mm more."""
+ARM = 0.2
+"""Metres that an arm reaches beyond the side of who walks by."""
 TRIED, SAME = 12, 0.01
 """How many of the best spots, and of the others, are tried for what bars a way on the first, and
 metres between two spots that are one."""
@@ -104,9 +106,10 @@ def _measure_ways(
 
 def _find_used(small: list[HallDemand], boxes: Placed) -> tuple[Floats, Floats]:
     """The boxes (n, 5) of those demands, and 1 for the sides (n, 4) of which one of each must be
-    reached: any where its kind is used from none."""
+    reached: any where its kind is used from none, none of what one sits on at another, to which one
+    goes sideways past those who sit there."""
     access = [
-        np.tile([float(side in (KINDS[wish.category].access or SIDES)) for side in SIDES], (n, 1))
+        np.tile([float(_may_use(wish.category, side)) for side in SIDES], (n, 1))
         for wish, n in zip(small, (len(_stack(mine)) for mine in boxes), strict=False)
     ]
     return np.concatenate([np.zeros((0, 5)), _stack(*boxes)]), np.concatenate(
@@ -114,11 +117,18 @@ def _find_used(small: list[HallDemand], boxes: Placed) -> tuple[Floats, Floats]:
     )
 
 
+def _may_use(category: str, side: str) -> bool:
+    kind = KINDS[category]
+    return not ACCESSORIES[category].used_at and side in (kind.access or SIDES)
+
+
 def _place_all(
     there: StandingHall, small: list[HallDemand], accept: Callable[[Placed], bool]
 ) -> Placed:
     """A box for each object of some demands, one after another."""
     doorways, walls = find_doorways(there.hall.space), find_walls(there.hall)
+    space, route = there.hall.space, there.problem.route
+    standing = shapely.buffer(shapely.Polygon(space.outline, space.holes), -0.5 * route)
     keep_free, found = there.problem.ground.keep_free, list[list[Floats | None]]()
     for wish in small:
         free = find_floor(there.hall, wish.zones, there.pieces, there.wishes, keep_free)
@@ -127,12 +137,35 @@ def _place_all(
         for size in wish.sizes:
             setting = Setting(doorways, walls, there.pieces, _stack(mine))
             choice = _choose_spots(free, setting, wish, size, _stack(*found))
+            choice = choice[can_stand_before(choice, wish.category, standing, 0.5 * route + ARM)]
             mine.append(None)
             for row in _take_some(choice):
                 mine[-1] = row
                 if accept(found):
                     break
                 mine[-1] = None
+    return found
+
+
+def can_stand_before(
+    boxes: Floats, category: str, standing: shapely.Geometry, reach: float
+) -> Bools:
+    """Before which of boxes (k, 5) of a kind the middle of a person can come, on the floor where it
+    may be (``standing``), so many metres straight before a side it is used from.
+
+    >>> bins = np.array([[0.2, 0.2, 0.0, 0.4, 0.4], [1.0, 0.2, 1.5708, 0.4, 0.4]])
+    >>> can_stand_before(bins, "litter_bin", shapely.box(0.45, 0.45, 5, 5), 0.6)
+    array([False,  True])
+    """
+    found = np.zeros(len(boxes), bool)
+    for k, side in enumerate(SIDES):
+        if side in (KINDS[category].access or SIDES):
+            turned = boxes.copy()
+            turned[:, 2] += 0.5 * np.pi * k
+            if k % 2:
+                turned[:, 3:] = turned[:, :2:-1]
+            before = shapely.polygons(corners(lead_before(turned, reach)))
+            found |= np.asarray(shapely.intersects(before, standing), bool)
     return found
 
 

@@ -20,8 +20,13 @@ PLACE, OFF, SERVED = 0.6, 0.05, 0.9
 is served standing."""
 CLOSE, LITTLE = 0.55, 0.8
 """The same where one more finds a place so."""
-AT_TABLE, NEXT = 0.5, 0.1
-"""What a place at a table costs more than one at a counter, and each next one of the same."""
+AT_TABLE, SERVING, NEXT = 0.5, 1.5, 0.1
+"""What a place at a table costs more than one at a bar, one at any other counter, where others
+queue, and each next one of the same."""
+BARS = ("bar", "theke", "tresen", "barra", "comptoir à", "吧台", "バー", "カウンター席")
+"""Parts of the names of counters to sit at."""
+SMALL = 0.9
+"""Up to how many metres wide and deep a table has a place at each of its sides."""
 
 
 def may_sit_high(wish: HallDemand, wishes: list[HallDemand]) -> bool:
@@ -38,7 +43,8 @@ def find_stool_spots(setting: Setting, size: Size) -> Spots:
     parts = [make_spots(np.zeros((0, 5)), 0.0)]
     for piece in setting.pieces:
         if piece.category == COUNTER:
-            parts.append(_weigh(list(_before(piece, size)), 0.0))
+            cost = 0.0 if is_bar(piece.function) else SERVING
+            parts.append(_weigh(list(_before(piece, size)), cost))
         elif is_high(piece.category, piece.size.height):
             parts.append(_weigh(list(_around(piece, size)), AT_TABLE))
     return join_spots(parts)
@@ -78,10 +84,41 @@ def _count(wide: float, place: float, served: float) -> int:
     return max(int((wide - served) / place + 1e-9), 0)
 
 
+def is_bar(name: str) -> bool:
+    """Whether a counter of some name is one to sit at.
+
+    >>> is_bar("coffee bar"), is_bar("bread counter")
+    (True, False)
+    """
+    return any(word in name.casefold() for word in BARS)
+
+
+def count_around(table: Size) -> int:
+    """How many stools have a place at a table: at each side of a small one, else along two.
+
+    >>> count_around(Size(0.7, 0.7, 1.1)), count_around(Size(1.8, 0.6, 1.1))
+    (4, 6)
+    """
+    return 4 if sits_around(table) else 2 * max(int(table.width / PLACE + 1e-9), 1)
+
+
+def sits_around(table: Size) -> bool:
+    """Whether a table has a place at each of its sides."""
+    return max(table.width, table.depth) <= SMALL
+
+
 def _around(table: Piece, size: Size) -> Iterator[Floats]:
-    """Places at the sides of a table, each across from another."""
-    far = 0.5 * (table.size.width + size.depth) + OFF
-    for turns in (0, 2, 1, 3):
-        angle = table.pose.heading + 0.5 * math.pi * turns
-        at = np.array(table.pose[:2]) + far * np.array([math.cos(angle), math.sin(angle)])
-        yield face(at[None], angle + math.pi, size)[0]
+    """Places at the sides of a table, each across from another, looking at it."""
+    sides = (0, 2, 1, 3) if sits_around(table.size) else (0, 2)
+    each = count_around(table.size) // len(sides)
+    pitch = table.size.width / each
+    for number in range(each):
+        for turns in sides:
+            angle = table.pose.heading + 0.5 * math.pi * turns
+            deep = table.size.width if turns % 2 else table.size.depth
+            front = np.array([math.cos(angle), math.sin(angle)])
+            right = np.array([front[1], -front[0]])
+            aside = ((number + 0.5) * pitch - 0.5 * table.size.width) * (1.0 - turns)
+            at = np.array(table.pose[:2]) + (0.5 * (deep + size.depth) + OFF) * front
+            at = at + aside * right * (len(sides) == 2)
+            yield face(at[None], angle + math.pi, size)[0]

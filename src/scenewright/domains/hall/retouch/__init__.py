@@ -55,6 +55,7 @@ from scenewright.domains.hall.retouch.ropes import forgive_queues, propose_ropes
 from scenewright.domains.hall.retouch.runs import measure_runs, propose_runs
 from scenewright.domains.hall.retouch.seats import propose_rows, sit_too_near
 from scenewright.domains.hall.retouch.spread import measure_spread, propose_spread
+from scenewright.domains.hall.retouch.square import measure_askew, propose_squared
 from scenewright.domains.hall.retouch.stands import measure_backs, propose_turns
 from scenewright.domains.hall.retouch.tills import find_tills, propose_tills, tills_adrift
 from scenewright.domains.hall.solvers.outcome import MeasuredLayout
@@ -89,6 +90,7 @@ RETOUCHES: dict[str, Retouch] = {
     "runs": Retouch(_whole, measure_runs, propose_runs, make_room=False),
     "spread": Retouch(find_columns, measure_spread, propose_spread, make_room=False),
     "outer rows": Retouch(_whole, measure_slots, propose_lines, make_room=False),
+    "square": Retouch(_whole, measure_askew, propose_squared, make_room=False),
     "nearness": Retouch(find_company, measure_nearness, propose_distances, make_room=False),
 }
 """In the order in which they are made."""

@@ -31,6 +31,7 @@ LONG = 2.0  # a bed for two, metres
 FULL_BED = 0.9  # a bed for one, metres
 SLIM = 0.35  # a nightstand that is narrower leaves no way beside the bed, metres
 ACROSS = 2.45  # between hob and sink that face each other across an aisle, metres
+LONE_SINK = 2.5  # what a sink by itself across from the hob counts of one beside worktop
 LEG = (1.2, 2.7)  # of a work triangle, metres
 TOUCH, IN_LINE = 0.03, 0.3  # units nearer, and less far ahead, than this are in one line, metres
 TURNED = 0.1  # units turned by more are not in one line, radians
@@ -131,9 +132,16 @@ def _of_kitchen(members: tuple[Member, ...]) -> list[tuple[str, float]]:
         ("fridge_alone", float(any(_is_alone(m, units) for m in cold))),
         ("low_fridge", float(any(map(_is_top, cold)))),
         ("small_sink", 0.0 if sink is None else max(0.0, 1.0 - sink.size.width / FULL_SINK)),
-        ("across", float(sink is not None and _are_across(hob, sink, units))),
+        ("across", 0.0 if sink is None else _weigh_across(hob, sink, units)),
         ("split", float(sink is not None and _are_split(hob, sink, units))),
     ]
+
+
+def _weigh_across(hob: Member, sink: Member, units: list[Member]) -> float:
+    """What a sink across from the hob counts: more by itself, with nowhere to put a plate."""
+    if not _are_across(hob, sink, units):
+        return 0.0
+    return LONE_SINK if _is_alone(sink, units) else 1.0
 
 
 def find_neighbour(unit: Member, units: list[Member], side: int) -> Member | None:

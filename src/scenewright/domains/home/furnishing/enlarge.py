@@ -38,6 +38,8 @@ WIDTHS = 2.3  # distance from seat to screen in widths of the screen that is aim
 MOST_WIDTHS = 3.15  # and no further in widths of one that reaches beyond its stand
 OVERHANG = 0.36  # a screen may be wider than its stand, metres
 ONE_SIDE = 0.16  # and one that reaches beyond one end of it only, metres
+CHAIRS, ELBOW = ("dining_chair", "stool"), 0.2
+"""What one sits on beside a stand, and metres from it to a screen that is wider than its stand."""
 HAIR = 1e-6
 STEP = 0.1  # screens are tried in steps, metres
 LEAST_SCREEN, SCREEN_DEPTH, SCREEN_RATIO = 0.75, 0.22, 0.62
@@ -145,13 +147,17 @@ def _screens(screen: Piece, pieces: Sequence[Piece]) -> Iterator[Piece]:
     away = min(hypot(p.pose.x - screen.pose.x, p.pose.y - screen.pose.y) for p in seats)
     wanted = min(max(stand.size.width, away / MOST_WIDTHS), away / WIDTHS)
     most = min(wanted, stand.size.width + OVERHANG, SIZES["tv"][2].width)
+    chairs = [_frame(p, ELBOW) for p in pieces if p.category in CHAIRS]
     ratio = screen.size.height / screen.size.width
     x, y, z, heading = screen.pose
     for wide in np.arange(most, screen.size.width, -STEP).round(2).tolist():
         over = max(wide - stand.size.width, 0.0) / 2
         for aside in (0.0, over, -over) if 0.0 < over <= ONE_SIDE / 2 + HAIR else (0.0,):
             pose = Pose(x - sin(heading) * aside, y + cos(heading) * aside, z, heading)
-            yield replace(screen, pose=pose, size=Size(wide, screen.size.depth, ratio * wide))
+            size = Size(wide, screen.size.depth, ratio * wide)
+            own = make_frame(*pose[:2], heading, wide, screen.size.depth)
+            if over == 0.0 or not any(float(common_area(own, chair)) for chair in chairs):
+                yield replace(screen, pose=pose, size=size)
 
 
 def find_widest_screen(stand: Piece, ground: Ground, others: Sequence[Piece] = ()) -> float:
