@@ -16,6 +16,7 @@ from itertools import chain, islice
 from scenewright.core.catalog import Group
 from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask, find_blocked
 from scenewright.domains.home.bed_first import with_narrow_ways
+from scenewright.domains.home.composing.bed_sides import count_closed_beds
 from scenewright.domains.home.composing.doorways import HOLDING
 from scenewright.domains.home.composing.forms import list_forms
 from scenewright.domains.home.composing.judging import (
@@ -130,7 +131,7 @@ def _list_apart(task: RoomTask, placed: Placed, at: int) -> Iterator[Placed]:
     judge, now = judge_of(task, placed), _measure(task, placed)
     before, faults = judge.cost_of(placed).cost, sum_faults(task, placed)
     doors, unmet = measure_before_doors(placed[at], task.ground), count_unmet(task, placed)
-    rooms = list[tuple[float, Placed]]()
+    rooms, closed = list[tuple[float, Placed]](), count_closed_beds(placed, task.ground)
     for other, cost in _list_moved(judge, placed, at, before + WORTH * now):
         gain = now - _measure(task, other)
         worth = gain + max(before - cost, 0.0) / WORTH
@@ -139,6 +140,8 @@ def _list_apart(task: RoomTask, placed: Placed, at: int) -> Iterator[Placed]:
         if measure_before_doors(other[at], task.ground) > doors + HAIR:
             continue
         if count_unmet(task, other) > unmet or _hides_screen(task, other, placed, at):
+            continue
+        if count_closed_beds(other, task.ground) > closed:
             continue
         if sum_faults(task, other) - faults < FAULTS * gain:
             rooms.append((cost - WORTH * gain, other))
