@@ -1,5 +1,6 @@
 """What stands on the stage instead of beside it: the lectern, at the side of it and near its edge,
-as speakers do, so that what is shown behind them stays in sight, and a screen along its back."""
+as speakers do, so that what is shown behind them stays in sight, a screen along its back, and
+before seats for an audience a desk by itself, in the middle."""
 
 from __future__ import annotations
 
@@ -8,16 +9,19 @@ import math
 from scenewright.core.catalog import Catalog, footprint_of
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.solution import LeftOut
+from scenewright.domains.hall.audience import SEATS
 from scenewright.domains.hall.build_problem import HallContext
 from scenewright.domains.hall.hall_layout import Layer, PatternPart, PlacedGroup
 from scenewright.domains.hall.holdings import HallDemand
 
-STAGE, SCREEN, LECTERN, PIANO = "stage", "screen", "lectern", "piano"
-CARRIED = (LECTERN, SCREEN, PIANO)
+STAGE, SCREEN, LECTERN, PIANO, DESK = "stage", "screen", "lectern", "piano", "desk"
+CARRIED = (LECTERN, SCREEN, PIANO, DESK)
 ASIDE = 0.28
 """How far off the middle of the stage, as a share of its width: beside the steps at its ends."""
 EDGE = 0.5
 """Between what stands on it and the front of the stage, in metres."""
+BESIDE = 0.7
+"""Between the end of a desk amid the stage and the middle of a lectern, in metres."""
 BEHIND = 0.9
 """Least depth for who speaks, or plays, in metres."""
 WING = 0.35
@@ -29,7 +33,9 @@ def split_carried(
 ) -> tuple[list[HallDemand], list[HallDemand]]:
     """Demands that stand on the floor, and those of one object that a stage has room for: one of
     the same zone, or one that stands already. A piano without a stage stands at a wall; it is laid
-    out as any other object where all are ``together``."""
+    out as any other object where all are ``together``, and so is a desk, or one without seats for
+    an audience."""
+    audience = any(wish.category in SEATS for wish in wishes)
     stages = [(wish.zones, wish.sizes[0]) for wish in wishes if wish.category == STAGE]
     there = [piece.size for piece in fixed if piece.category == STAGE]
     carried = [
@@ -37,7 +43,8 @@ def split_carried(
         for wish in wishes
         if wish.category in CARRIED
         and len(wish.sizes) == 1
-        and not (wish.category == PIANO and (together or not wish.unstated))
+        and not (wish.category in (PIANO, DESK) and (together or not wish.unstated))
+        and (wish.category != DESK or audience)
         and any(
             _has_room(floor, wish)
             for floor in (*there, *(floor for zones, floor in stages if zones == wish.zones))
@@ -70,6 +77,9 @@ def _has_room(floor: Size, wish: HallDemand) -> bool:
     if wish.category == PIANO:
         wide = 0.5 * floor.width > WING + size.depth + BEHIND
         return wide and floor.depth > size.width + 2 * WING
+    if wish.category == DESK:
+        wide = ASIDE * floor.width > 0.5 * size.width + BESIDE
+        return wide and floor.depth > EDGE + size.depth + BEHIND
     if wish.category == SCREEN:
         return floor.width >= size.width and floor.depth > size.depth + EDGE + BEHIND
     return (0.5 - ASIDE) * floor.width > 0.5 * size.width + 0.3 and (
@@ -135,10 +145,13 @@ def _on(
 
 def _stand(floor: Size, category: str, size: Size, side: float) -> tuple[float, float, float]:
     """How far to the right of the middle of a stage and before it an object stands, and how it is
-    turned: a piano with its back to the wing, so that the player is seen from the side."""
+    turned: a piano with its back to the wing, so that the player is seen from the side, a desk so
+    that who stands behind it looks at the audience."""
     if category == SCREEN:
         return 0.0, 0.5 * (size.depth - floor.depth), 0.0
     if category == PIANO:
         right = 0.5 * (floor.width - size.depth) - WING
         return side * right, WING + 0.5 * (size.width - floor.depth), side * 0.5 * math.pi
+    if category == DESK:
+        return 0.0, 0.5 * (floor.depth - size.depth) - EDGE, math.pi
     return side * ASIDE * floor.width, 0.5 * (floor.depth - size.depth) - EDGE, 0.0
