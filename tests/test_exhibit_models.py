@@ -25,6 +25,7 @@ def _drawn(**demand: object) -> list[str]:
         ("model of the town", "exhibit_island_scale_model"),
         ("a boat model", "exhibit_island_scale_model"),
         ("the skeleton", "exhibit_island_skeleton"),
+        ("skeleton of a fin whale", "exhibit_island_whale"),
         ("carpets", "exhibit_island"),
         ("a large exhibit", "exhibit_island"),
     ],

@@ -21,7 +21,8 @@ from scenewright.geometry.solids import ball, block, rod, slab, tube
 Bone = tuple[float, float, float]
 
 
-def _podium(size: Size, top: float) -> Stuff:
+def lay_podium(size: Size, top: float) -> Stuff:
+    """A low podium with a label."""
     w, d = size.width / 2, size.depth / 2
     label = block((-0.2, 0.2), (-0.12, 0.12), (0, 0.02))
     label = translate_mesh(rotate_mesh(label, "x", -0.5), 0.55 * w, d - 0.2, top + 0.09)
@@ -56,7 +57,7 @@ def _island(size: Size) -> Parts:
     ]
     bed = slab((-0.88 * w, 0.88 * w), (-0.88 * d, 0.88 * d), (top, top + 0.02), 0.3)
     return parts(
-        size, merge_by_material(_podium(size, top), {ROCK: [boulder, *stones], STONE: [bed]})
+        size, merge_by_material(lay_podium(size, top), {ROCK: [boulder, *stones], STONE: [bed]})
     )
 
 
@@ -93,7 +94,7 @@ def _island_skeleton(size: Size) -> Parts:
     jaw = ((x, 0, z - 0.05 * tall), (x + 1.4 * long, 0, z - 0.07 * tall))
     bones.append(rod(*jaw, 1.4 * thick, 0.6 * thick, 6))
     stays = [rod((*spine[k][:2], top), spine[k], 0.4 * thick, sides=4) for k in (1, 5)]
-    return parts(size, merge_by_material(_podium(size, top), {BONE: bones, STEEL: stays}))
+    return parts(size, merge_by_material(lay_podium(size, top), {BONE: bones, STEEL: stays}))
 
 
 def _ribs(spine: Sequence[Bone], deep: float, reach: float, thick: float) -> list[Mesh]:
@@ -122,7 +123,8 @@ def _leg(hip: Bone, low: float, out: float, thick: float) -> list[Mesh]:
     return [upper, rod(knee, ankle, thick, 0.8 * thick, 6), foot]
 
 
-def _island_symbol(size: Size) -> Lines:
+def draw_island(size: Size) -> Lines:
+    """The plan of an island: its podium, a lump, the label."""
     w, d = size.width / 2, size.depth / 2
     angle = np.arange(14) * 2 * pi / 14
     uneven = np.array([0.5 + 0.18 * wobble(k) for k in range(14)])
@@ -137,16 +139,16 @@ def _island_symbol(size: Size) -> Lines:
 
 _SKELETON = (Size(2.5, 1.5, 1.2), Size(5.0, 2.4, 2.6), Size(12.0, 6.0, 6.0))
 _BONES = (
-    "skeleton dinosaur mammoth whale saurian saurus rex bones fossil skelett dinosaurier "
+    "skeleton dinosaur mammoth saurian saurus rex bones fossil skelett dinosaurier "
     "squelette dinosaure esqueleto dinosaurio 恐龙 骨骼 恐竜"
 )
 
 ASSETS = (
-    Drawing("exhibit_island", _island, _island_symbol, name="Island with a boulder"),
+    Drawing("exhibit_island", _island, draw_island, name="Island with a boulder"),
     Drawing(
         "exhibit_island",
         _island_skeleton,
-        _island_symbol,
+        draw_island,
         id="exhibit_island_skeleton",
         name="Island with a skeleton",
         sizes=_SKELETON,

@@ -114,6 +114,7 @@ KINDS = (
         ),
         drawn_by=(
             ".islands",
+            ".whales",
             ".cars",
             ".locomotives",
             ".aircraft",

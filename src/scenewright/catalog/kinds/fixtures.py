@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scenewright.catalog.kinds.usual import FRONT
-from scenewright.core.kind import Kind, size_range, words
+from scenewright.core.kind import Kind, at_wall, size_range, words
 
 KINDS = (
     Kind(
@@ -59,6 +59,7 @@ KINDS = (
     Kind(
         "fireplace",
         access=FRONT,
+        hall=at_wall(0.9, 0.3),
         back="flat",
         sizes=size_range("80 125 190", "25 45 75", "80 115 260"),
         words=(

@@ -165,8 +165,8 @@ def _is_cramped(problem: HallProblem, boxes: Floats) -> NDArray[np.bool_]:
     """Which of some desks (n, 5) have a wall so near behind that nobody can stand there."""
     front = np.stack([np.cos(boxes[:, 2]), np.sin(boxes[:, 2])], axis=1)
     strips = boxes.copy()
-    strips[:, :2] -= 0.5 * (boxes[:, 4:] + ROOM) * front
-    strips[:, 3], strips[:, 4] = 0.8 * boxes[:, 3], ROOM - NEXT
+    strips[:, :2] -= 0.5 * (boxes[:, 4:] + ROOM - NEXT) * front
+    strips[:, 3], strips[:, 4] = 0.8 * boxes[:, 3], ROOM  # from within: a back may be at the wall
     walls = shapely.linestrings(problem.ground.edges[:, :4].reshape(-1, 2, 2))
     cramped = np.zeros(len(boxes), np.bool_)
     cramped[shapely.STRtree(walls).query(shapely.polygons(corners(strips)), "intersects")[0]] = True

@@ -18,7 +18,7 @@ SQUARE, SHARE = np.radians(1.0), 0.4
 ASKEW, CLOSE, LONG = 3.0, 1.2, 1.5
 """What an askew group counts, in metres, how near one stands to a wall it goes with, and how long
 this is: no column."""
-STEPS = (0.0, 0.3, -0.3, 0.6, -0.6)
+STEPS = (0.0, 0.3, -0.3, 0.6, -0.6, 1.2, -1.2)
 """Metres that are tried aside of where a group stands."""
 
 
