@@ -153,6 +153,12 @@ def test_the_nearest_seats_and_its_own_stand_say_how_wide_a_screen_is():
     assert widest([other, *screens(3.6)]).size.width == pytest.approx(1.2, abs=0.006)
 
 
+@pytest.mark.parametrize(("off", "wide"), [(0.9, 1.2), (2.0, 1.56)])
+def test_no_screen_reaches_over_a_chair_beside_its_stand(off, wide):
+    chair = piece("dining_chair", -4.0, off, 0.0, 0.46, 0.5, 0.8, "table")
+    assert widest([*screens(6.5), chair]).size.width == pytest.approx(wide, abs=0.06)
+
+
 @pytest.mark.parametrize("side", [-1, 1])
 def test_a_screen_beside_something_tall_reaches_beyond_its_stand_at_the_other_end(side):
     stand, screen, sofa = screens(6.5)

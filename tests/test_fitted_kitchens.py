@@ -236,6 +236,7 @@ def test_sinks_without_worktop_and_units_by_themselves_are_faults():
     assert not named & faults_of(cooking, UnitLine(north, 1.0, (top, sink, fridge))).keys()
     facing = faults_of(cooking, UnitLine(north, 1.0, (top, sink, fridge)))
     assert facing["across"] == 1.0
+    assert faults_of(cooking, UnitLine(north, 1.6, (sink,)))["across"] > 1.0
     assert "across" not in faults_of(run)
     beyond = KitchenWall(4.0, 5.0, -1.0, 0.0)
     assert named & faults_of(cooking, UnitLine(beyond, 1.0, (top, sink, fridge))).keys() == {
