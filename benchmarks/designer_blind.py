@@ -11,6 +11,7 @@ anywhere, are left out of both.
 
 from __future__ import annotations
 
+import argparse
 import json
 import sys
 from collections.abc import Iterator
@@ -132,9 +133,17 @@ def main(folder: Path, seed: int = 0) -> None:
     write_atomically(folder / "key.json", key + "\n")
 
 
+def parse_args(given: list[str]) -> argparse.Namespace:
+    """The folder of the sheets, and a seed to draw them by or the verdicts to count."""
+    parser = argparse.ArgumentParser(prog="benchmarks.designer_blind", description=main.__doc__)
+    parser.add_argument("out", type=Path, help="folder of the sheets and their key")
+    parser.add_argument("then", nargs="?", default="0", help="seed, or a file of verdicts")
+    return parser.parse_args(given)
+
+
 if __name__ == "__main__":
-    out, *rest = sys.argv[1:]
-    if rest and not rest[0].isdigit():
-        tell(Path(out), Path(rest[0]))
+    args = parse_args(sys.argv[1:])
+    if args.then.isdigit():
+        main(args.out, int(args.then))
     else:
-        main(Path(out), int(rest[0]) if rest else 0)
+        tell(args.out, Path(args.then))

@@ -38,8 +38,8 @@ class HallDemand(NamedTuple):
     one object until they are furnished, and so are two rows back to back (``double``). Of what is
     ``unplaced`` the brief says neither whether it stands at a wall nor in what pattern; of what is
     ``unstated`` neither this nor what it looks at, its free floor or how full its zone is. What is
-    ``set_last`` is set once all else stands. Each object of sofas in ``lounges``
-    (:mod:`.lounges`) is one of these until it is furnished."""
+    ``set_last`` is set once all else stands. Each object of sofas and beds in ``lounges``
+    (:mod:`.lounges`, :mod:`.bedsides`) is one of these until it is furnished."""
 
     id: str
     name: str

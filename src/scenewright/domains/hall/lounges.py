@@ -8,7 +8,7 @@ other end stays open: one gets to all seats by it.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
 from scenewright.core.scene import Pose, Size
 from scenewright.domains.hall.holdings import HallDemand, LoungePart
@@ -82,15 +82,21 @@ def _as_one(
     sofas: HallDemand, tables: HallDemand, lounges: tuple[tuple[LoungePart, ...], ...]
 ) -> HallDemand:
     """A demand of sofas of which each object is a whole lounge."""
-    own = {part.wish.id: part.wish for lounge in lounges for part in lounge}
-    names = [wish.name for wish in own.values() if wish.id != sofas.id]
     free = sofas.patterns if sofas.at_wall else ("single",)
-    return sofas._replace(
-        name=f"{sofas.name} with {' and '.join(names)}",
-        sizes=tuple(_measure(lounge) for lounge in lounges),
+    return lay_as_one(sofas, lounges)._replace(
         clearance=CLEARANCE,
         patterns=free if len(lounges) == 1 or sofas.at_wall else ("chain", "grid"),
         required=sofas.required or tables.required,
+    )
+
+
+def lay_as_one(wish: HallDemand, lounges: Sequence[tuple[LoungePart, ...]]) -> HallDemand:
+    """A demand of which each object is several pieces, its own the first, until it is furnished."""
+    own = {part.wish.id: part.wish for lounge in lounges for part in lounge}
+    names = [other.name for other in own.values() if other.id != wish.id]
+    return wish._replace(
+        name=f"{wish.name} with {' and '.join(names)}",
+        sizes=tuple(_measure(lounge) for lounge in lounges),
         lounges=tuple(_centre(lounge) for lounge in lounges),
     )
 

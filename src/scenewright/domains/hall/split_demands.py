@@ -9,6 +9,7 @@ from scenewright.core.scene import Piece
 from scenewright.domains.hall.abut_stands import abut_stands
 from scenewright.domains.hall.accessories import split_accessories
 from scenewright.domains.hall.asked_low_tables import split_low_tables
+from scenewright.domains.hall.bedsides import join_bedsides
 from scenewright.domains.hall.build_problem import HallContext
 from scenewright.domains.hall.counter_stools import keep_stools
 from scenewright.domains.hall.desk_rows import turn_to_show
@@ -36,9 +37,10 @@ def find_locked(hall: HallContext) -> tuple[Piece, ...]:
 def split_demands(
     hall: HallContext, asked: list[HallDemand], catalog: Catalog, together: bool
 ) -> SplitDemands:
-    """The demands of a hall, chairs joined with tables and sofas with low tables; pianos and
-    small objects are laid out with the rest if all are ``together``, and sofas by themselves."""
-    asked = asked if together else join_lounges(asked, hall.route)
+    """The demands of a hall, chairs joined with tables, sofas with low tables and beds with
+    nightstands; pianos and small objects are laid out with the rest if all are ``together``, and
+    sofas and beds by themselves."""
+    asked = asked if together else join_bedsides(join_lounges(asked, hall.route))
     joined = set_few_in_rows(hall, join_chairs(asked, catalog))
     joined = joined if together else keep_stools(turn_to_show(joined, catalog))
     parted = part_desks(hall, abut_stands(hall, joined, catalog))
