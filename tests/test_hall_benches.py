@@ -12,6 +12,7 @@ from scenewright.domains.hall.accessories.benches import (
     BARS,
     FARS,
     HIDDEN,
+    PUSHED,
     WEDGED,
     find_bench_spots,
 )
@@ -35,9 +36,11 @@ def find_costs(*pieces: Piece, walls: np.ndarray = NOWHERE) -> np.ndarray:
 def test_a_place_wedged_between_two_tables_costs() -> None:
     table = Size(1.4, 0.8, 0.9)
     free = find_costs()
-    wedged = find_costs(*(piece("interactive_table", x, 7.1, table) for x in (3.4, 6.6)))
+    wedged = find_costs(*(piece("interactive_table", x, 7.1, table) for x in (3.2, 6.8)))
+    pushed = find_costs(*(piece("interactive_table", x, 7.1, table) for x in (3.4, 6.6)))
     apart = find_costs(*(piece("interactive_table", x, 7.1, table) for x in (2.4, 7.6)))
     assert np.allclose(wedged - free, WEDGED)
+    assert np.allclose(pushed - free, WEDGED + PUSHED)
     assert np.allclose(apart, free)
 
 

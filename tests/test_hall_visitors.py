@@ -45,7 +45,7 @@ GALLERY: Told = {
         {"id": "ship", "category": "exhibit_island", "size": [4, 2, 2]},
         {"id": "screens", **SCREEN},
         {"id": "desk", "category": "info_desk"},
-        {"id": "tills", "category": "checkout", "count": 2, "patterns": ["chain"]},
+        {"id": "tills", "name": "belts", "category": "checkout", "count": 2, "patterns": ["chain"]},
     ],
 }
 """One room with all that the terms ask about, 40 m deep, with a column."""

@@ -35,8 +35,7 @@ def _join(beds: HallDemand, stands: HallDemand) -> HallDemand:
     number = len(beds.sizes)
     own = [[LoungePart(stands, size) for size in stands.sizes[k::number]] for k in range(number)]
     groups = [
-        _set_beside(LoungePart(beds, size), two)
-        for size, two in zip(beds.sizes, own, strict=True)
+        _set_beside(LoungePart(beds, size), two) for size, two in zip(beds.sizes, own, strict=True)
     ]
     front, left, back, right = beds.clearance
     if not any(two[1:] for two in own):

@@ -12,7 +12,10 @@ TILL, DESK = "checkout", "checkout_desk"
 """The kind, and its model without a belt."""
 GROCERIES = ("fridge_shelf",)
 """Several tills beside one of these have belts."""
-OTHERS = ("clothes_rail", "round_rack", "mannequin", "fitting_room", "book_stack", *TABLES, *DESKS)
+OTHERS = (
+    *("clothes_rail", "round_rack", "mannequin", "fitting_room", "book_stack"),
+    *("display_table", "display_cabinet", "showcase", "interactive_table", *TABLES, *DESKS),
+)
 """Several tills beside one of these, and no groceries, have none."""
 NAMED = (
     *(

@@ -33,6 +33,7 @@ from scenewright.domains.hall.partitions import (
     visiting_order,
 )
 from scenewright.domains.hall.problem import THICKNESS, HallProblem
+from scenewright.domains.hall.second_places import list_absent
 from scenewright.domains.hall.shortfall import drop_unplaceable
 from scenewright.domains.hall.solvers.chains import anneal_hall, first_layout
 from scenewright.domains.hall.terms.state import Kept
@@ -125,6 +126,33 @@ def _fit(
     units = [units[k] for k in stay]
     problem = build_problem(hall, wishes, units, built, weights, catalog)
     return Fitted(units, built, problem, start)
+
+
+def place_lacking(
+    hall: HallContext,
+    wishes: list[HallDemand],
+    weights: dict[str, float],
+    catalog: Catalog,
+    seed: int,
+    fitted: Fitted,
+    cancel: Cancel | None,
+) -> Fitted:
+    """Units with all of what lacks that stands beside the others where the route reaches all."""
+    walls = np.array([host.span for host in fitted.hosts]).reshape(-1, 2)
+    rule = hall.settings.fit
+    absent = list_absent(wishes, fitted.units, hall.names) if fitted.units else []
+    if absent and not _all_reached(fitted.problem, fitted.start, seed, rule.looked):
+        return fitted
+    for again in range(rule.again):
+        if not absent or (cancel is not None and cancel()):
+            break
+        units = sorted([*fitted.units, absent[again % len(absent)]])
+        problem = build_problem(hall, wishes, units, fitted.hosts, weights, catalog)
+        start, lost = first_layout(problem, walls, seed + again, rule.tried)
+        if not lost and _all_reached(problem, start, seed, rule.looked):
+            fitted = Fitted(units, fitted.hosts, problem, start)
+            absent = list_absent(wishes, units, hall.names)
+    return fitted
 
 
 def build_hosts(

@@ -18,6 +18,8 @@ from scenewright.domains.hall.solvers.outcome import MeasuredLayout, lacking, me
 
 HALF, ARM = 0.2, 0.2
 """Half of what one takes sideways between furniture, and how far one stands off a chair, metres."""
+BACK, SEEN = 0.3, 0.01
+"""Metres that a chair is drawn back at least, and square metres of that floor that do not count."""
 LITTLE = 1e-4
 
 
@@ -39,6 +41,21 @@ def keep_reached_chairs(
     shapes = polygons_of([_grow(chair) for chair in kept])
     return tuple(
         chair for chair, shape in zip(kept, shapes, strict=True) if shapely.intersects(near, shape)
+    )
+
+
+def keep_drawn_back(space: Space, chairs: tuple[Piece, ...]) -> tuple[Piece, ...]:
+    """Those of some chairs that can be drawn back from their table: no wall or column is right
+    behind them."""
+    if not chairs:
+        return ()
+    behind = np.array([boxes_of(chair)[0] for chair in chairs])
+    behind[:, 2] += np.pi
+    floors = shapely.polygons(corners(lead_before(behind, BACK)))
+    floor = shapely.Polygon(space.outline, space.holes)
+    off = shapely.area(shapely.difference(floors, floor))
+    return tuple(
+        chair for chair, beyond in zip(chairs, off.tolist(), strict=True) if beyond <= SEEN
     )
 
 

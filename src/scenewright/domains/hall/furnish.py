@@ -24,11 +24,6 @@ from scenewright.domains.hall.staff_room import Place, part_row
 from scenewright.domains.hall.terms.state import Kept
 
 NAMES = tuple(PATTERNS)
-CEILING = 0.3
-"""A partition stays this far below the ceiling, and under four metres, in metres."""
-TALLEST = 4.0
-AT_WALL = 0.15
-"""What stands at a wall has its back at most this far from it, in metres."""
 
 
 def furnish_hall(
@@ -106,48 +101,6 @@ def _model_of(wish: HallDemand, number: int, size: Size, catalog: Catalog) -> As
     object where there are several (paintings, cars), else one of its kind and size."""
     called = catalog.choose_called(wish.category, f"{wish.id} {wish.name}", number - 1)
     return called or catalog.choose(wish.category, size)
-
-
-def partitions(
-    hall: HallContext, problem: HallProblem, kept: Kept, boxes: Floats, catalog: Catalog
-) -> list[Piece]:
-    """The generated walls as pieces; one at which none of the objects (n, 5) has its back is not
-    built."""
-    ahead = np.column_stack([np.cos(boxes[:, 2]), np.sin(boxes[:, 2])])
-    backs = boxes[:, :2] - 0.5 * boxes[:, 4:] * ahead
-    height = min(max(hall.space.height - CEILING, 2.0), TALLEST, hall.space.height)
-    found: list[Piece] = []
-    rows = zip(problem.ground.hosts, kept.walls, kept.offsets, strict=True)
-    for host, (low, high), off in rows:
-        if high - low < 0.3:
-            continue
-        start, end = np.array(host[:2]), np.array(host[2:4])
-        way = (end - start) / np.hypot(*(end - start))
-        x, y = start + way * (low + high) / 2 + off * np.array([-way[1], way[0]])
-        if not _holds(backs, np.array([x, y]), way, 0.5 * (high - low), problem.ground.thickness):
-            continue
-        size = Size(float(high - low), problem.ground.thickness, height)
-        asset = catalog.choose("partition", size)
-        found.append(
-            Piece(
-                id=f"{hall.space.id}/partitions/partition_{len(found) + 1}",
-                category="partition",
-                asset=asset.id if asset else "",
-                space=hall.space.id,
-                pose=Pose(float(x), float(y), 0.0, _wrap_angle(math.atan2(way[0], -way[1]))),
-                size=size,
-                group=f"{hall.space.id}/partitions",
-                function="partition",
-            )
-        )
-    return found
-
-
-def _holds(backs: Floats, middle: Floats, way: Floats, half: float, thickness: float) -> bool:
-    """Whether one of the backs (k, 2) lies at a wall about its ``middle``."""
-    off = backs - middle
-    across = np.abs(off @ (-way[1], way[0]))
-    return bool(((np.abs(off @ way) <= half) & (across <= 0.5 * thickness + AT_WALL)).any())
 
 
 def placed_groups(

@@ -15,13 +15,14 @@ from scenewright.domains.hall.assemble import Laid
 from scenewright.domains.hall.barriers import place_barriers
 from scenewright.domains.hall.barring_ropes import find_served_at
 from scenewright.domains.hall.build_problem import HallContext
+from scenewright.domains.hall.built_walls import partitions
 from scenewright.domains.hall.chairs import with_chairs
 from scenewright.domains.hall.desk_chairs import desk_chairs
 from scenewright.domains.hall.energy import parts_of
 from scenewright.domains.hall.fewer_ropes import place_fewer_of_each
 from scenewright.domains.hall.fit import Fitted
-from scenewright.domains.hall.free_to_sit import keep_reached_chairs
-from scenewright.domains.hall.furnish import furnish_hall, kept_groups, partitions, placed_groups
+from scenewright.domains.hall.free_to_sit import keep_drawn_back, keep_reached_chairs
+from scenewright.domains.hall.furnish import furnish_hall, kept_groups, placed_groups
 from scenewright.domains.hall.hall_layout import HallLayout
 from scenewright.domains.hall.holdings import HallDemand
 from scenewright.domains.hall.idle_guides import drop_units, find_barring, find_idle, report_idle
@@ -75,7 +76,8 @@ def furnish_layout(
     tables = tuple(piece for piece in objects if piece.function not in served)
     standing = (*hall.fixed, *walls, *(p for p in objects if p.function in served), *joined)
     bringing = {wish.id for wish in wishes if wish.chairs} - served
-    chairs = (*joined, *with_chairs(tables, standing, catalog, bringing))
+    brought = with_chairs(tables, standing, catalog, bringing)
+    chairs = (*joined, *keep_drawn_back(hall.space, brought))
     groups = (
         *kept_groups(hall, locked),
         *placed_groups(hall, wishes, fitted.units, fitted.problem, best.kept, objects),

@@ -24,21 +24,19 @@ LITTLE = 0.03
 CLEARANCE = (0.3, 0.6, 0.0, 0.6)
 """Metres free before a lounge, at its left, back and right: one comes in at an end."""
 AROUND, COMPANY = ("around",), 2
-"""The pattern of chairs at a low table without a sofa, and how many are a company."""
+"""The pattern of chairs without a sofa, and how many are a company."""
 
 
 def join_lounges(wishes: list[HallDemand], route: float) -> list[HallDemand]:
     """Demands in which sofas, low tables and chairs of the same zones are lounges where the brief
-    says no more of them; chairs at tables without a sofa look at each other round these. A route so
-    wide leads to every sofa."""
+    says no more of them; chairs without a sofa look at each other. A route so wide leads to every
+    sofa."""
     left = {wish.id: wish for wish in wishes}
     for sofas in [wish for wish in wishes if wish.category == SOFA and _is_open(wish)]:
         joined = _join(sofas, left, route)
         if joined:
             left |= {wish.id: wish for wish in joined}
-    low = {w.zones for w in left.values() if w.category == TABLE and w.unstated and w.sizes}
-    some = (wish for wish in left.values() if wish.sizes)
-    return [_look_inwards(wish) if wish.zones in low else wish for wish in some]
+    return [_look_inwards(wish) for wish in left.values() if wish.sizes]
 
 
 def _is_open(wish: HallDemand) -> bool:
@@ -47,7 +45,7 @@ def _is_open(wish: HallDemand) -> bool:
 
 
 def _look_inwards(wish: HallDemand) -> HallDemand:
-    """Chairs beside a low table in companies."""
+    """Chairs in companies that look at each other."""
     seats = wish.category in CHAIRS and wish.unstated and len(wish.sizes) >= COMPANY
     return wish._replace(patterns=AROUND) if seats else wish
 

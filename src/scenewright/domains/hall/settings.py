@@ -75,7 +75,8 @@ class FitSettings(NamedTuple):
     ``most_rounds``; first layouts ``tried`` in each; units of no more than so many objects are not
     split (``small``). Other first layouts (``chances``) are tried where no more than the share
     ``little`` of the objects finds no room; where more does not, objects get these ``shares`` of
-    their clearances in turn, and so many layouts of each are ``looked`` at."""
+    their clearances in turn, and so many layouts of each are ``looked`` at. What lacks is tried
+    ``again`` beside what stands so many times."""
 
     rounds: int = 12
     most_rounds: int = 120
@@ -85,6 +86,7 @@ class FitSettings(NamedTuple):
     little: float = 0.02
     shares: tuple[float, ...] = (0.1, 0.4, 0.7, 1.0)
     looked: int = 1200
+    again: int = 24
 
 
 class BorderSettings(NamedTuple):

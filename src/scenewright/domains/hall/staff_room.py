@@ -19,7 +19,7 @@ from scenewright.domains.hall.build_problem import HallContext
 from scenewright.domains.hall.chairs import grow_table
 from scenewright.domains.hall.counter_forms import list_forms
 from scenewright.domains.hall.desk_ways import list_parted
-from scenewright.domains.hall.fit import Fitted, fit
+from scenewright.domains.hall.fit import Fitted, fit, place_lacking
 from scenewright.domains.hall.holdings import HallDemand
 from scenewright.domains.hall.lounges import count_parts, list_lounge_forms, part_lounges
 from scenewright.domains.hall.seating import grow_desk
@@ -42,7 +42,8 @@ def fit_with_staff(
     something lacks in any case as lacks least; lounges apart where they find no room; those of
     which the brief leaves open where they stand in the first form (:mod:`.counter_forms`,
     :mod:`.lounges`) by which nothing is lost that else would stand. As they are where groups stay
-    as printed. ``small`` objects are set last."""
+    as printed. ``small`` objects are set last. What lacks in the end is tried again beside all that
+    stands."""
 
     def fit_one(asked: list[HallDemand]) -> Stand:
         fitted = fit(hall, asked, weights, catalog, seed, hall.settings.whole, cancel)
@@ -55,7 +56,8 @@ def fit_with_staff(
     if best.placed < every and any(wish.lounges for wish in wishes):
         apart, _ = _fit_forms(hall, part_lounges(wishes), small, fit_one)
         best = apart if apart.placed > best.placed else best
-    return best[1:]
+    _, asked, fitted = best
+    return asked, place_lacking(hall, asked, weights, catalog, seed, fitted, cancel)
 
 
 def _fit_forms(

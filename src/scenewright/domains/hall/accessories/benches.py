@@ -42,6 +42,8 @@ stands there."""
 CLOSE, WEDGED = 0.8, 4.5
 """Metres that a bench amid the floor keeps from walls, columns and whatever stands there, and what
 it costs nearer: wedged between two tables it looks pushed aside, at a wall it does not."""
+TOUCHING, PUSHED = 0.4, 4.0
+"""The same where it all but touches what stands there, more."""
 
 HIDDEN, SIGHT = 6.0, 0.2
 """What a place costs from where a column or a wall hides what one is to look at, and half of the
@@ -79,7 +81,8 @@ def find_bench_spots(setting: Setting, size: Size) -> Spots:
             hidden = HIDDEN * _cross_walls(looks, setting)
             parts.append(spots._replace(costs=spots.costs + hidden))
     amid = join_spots(parts)
-    wedged = WEDGED * _stand_near(amid.boxes, setting)
+    wedged = WEDGED * _stand_near(amid.boxes, setting, CLOSE)
+    wedged = wedged + PUSHED * _stand_near(amid.boxes, setting, TOUCHING)
     found = join_spots([at_walls, amid._replace(costs=amid.costs + wedged)])
     crowd = CROWD * measure_crowd(found.boxes, setting.others, NEAR)
     barring = BARS * _bar_pictures(found.boxes, setting)
@@ -107,14 +110,15 @@ def _cross_walls(boxes: Floats, setting: Setting) -> Bools:
     return found
 
 
-def _stand_near(boxes: Floats, setting: Setting) -> Bools:
-    """Which of boxes (k, 5) stand too near to some piece, another bench, a column or a wall."""
+def _stand_near(boxes: Floats, setting: Setting, near_by: float) -> Bools:
+    """Which of boxes (k, 5) stand nearer than so many metres to some piece, another bench, a column
+    or a wall."""
     bodies = polygons_of([p for p in setting.pieces if p.pose.z < HEAD_HEIGHT])
     walls = shapely.linestrings(setting.walls.reshape(-1, 2, 2))
     others = shapely.polygons(corners(setting.others))
     tree = shapely.STRtree(np.concatenate([bodies, walls, others]))
     near = np.zeros(len(boxes), np.bool_)
-    near[tree.query(shapely.polygons(corners(boxes)), "dwithin", CLOSE)[0]] = True
+    near[tree.query(shapely.polygons(corners(boxes)), "dwithin", near_by)[0]] = True
     return near
 
 

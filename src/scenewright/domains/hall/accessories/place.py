@@ -26,6 +26,7 @@ from scenewright.domains.hall.accessories.setting import (
     lie_open,
 )
 from scenewright.domains.hall.accessories.spots import NO_PAIR, Spots, spread_spots
+from scenewright.domains.hall.accessories.stools import COUNTER, spread_stools, stand_before
 from scenewright.domains.hall.build_problem import MARGIN, SIDES, HallContext
 from scenewright.domains.hall.desks import SERVING
 from scenewright.domains.hall.holdings import HallDemand
@@ -43,6 +44,7 @@ AT_WALL = 0.045
 """Metres from a wall to the back of what is to stand at one: the referee asks for 5 mm more."""
 ARM = 0.2
 """Metres that an arm reaches beyond the side of who walks by."""
+STOOL = "bar_stool"
 TRIED, SAME = 12, 0.01
 """How many of the best spots, and of the others, are tried for what bars a way on the first, and
 metres between two spots that are one."""
@@ -74,9 +76,37 @@ def place_accessories(there: StandingHall, small: list[HallDemand]) -> Placed:
 def _place_in_order(there: StandingHall, small: list[HallDemand]) -> Placed:
     boxes = _place_all(there, small, lambda _: True)
     least = _measure_ways(there, small, [])
-    if _as_open(there, small, boxes, least):
-        return boxes
-    return _place_all(there, small, lambda placed: _as_open(there, small, placed, least))
+    if not _as_open(there, small, boxes, least):
+        boxes = _place_all(there, small, lambda placed: _as_open(there, small, placed, least))
+    return _spread_stools(there, small, boxes, least)
+
+
+def _spread_stools(
+    there: StandingHall, small: list[HallDemand], boxes: Placed, least: tuple[float, float]
+) -> Placed:
+    """The same with the stools before each counter evenly along it, where they bar nothing so."""
+    for k, wish in enumerate(small):
+        stools = [n for n, box in enumerate(boxes[k]) if box is not None]
+        for counter in there.pieces if wish.category == STOOL and stools else ():
+            rows = _stack(boxes[k])
+            own = stand_before(counter, rows) & (counter.category == COUNTER)
+            if not own.any():
+                continue
+            rows[own] = spread_stools(counter, rows[own])
+            spread: list[Floats | None] = list(boxes[k])
+            for n, row in zip(stools, rows, strict=True):
+                spread[n] = row
+            tried = [*boxes[:k], spread, *boxes[k + 1 :]]
+            if _stand_free(there, wish, rows) and _as_open(there, small, tried, least):
+                boxes = tried
+    return boxes
+
+
+def _stand_free(there: StandingHall, wish: HallDemand, boxes: Floats) -> bool:
+    """Whether boxes (n, 5) of a demand stand on floor that is free."""
+    ground = there.problem.ground
+    free = find_floor(there.hall, wish.zones, there.pieces, there.wishes, ground.keep_free)
+    return bool(find_free(free, boxes, True).all())
 
 
 def _as_open(

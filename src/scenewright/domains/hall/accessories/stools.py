@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator
 
 import numpy as np
+from numpy.typing import NDArray
 
 from scenewright.catalog.kinds.usual import is_high
 from scenewright.core.scene import Piece, Size
@@ -20,11 +21,13 @@ PLACE, OFF, SERVED = 0.6, 0.05, 0.9
 is served standing."""
 CLOSE, LITTLE = 0.55, 0.8
 """The same where one more finds a place so."""
-AT_TABLE, SERVING, NEXT = 0.5, 1.5, 0.1
+AT_TABLE, SERVING, NEXT = 0.5, 1.5, 0.04
 """What a place at a table costs more than one at a bar, one at any other counter, where others
 queue, and each next one of the same."""
 BARS = ("bar", "theke", "tresen", "barra", "comptoir à", "吧台", "バー", "カウンター席")
 """Parts of the names of counters to sit at."""
+WIDEST = 0.9
+"""Metres from stool to stool before a counter at most."""
 SMALL = 0.9
 """Up to how many metres wide and deep a table has a place at each of its sides."""
 
@@ -68,6 +71,36 @@ def _before(counter: Piece, size: Size) -> Iterator[Floats]:
     for number in range(count):
         along = (number + 0.5) * pitch - 0.5 * wide
         yield face((at + along * right)[None], heading + math.pi, size)[0]
+
+
+def spread_stools(counter: Piece, boxes: Floats) -> Floats:
+    """Stools (k, 5) evenly along the middle of the front of the counter they stand before.
+
+    >>> from scenewright.core.scene import Pose
+    >>> bar = Piece(id="bar", category="counter", asset="", space="",
+    ...             pose=Pose(0, 0, 0, math.pi / 2), size=Size(3.0, 0.6, 1.1))
+    >>> stools = np.array(list(_before(bar, Size(0.4, 0.4, 0.8)))[:2])
+    >>> spread_stools(bar, stools)[:, 0].round(2) + 0.0
+    array([-0.45,  0.45])
+    """
+    heading, count = counter.pose.heading, len(boxes)
+    right = np.array([math.sin(heading), -math.cos(heading)])
+    along = (boxes[:, :2] - counter.pose[:2]) @ right
+    pitch = min(max((counter.size.width - SERVED) / count, CLOSE), WIDEST)
+    evenly, order = pitch * (np.arange(count) - 0.5 * (count - 1)), np.argsort(along)
+    found = boxes.copy()
+    found[order, :2] += (evenly - along[order])[:, None] * right
+    return found
+
+
+def stand_before(counter: Piece, boxes: Floats) -> NDArray[np.bool_]:
+    """Which of some stools (k, 5) stand before a counter."""
+    heading = counter.pose.heading
+    front = np.array([math.cos(heading), math.sin(heading)])
+    off = boxes[:, :2] - np.array(counter.pose[:2])
+    ahead = off @ front - 0.5 * (counter.size.depth + boxes[:, 4])
+    along = np.abs(off @ (front[1], -front[0]))
+    return np.asarray((np.abs(ahead - OFF) < OFF) & (along < 0.5 * counter.size.width))
 
 
 def count_before(wide: float) -> int:

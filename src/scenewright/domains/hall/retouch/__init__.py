@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from scenewright.domains.hall.problem import HallProblem
 from scenewright.domains.hall.retouch.audience import propose_audiences, sit_aside
+from scenewright.domains.hall.retouch.bands import measure_bands, propose_bands
 from scenewright.domains.hall.retouch.banquets import measure_banquets, propose_banquets
 from scenewright.domains.hall.retouch.bare import find_floor, measure_bare, propose_moves
 from scenewright.domains.hall.retouch.columns import (
@@ -54,6 +55,11 @@ from scenewright.domains.hall.retouch.rings import propose_rings, rings_off
 from scenewright.domains.hall.retouch.ropes import forgive_queues, propose_ropes, ropes_adrift
 from scenewright.domains.hall.retouch.runs import measure_runs, propose_runs
 from scenewright.domains.hall.retouch.seats import propose_rows, sit_too_near
+from scenewright.domains.hall.retouch.seatways import (
+    forgive_floor,
+    measure_seatways,
+    propose_seatways,
+)
 from scenewright.domains.hall.retouch.spread import measure_spread, propose_spread
 from scenewright.domains.hall.retouch.square import measure_askew, propose_squared
 from scenewright.domains.hall.retouch.stands import measure_backs, propose_turns
@@ -72,6 +78,7 @@ RETOUCHES: dict[str, Retouch] = {
     "columns": Retouch(find_columns, stand_in_aisles, propose_pitches, forgive_columns),
     "audience": Retouch(_whole, sit_aside, propose_audiences),
     "banquets": Retouch(_whole, measure_banquets, propose_banquets),
+    "bands": Retouch(_whole, measure_bands, propose_bands),
     "seats": Retouch(_whole, sit_too_near, propose_rows),
     "lecterns": Retouch(_whole, lecterns_adrift, propose_lecterns),
     "exhibit": Retouch(find_exhibit, stand_aside, propose_places, charge_hiding, find_placed),
@@ -90,6 +97,7 @@ RETOUCHES: dict[str, Retouch] = {
     "runs": Retouch(_whole, measure_runs, propose_runs, make_room=False),
     "spread": Retouch(find_columns, measure_spread, propose_spread, make_room=False),
     "outer rows": Retouch(_whole, measure_slots, propose_lines, make_room=False),
+    "seatways": Retouch(_whole, measure_seatways, propose_seatways, forgive_floor),
     "square": Retouch(_whole, measure_askew, propose_squared, make_room=False),
     "nearness": Retouch(find_company, measure_nearness, propose_distances, make_room=False),
 }

@@ -12,10 +12,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from scenewright.domains.hall.patterns import ACROSS, ALONG, CHAIN, CODE, GRID, NUMBER
+from scenewright.domains.hall.patterns import CHAIN, GRID
 from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.retouch.audience import BEFORE, OFF_AXIS, SIDE, VIEW
-from scenewright.domains.hall.retouch.lines import count_objects, find_layers
+from scenewright.domains.hall.retouch.lines import count_objects, find_layers, set_rows
 from scenewright.domains.hall.retouch.stages import measure_stage, propose_stages
 from scenewright.domains.hall.terms.state import Kept
 from scenewright.domains.hall.terms.visitors import STAGE, TABLE
@@ -135,7 +135,7 @@ def _fill_floor(
         for edge, other in product(EDGES, repeat=2):
             gaps = _share(room, many, size, np.array([edge, other]))
             if gaps.min() > 0.0:
-                yield _set_rows(kept, tables, row, number, many, gaps, (*middle, stage[2] + np.pi))
+                yield set_rows(kept, tables, row, number, many, gaps, (*middle, stage[2] + np.pi))
 
 
 def _share(room: Floats, many: Floats, size: Floats, edges: Floats) -> Floats:
@@ -145,23 +145,3 @@ def _share(room: Floats, many: Floats, size: Floats, edges: Floats) -> Floats:
     tight = (left - 2.0 * LEAST) / np.maximum(many - 1, 1)
     gaps: Floats = np.minimum(np.where(even * edges < LEAST, tight, even), WIDEST)
     return gaps
-
-
-def _set_rows(
-    kept: Kept,
-    unit: int,
-    first: int,
-    number: int,
-    many: Floats,
-    gaps: Floats,
-    pose: tuple[float, ...],
-) -> Kept:
-    """The layout with a unit at a pose in rows of so ``many`` (2,) columns, with such gaps (2,)."""
-    poses, layers, rows = kept.pose.copy(), kept.layers.copy(), kept.rows.copy()
-    columns, used = (int(n) for n in many)
-    each = [number // used + (1 if k >= used - number % used else 0) for k in range(used)]
-    code = GRID if number == columns * used else CHAIN
-    for k, count in enumerate(each):
-        layers[first + k, [NUMBER, ALONG, ACROSS, CODE]] = count, gaps[0], gaps[1], code
-    rows[unit], poses[unit] = (code, used), (*pose, 0.0)
-    return kept._replace(pose=poses, layers=layers, rows=rows)

@@ -25,9 +25,9 @@ least distance of as many others."""
 BEHIND, STAFF = 0.3, 0.9
 """Metres that a back or side may be farther from a wall than who serves needs, and what they need
 at least."""
-FAR, TOO_FAR, LITTLE = 3.0, 0.4, 0.05
+FAR, TOO_FAR, PAYING, LITTLE = 3.0, 0.4, 0.2, 0.05
 """Metres from the entrance that are near enough, and what each beyond counts: of a desk one comes
-to first, and of others."""
+to first, of one at which one pays, and of others."""
 NEXT = 0.05
 """Metres from the end of a wall at which a row begins at least."""
 INSIDE = 0.6
@@ -36,7 +36,7 @@ WAY, WIDE, QUEUE = 6.0, 1.2, 1.5
 """Length and half width of the way in that stays free, and depth of the queue, in metres."""
 WAITING = 0.3
 """What a square metre of queue on the way in counts, of desk one metre."""
-BACK_TO = 1.5
+BACK_TO = 6.0
 """What a back turned to who comes in counts, in metres."""
 ROOM, CRAMPED = 0.75, 2.0
 """Metres behind a desk in which no wall is, else who serves cannot stand there, and what one counts
@@ -131,7 +131,8 @@ def _fault(desks: Desks, kept: Kept, unit: int, box: Floats) -> float:
 def _rate(desks: Desks, unit: int) -> Rates:
     """What counts for the desk of a unit."""
     if not desks.first:
-        return Rates(LITTLE, LONGEST)
+        pays = int(desks.problem.visitors.roles[unit]) & TILL
+        return Rates(PAYING if pays else LITTLE, LONGEST)
     return Rates(TOO_FAR, LONGEST if _is_at_door(desks.problem, unit) else AMID)
 
 
@@ -150,7 +151,7 @@ def measure_desks(problem: HallProblem, boxes: Floats, row: int, rates: Rates) -
     aside = np.minimum(_far(edges, middles - side), _far(edges, middles + side))
     adrift = np.where(boxes[:, 3] <= SHORT, np.minimum(adrift, aside), adrift)
     far = np.hypot(*(middles - door).T)
-    turned = np.where(((door - middles) * front).sum(1) < -0.3 * far, BACK_TO, 0.0)
+    turned = BACK_TO * _turn_back(problem, boxes)
     adrift = np.minimum(np.maximum(adrift - BEHIND, 0.0), rates.off_wall)
     before = middles + 0.5 * (depth + QUEUE) * front
     queues = np.column_stack([before, boxes[:, 2:4], np.full(len(boxes), QUEUE)])
@@ -159,6 +160,13 @@ def measure_desks(problem: HallProblem, boxes: Floats, row: int, rates: Rates) -
     across = _share(boxes, free) + WAITING * _share(queues, free)
     cramped = CRAMPED * _is_cramped(problem, boxes)
     return adrift + rates.too_far * np.maximum(far - FAR, 0.0) + across + turned + cramped
+
+
+def _turn_back(problem: HallProblem, boxes: Floats) -> NDArray[np.bool_]:
+    """Which of some desks (n, 5) turn their back to who comes in."""
+    off = problem.visitors.entrances[0] - boxes[:, :2]
+    front = np.stack([np.cos(boxes[:, 2]), np.sin(boxes[:, 2])], axis=1)
+    return np.asarray((off * front).sum(1) < -0.3 * np.hypot(*off.T), bool)
 
 
 def _is_cramped(problem: HallProblem, boxes: Floats) -> NDArray[np.bool_]:
@@ -233,10 +241,12 @@ def propose_desks(desks: Desks, kept: Kept, boxes: Floats) -> Iterator[Kept]:
     for unit in find_desks(desks, kept):
         row = int(problem.units.spans[unit, 0])
         places = _places(problem, boxes, unit)
-        if desks.first and not _is_at_door(problem, unit):
+        box = box_round(boxes[slice(*problem.units.spans[unit])])
+        back = bool(_turn_back(problem, box[None])[0])
+        if desks.first and (back or not _is_at_door(problem, unit)):
             places = np.concatenate([places, _spread(problem, unit)])
         faults = measure_desks(problem, places, row, _rate(desks, unit))
-        now = _fault(desks, kept, unit, box_round(boxes[slice(*problem.units.spans[unit])]))
+        now = _fault(desks, kept, unit, box)
         better = np.flatnonzero(faults < now)
         for number in _spaced(places, better[np.argsort(faults[better], kind="stable")]):
             yield line_up(problem, kept, unit, places[number])

@@ -1,4 +1,4 @@
-"""Where the layers of a unit lie in a layout, and units set up in straight lines."""
+"""Where the layers of a unit lie in a layout, and units set up in straight lines and rows."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from scenewright.domains.hall.energy import capacity
-from scenewright.domains.hall.patterns import CHAIN
+from scenewright.domains.hall.patterns import ACROSS, ALONG, CHAIN, CODE, GRID, NUMBER
 from scenewright.domains.hall.problem import Floats, HallProblem, Ints
 from scenewright.domains.hall.terms.state import Kept, PreparedHall, State
 from scenewright.domains.hall.terms.table import SPACE, space_cost
@@ -43,6 +43,26 @@ def line_up(
             each = number // lines + (1 if k < number % lines else 0)
             layers[first + k] = (float(each), 0.0, apart, CHAIN, 0.0)
         rows[unit], poses[unit, 3] = (CHAIN, lines), 0.0
+    return kept._replace(pose=poses, layers=layers, rows=rows)
+
+
+def set_rows(
+    kept: Kept,
+    unit: int,
+    first: int,
+    number: int,
+    many: Floats,
+    gaps: Floats,
+    pose: tuple[float, ...],
+) -> Kept:
+    """The layout with a unit at a pose in rows of so ``many`` (2,) columns, with such gaps (2,)."""
+    poses, layers, rows = kept.pose.copy(), kept.layers.copy(), kept.rows.copy()
+    columns, used = (int(n) for n in many)
+    each = [number // used + (1 if k >= used - number % used else 0) for k in range(used)]
+    code = GRID if number == columns * used else CHAIN
+    for k, count in enumerate(each):
+        layers[first + k, [NUMBER, ALONG, ACROSS, CODE]] = count, gaps[0], gaps[1], code
+    rows[unit], poses[unit] = (code, used), (*pose, 0.0)
     return kept._replace(pose=poses, layers=layers, rows=rows)
 
 

@@ -151,6 +151,14 @@ def measure_before_doors(group: FurnishedGroup, ground: Ground) -> float:
     return sum(found for found in metres if found > SEEN)
 
 
+def measure_hung_over_doors(group: FurnishedGroup, ground: Ground) -> float:
+    """Metres of wide doors and passages over which what a group hangs at a wall reaches: nothing
+    holds it there."""
+    doors = [strip for strip, window, _ in _read_strips(Same(ground)) if not window]
+    hung = [p for p in group.pieces if p.pose.z > AT_WALL and not p.on]
+    return sum(_metres_before(piece, door) for piece in hung for door in doors)
+
+
 def cost_of_openings(case: Group, boxes: Floats, ground: Ground, rule: ComposingSettings) -> Floats:
     """What is wrong with a case on each of boxes (n, 5) as it stands before windows and wide doors:
     :func:`cost_of_group` of many places at once, of what stands parallel to its wall."""

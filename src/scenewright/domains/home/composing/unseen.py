@@ -1,5 +1,5 @@
 """Screens that nobody sees from the sofa: the last resort where the two face nowhere, or where
-there is neither sofa, armchair nor bed to watch one from."""
+there is neither sofa, armchair nor bed to watch one from; and those that hang in a doorway."""
 
 from __future__ import annotations
 
@@ -14,6 +14,12 @@ from scenewright.domains.home.composing.amid_walls import list_amid_walls
 from scenewright.domains.home.composing.case_faults import is_hung
 from scenewright.domains.home.composing.judging import Placed
 from scenewright.domains.home.composing.moving import dress_group, with_margin
+from scenewright.domains.home.composing.placed_faults import (
+    SEEN,
+    measure_before_doors,
+    measure_before_windows,
+    measure_hung_over_doors,
+)
 from scenewright.domains.home.composing.views import RESTING, is_unseen
 from scenewright.domains.home.composing.widths import BOOKS
 from scenewright.domains.home.furnishing.enlarge import SOFAS
@@ -29,17 +35,21 @@ SEATS = frozenset((*SOFAS, *RESTING))
 BEFORE = 0.6
 """Metres left free before books."""
 REASON = "no place for it is seen from the sofa"
+WALL_LESS = "no wall that is seen from the sofa is wide enough for it"
+OVER_DOOR = 0.1
+"""Metres of the shelf below a screen on the wall that may be over a door."""
 SEATLESS = "the room has no seat to watch it from"
 
 
 def leave_out_unseen_screen(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
-    """The answer without a screen that no seat looks at, unless somebody asked for it; where it was
-    on a stand, a low cabinet takes the same floor. Where the room would keep nothing to look at,
-    books stand at a wall; where they find no place, the screen stays."""
+    """The answer without a screen that no seat looks at or no wall holds, unless somebody asked for
+    it; where it was on a stand, a low cabinet takes the same floor. Where the room would keep
+    nothing to look at, books stand at a wall; where they find no place, the screen stays."""
     media = next((p for p in answer.placed if p.wish.group == "media"), None)
     if media is None or media.wish.required or "media" in task.library.own:
         return answer
-    if not _is_unseen(task, answer.placed):
+    wall_less = _hangs_in_doorway(task, media)
+    if not wall_less and not _is_unseen(task, answer.placed):
         return answer
     rest = tuple(p for p in answer.placed if p is not media)
     board = () if is_hung(media.dressed.case) else _put_board(task, rest, media)
@@ -51,8 +61,14 @@ def leave_out_unseen_screen(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
         return answer
     welcome = media.wish._replace(rank=WELCOME, core=False)
     seated = any(p.category in SOFAS for g in placed for p in g.pieces)
-    lost = Missing(welcome, REASON if seated else SEATLESS)
+    unseen = REASON if seated else SEATLESS
+    lost = Missing(welcome, WALL_LESS if wall_less else unseen)
     return answer._replace(placed=placed, missing=(*answer.missing, lost))
+
+
+def _hangs_in_doorway(task: RoomTask, media: FurnishedGroup) -> bool:
+    """Whether a screen on the wall reaches over a door by more than :data:`OVER_DOOR`."""
+    return measure_hung_over_doors(media, task.ground) > OVER_DOOR
 
 
 def _is_unseen(task: RoomTask, placed: Placed) -> bool:
@@ -75,8 +91,14 @@ def _put_books(task: RoomTask, rest: Placed) -> Placed:
         return ()
     margin, wish = with_margin(task), Wish("shelf", WELCOME)
     barred = frozenset(find_blocked(margin, rest))
-    found = list_amid_walls(task, rest, wish, BOOKS, BEFORE)
+    found = (g for g in list_amid_walls(task, rest, wish, BOOKS, BEFORE) if _lets_in(task, g))
     return next(((g,) for g in found if barred.issuperset(find_blocked(margin, (*rest, g)))), ())
+
+
+def _lets_in(task: RoomTask, group: FurnishedGroup) -> bool:
+    """Whether a group stands before no wide door and no window."""
+    panes = measure_before_windows(group, task.ground)
+    return measure_before_doors(group, task.ground) == 0.0 and float(panes.sum()) <= SEEN
 
 
 def _put_board(task: RoomTask, rest: Placed, media: FurnishedGroup) -> Placed:
