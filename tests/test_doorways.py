@@ -13,10 +13,15 @@ from scenewright.core.brief import Brief, Room
 from scenewright.core.piece_outlines import outline_of
 from scenewright.domains.home.attempt import Missing, RoomAnswer, find_blocked
 from scenewright.domains.home.cases.library import cases
+from scenewright.domains.home.composing.case_faults import is_hung
 from scenewright.domains.home.composing.doorways import clear_doorways
 from scenewright.domains.home.composing.forms import list_further
 from scenewright.domains.home.composing.moving import dress_group, make_unplaced
-from scenewright.domains.home.composing.placed_faults import measure_before_doors
+from scenewright.domains.home.composing.placed_faults import (
+    measure_before_doors,
+    measure_hung_over_doors,
+)
+from scenewright.domains.home.composing.unseen import WALL_LESS, leave_out_unseen_screen
 from scenewright.domains.home.composing.widening import widen_groups
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.domains.home.presets import PRESETS
@@ -170,3 +175,18 @@ def test_a_chest_of_a_bedroom_is_as_wide_as_its_stretch_of_wall():
     (grown,) = widen_groups(task, answer_of(chest), frozenset()).placed
     assert grown.dressed.case.width == pytest.approx(1.0)
     assert measure_before_doors(grown, task.ground) == 0.0
+
+
+def test_a_screen_on_the_wall_over_a_door_is_left_out_by_name():
+    """The door takes the wall from x = 0.6 to 2.4; the shelf is 0.9 m wide."""
+    task = task_of({**ROOM, "function": "living"}, CLOSET)
+    for middle, over in ((0.45, 0.3), (0.5, 0.35)):
+        media = stand(task, "media", middle, 2.6, -NORTH, lambda c: c.width == 0.9 and is_hung(c))
+        assert measure_hung_over_doors(media, task.ground) == pytest.approx(over, abs=1e-6)
+        answer = leave_out_unseen_screen(task, answer_of(media))
+        assert media not in answer.placed
+        assert [(m.wish.group, m.reason) for m in answer.missing] == [("media", WALL_LESS)]
+    asked = stand(
+        task, "media", 0.5, 2.6, -NORTH, lambda c: c.width == 0.9 and is_hung(c), required=True
+    )
+    assert leave_out_unseen_screen(task, answer_of(asked)).placed == (asked,)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 from typing import Any
 
 import pytest
@@ -107,3 +108,19 @@ def test_high_tables_keep_the_floor_of_stools_that_a_bar_has_no_place_for() -> N
         deep = 2 * stools.sizes[0].depth if sides else 0.0
         assert table.sizes[0].depth == pytest.approx(0.6 + sides + deep)
         assert table.sizes[0].width == pytest.approx(1.8)
+
+
+@pytest.mark.parametrize("count", [2, 3])
+def test_few_stools_stand_evenly_along_the_middle_of_a_bar(count: int) -> None:
+    found = scenewright.solve(cafe(BAR, STOOLS | {"count": count}), seed=59, threads=1)
+    (bar,) = (piece for piece in found.pieces if piece.category == "counter")
+    way = (math.sin(bar.pose.heading), -math.cos(bar.pose.heading))
+    along = sorted(
+        sum((a - b) * w for a, b, w in zip(piece.pose[:2], bar.pose[:2], way, strict=True))
+        for piece in found.pieces
+        if piece.category == "bar_stool"
+    )
+    assert len(along) == count
+    assert sum(along) == pytest.approx(0.0, abs=1e-6)
+    steps = [after - before for before, after in pairwise(along)]
+    assert steps == pytest.approx([steps[0]] * len(steps), abs=1e-6)

@@ -39,6 +39,10 @@ ANCHORS, WIDEST, SECOND = 12, 0.75, 0.6
 people queue at others of the zone as well, and what ropes before less than that count."""
 
 
+IN_LINE = 0.02
+"""Sine of the angle between two desks from which on they do not stand in line."""
+
+
 class Anchor(NamedTuple):
     """What ropes are to stand before: a box (5,), whether people queue there, and metres by which
     ropes elsewhere are better."""
@@ -90,7 +94,7 @@ def find_anchors(problem: HallProblem, kept: Kept, boxes: Floats, unit: int) -> 
     mine = [boxes[slice(*span)] for span in units.spans]
     alone = _find_mains(problem, kept, mine, beside)
     if desks:
-        whole = [box_round(mine[u]) for u in desks]
+        whole = [box_round(row) for u in desks for row in _split_rows(mine[u])]
         widest = max(float(box[3]) for box in whole)
         less = [SECOND * (box[3] < WIDEST * widest) for box in whole]
         queues = [Anchor(box, True, one) for box, one in zip(whole, less, strict=True)]
@@ -102,6 +106,17 @@ def find_anchors(problem: HallProblem, kept: Kept, boxes: Floats, unit: int) -> 
         return alone
     walls = [box for u in beside if kept.rows[u, 0] == WALL for box in mine[u]]
     return [Anchor(box, False) for box in walls[:: max(len(walls) // ANCHORS, 1)]]
+
+
+def _split_rows(desks: Floats) -> list[Floats]:
+    """Desks (n, 5) of one unit by the walls along which they stand in line.
+
+    >>> desks = np.array([[0, 0, 1.5, 2, 1], [2, 0, 1.5, 2, 1], [5, 3, 3.1, 2, 1.0]])
+    >>> [len(row) for row in _split_rows(desks)]
+    [2, 1]
+    """
+    turned = np.flatnonzero(np.abs(np.sin(np.diff(desks[:, 2]))) > IN_LINE)
+    return np.split(desks, turned + 1)
 
 
 def _find_mains(

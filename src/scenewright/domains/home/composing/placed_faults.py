@@ -156,7 +156,8 @@ def measure_hung_over_doors(group: FurnishedGroup, ground: Ground) -> float:
     holds it there."""
     doors = [strip for strip, window, _ in _read_strips(Same(ground)) if not window]
     hung = [p for p in group.pieces if p.pose.z > AT_WALL and not p.on]
-    return sum(_metres_before(piece, door) for piece in hung for door in doors)
+    deep = ((p, door, min(door[4], p.size.depth)) for p in hung for door in doors)
+    return sum(_metres_before(piece, door) * door[4] / depth for piece, door, depth in deep)
 
 
 def cost_of_openings(case: Group, boxes: Floats, ground: Ground, rule: ComposingSettings) -> Floats:
