@@ -32,7 +32,7 @@ from scenewright.domains.hall.partitions import (
     stands_free,
     visiting_order,
 )
-from scenewright.domains.hall.problem import THICKNESS, HallProblem
+from scenewright.domains.hall.problem import THICKNESS, Floats, HallProblem
 from scenewright.domains.hall.second_places import list_absent
 from scenewright.domains.hall.shortfall import drop_unplaceable
 from scenewright.domains.hall.solvers.chains import anneal_hall, first_layout
@@ -137,8 +137,8 @@ def place_lacking(
     fitted: Fitted,
     cancel: Cancel | None,
 ) -> Fitted:
-    """Units with all of what lacks that stands beside the others where the route reaches all."""
-    walls = np.array([host.span for host in fitted.hosts]).reshape(-1, 2)
+    """Units with all of what lacks that stands beside the others where the route reaches all; in
+    the second half of the tries with one more wall for what stands at walls."""
     rule = hall.settings.fit
     absent = list_absent(wishes, fitted.units, hall.names) if fitted.units else []
     if absent and not _all_reached(fitted.problem, fitted.start, seed, rule.looked):
@@ -146,13 +146,28 @@ def place_lacking(
     for again in range(rule.again):
         if not absent or (cancel is not None and cancel()):
             break
-        units = sorted([*fitted.units, absent[again % len(absent)]])
-        problem = build_problem(hall, wishes, units, fitted.hosts, weights, catalog)
+        unit, built = absent[again % len(absent)], fitted.hosts
+        if 2 * again >= rule.again and wishes[unit.demand].at_wall:
+            built += _build_more(hall, wishes, unit, built)
+        units = sorted([*fitted.units, unit])
+        problem = build_problem(hall, wishes, units, built, weights, catalog)
+        walls = np.array([host.span for host in built]).reshape(-1, 2)
         start, lost = first_layout(problem, walls, seed + again, rule.tried)
         if not lost and _all_reached(problem, start, seed, rule.looked):
-            fitted = Fitted(units, fitted.hosts, problem, start)
+            fitted = Fitted(units, built, problem, start)
             absent = list_absent(wishes, units, hall.names)
     return fitted
+
+
+def _build_more(
+    hall: HallContext, wishes: list[HallDemand], unit: Unit, built: tuple[Host, ...]
+) -> tuple[Host, ...]:
+    """A wall on a border of the zone of a unit that lacks one; none where one is built."""
+    if any(unit.zone in (int(host.row[4]), int(host.row[5])) for host in built):
+        return ()
+    lack = np.zeros(len(hall.names))
+    lack[unit.zone] = sum(s.width for s in wishes[unit.demand].sizes[unit.first : unit.last])
+    return _build_on_borders(hall, lack, False)
 
 
 def build_hosts(
@@ -164,7 +179,11 @@ def build_hosts(
 ) -> tuple[Host, ...]:
     """Walls on the borders of zones for what units lack, counted as ``printed`` or as ours; none
     before doors and windows."""
-    lack = lacking(units, wishes, wall_lengths(hall), printed)
+    return _build_on_borders(hall, lacking(units, wishes, wall_lengths(hall), printed), spare)
+
+
+def _build_on_borders(hall: HallContext, lack: Floats, spare: bool) -> tuple[Host, ...]:
+    """The same for zones that ``lack`` (z,) so many metres."""
     order = visiting_order(hall.plan.links, hall.names, _first_zone(hall))
     found = hosts(hall.borders, hall.plan.links, hall.names, order, lack, spare)
     return clear_hosts(found, taken_floor(hall), THICKNESS)
