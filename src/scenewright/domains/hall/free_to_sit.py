@@ -45,10 +45,10 @@ def keep_reached_chairs(
 
 
 def keep_drawn_back(space: Space, chairs: tuple[Piece, ...]) -> tuple[Piece, ...]:
-    """Those of some chairs that can be drawn back from their table: no wall or column is right
-    behind them."""
-    if not chairs:
-        return ()
+    """Those of some chairs that can be drawn back from their table: no column is right behind
+    them."""
+    if not chairs or not space.holes:
+        return chairs
     behind = np.array([boxes_of(chair)[0] for chair in chairs])
     behind[:, 2] += np.pi
     floors = shapely.polygons(corners(lead_before(behind, BACK)))
