@@ -5,10 +5,13 @@ from __future__ import annotations
 import math
 
 import numpy as np
+import shapely
 
 from scenewright.core.catalog import Catalog, footprint_of
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.space import Space
+from scenewright.domains.hall.borders import floor_of
+from scenewright.domains.hall.built_walls import clip_span
 from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.rails import RowOfGates, lay_rails, measure_barred, measure_blocked
 from scenewright.domains.hall.retouch.gates import find_gates, find_row, measure_gates
@@ -77,9 +80,9 @@ def _leads_on(problem: HallProblem, layout: MeasuredLayout, rails: Floats) -> bo
 def _pieces(
     space: Space, group: str, demand: str, rails: Floats, catalog: Catalog
 ) -> tuple[Piece, ...]:
-    """The rails (k, 5) of a group as pieces."""
-    found = []
-    for number, (x, y, heading, width, depth) in enumerate(rails.tolist(), 1):
+    """The rails (k, 5) of a group as pieces, within the hall."""
+    found, floor = [], floor_of(space)
+    for number, (x, y, heading, width, depth) in enumerate(_clip(rails, floor).tolist(), 1):
         size = Size(width, depth, HEIGHT)
         asset = catalog.choose(CATEGORY, size)
         turned = (heading + math.pi) % (2 * math.pi) - math.pi
@@ -97,3 +100,14 @@ def _pieces(
             )
         )
     return tuple(found)
+
+
+def _clip(rails: Floats, floor: shapely.Polygon) -> Floats:
+    """Rails (k, 5) that end where a slanting wall begins."""
+    found = rails.copy()
+    for rail in found:
+        middle, way = rail[:2].copy(), np.array([np.sin(rail[2]), -np.cos(rail[2])])
+        span = (-0.5 * float(rail[3]), 0.5 * float(rail[3]))
+        low, high = clip_span(floor, middle, way, span, float(rail[4]))
+        rail[:2], rail[3] = middle + 0.5 * (low + high) * way, high - low
+    return found

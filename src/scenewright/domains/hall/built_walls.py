@@ -36,7 +36,7 @@ def partitions(
         start, end = np.array(host[:2]), np.array(host[2:4])
         way = (end - start) / np.hypot(*(end - start))
         start = start + off * np.array([-way[1], way[0]])
-        low, high = _clip_span(floor, start, way, (float(span[0]), float(span[1])), thick)
+        low, high = clip_span(floor, start, way, (float(span[0]), float(span[1])), thick)
         middle = start + way * (low + high) / 2
         if high - low < SHORTEST or not _holds(backs, middle, way, 0.5 * (high - low), thick):
             continue
@@ -70,14 +70,14 @@ def _make_wall(
     )
 
 
-def _clip_span(
+def clip_span(
     floor: shapely.Polygon, start: Floats, way: Floats, span: tuple[float, float], thick: float
 ) -> tuple[float, float]:
     """From where to where along a ``way`` both faces of a wall with a ``span`` are on a floor.
 
     >>> floor = shapely.Polygon([(0, 0), (4, 0), (4, 3), (0, 5)])
     >>> start, way = np.array([2.0, 0.0]), np.array([0.0, 1.0])
-    >>> _clip_span(floor, start, way, (1.0, 4.0), 0.2)
+    >>> clip_span(floor, start, way, (1.0, 4.0), 0.2)
     (1.0, 3.95)
     """
     side, (low, high) = 0.5 * thick * np.array([-way[1], way[0]]), span

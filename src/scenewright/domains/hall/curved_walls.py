@@ -25,6 +25,8 @@ PIECES, JOIN = 4, 0.15
 """Fewest pieces of a curve, and how far the ends of two may lie apart, in metres."""
 HOLLOW = 0.04
 """Metres that may lie between the middle of a back and a wall that bulges behind it."""
+BULGE = 0.2
+"""Metres of it behind the middle of what is as wide as a place from which on none is on a curve."""
 SPARE = 0.02
 """What a place is wider than its object, and farther from the next, in metres."""
 
@@ -44,8 +46,17 @@ def space_places(walls: Sequence[WallStretch], need: WallNeed) -> list[WallStret
     found, total = list[WallStretch](), sum(map(_length, walls))
     for run in find_runs(walls):
         curved = len(run) >= PIECES and need.number > 0
-        found += _places(_line(run), _bend(run), need, total) if curved else run
+        line, bend = _line(run), _bend(run)
+        stands = curved and not (bend > 0.0 and _stands_off(line, need.width))
+        found += _places(line, bend, need, total) if stands else run
     return found
+
+
+def _stands_off(line: Floats, width: float) -> bool:
+    """Whether a line (k, 2) bulges out so far behind something so wide that it stands at no wall
+    there."""
+    curve = shapely.LineString(line)
+    return _bulge(curve, 0.5 * curve.length, 0.5 * width) > BULGE
 
 
 def find_runs(walls: Sequence[WallStretch]) -> list[list[WallStretch]]:

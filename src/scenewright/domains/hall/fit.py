@@ -42,6 +42,10 @@ from scenewright.engine.solve import Budget, Cancel
 NOTHING = Kept(np.zeros((0, 4)), np.zeros((0, 5)), np.zeros((0, 2)), np.zeros((0, 2)))
 
 
+GATE = "ticket_gate"
+"""What everybody passes in a zone."""
+
+
 class Fitted(NamedTuple):
     """Units that all have a place, the problem they make and a first layout."""
 
@@ -148,7 +152,7 @@ def place_lacking(
             break
         unit, built = absent[again % len(absent)], fitted.hosts
         if 2 * again >= rule.again and wishes[unit.demand].at_wall:
-            built += _build_more(hall, wishes, unit, built)
+            built += _build_more(hall, wishes, fitted.units, unit, built)
         units = sorted([*fitted.units, unit])
         problem = build_problem(hall, wishes, units, built, weights, catalog)
         walls = np.array([host.span for host in built]).reshape(-1, 2)
@@ -160,14 +164,18 @@ def place_lacking(
 
 
 def _build_more(
-    hall: HallContext, wishes: list[HallDemand], unit: Unit, built: tuple[Host, ...]
+    hall: HallContext,
+    wishes: list[HallDemand],
+    units: list[Unit],
+    unit: Unit,
+    built: tuple[Host, ...],
 ) -> tuple[Host, ...]:
     """A wall on a border of the zone of a unit that lacks one; none where one is built."""
     if any(unit.zone in (int(host.row[4]), int(host.row[5])) for host in built):
         return ()
     lack = np.zeros(len(hall.names))
     lack[unit.zone] = sum(s.width for s in wishes[unit.demand].sizes[unit.first : unit.last])
-    return _build_on_borders(hall, lack, False)
+    return _keep_off_gates(_build_on_borders(hall, lack, False), wishes, units)
 
 
 def build_hosts(
@@ -178,8 +186,18 @@ def build_hosts(
     spare: bool = False,
 ) -> tuple[Host, ...]:
     """Walls on the borders of zones for what units lack, counted as ``printed`` or as ours; none
-    before doors and windows."""
-    return _build_on_borders(hall, lacking(units, wishes, wall_lengths(hall), printed), spare)
+    before doors and windows, nor, of ours, round zones with gates, to which everybody comes."""
+    lack = lacking(units, wishes, wall_lengths(hall), printed)
+    found = _build_on_borders(hall, lack, spare)
+    return found if printed else _keep_off_gates(found, wishes, units)
+
+
+def _keep_off_gates(
+    found: tuple[Host, ...], wishes: list[HallDemand], units: list[Unit]
+) -> tuple[Host, ...]:
+    """The walls that are not round a zone with gates."""
+    gated = {unit.zone for unit in units if wishes[unit.demand].category == GATE}
+    return tuple(host for host in found if gated.isdisjoint(map(int, host.row[4:6])))
 
 
 def _build_on_borders(hall: HallContext, lack: Floats, spare: bool) -> tuple[Host, ...]:
