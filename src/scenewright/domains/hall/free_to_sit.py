@@ -52,11 +52,9 @@ def keep_drawn_back(space: Space, chairs: tuple[Piece, ...]) -> tuple[Piece, ...
     behind = np.array([boxes_of(chair)[0] for chair in chairs])
     behind[:, 2] += np.pi
     floors = shapely.polygons(corners(lead_before(behind, BACK)))
-    floor = shapely.Polygon(space.outline, space.holes)
-    off = shapely.area(shapely.difference(floors, floor))
-    return tuple(
-        chair for chair, beyond in zip(chairs, off.tolist(), strict=True) if beyond <= SEEN
-    )
+    columns = shapely.union_all([shapely.Polygon(ring) for ring in space.holes])
+    taken = shapely.area(shapely.intersection(floors, columns))
+    return tuple(chair for chair, area in zip(chairs, taken.tolist(), strict=True) if area <= SEEN)
 
 
 def keep_off_seats(
