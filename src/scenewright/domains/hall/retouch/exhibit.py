@@ -10,10 +10,11 @@ import shapely
 
 from scenewright.domains.hall.patterns import RADIATION, SINGLE
 from scenewright.domains.hall.problem import Floats, HallProblem
+from scenewright.domains.hall.retouch.banquets import FEWEST as BANQUET
 from scenewright.domains.hall.retouch.lines import count_objects
 from scenewright.domains.hall.retouch.rings import FEWEST, propose_rings
 from scenewright.domains.hall.terms.state import Kept, PreparedHall, State
-from scenewright.domains.hall.terms.visitors import MAIN, RAYS
+from scenewright.domains.hall.terms.visitors import MAIN, RAYS, STAGE, TABLE
 from scenewright.geometry.inside import lie_inside
 
 OFF, MOST, NEAR, HIDDEN = 1.0, 10.0, 1.5, 60.0
@@ -42,10 +43,11 @@ class MainExhibit(NamedTuple):
 
 
 def find_exhibit(problem: HallProblem) -> MainExhibit | None:
-    """The main exhibit of a hall and its place; None without one, or where seats look at it."""
+    """The main exhibit of a hall and its place; None without one, where seats look at it, and where
+    it is the stage of a band."""
     roles, targets = problem.visitors.roles.astype(int), problem.units.targets
     mains = [unit for unit in range(len(roles)) if roles[unit] & MAIN and unit not in targets]
-    if not mains:
+    if not mains or _is_of_band(problem, mains[0]):
         return None
     first, last = problem.ground.zone_spans[int(problem.units.zones[mains[0]])].astype(int)
     edges = problem.ground.zone_edges[first:last]
@@ -59,6 +61,13 @@ def find_exhibit(problem: HallProblem) -> MainExhibit | None:
             break
     inside = lie_inside(edges, middle[:1], middle[1:])[0]
     return MainExhibit(mains[0], middle, axis, problem) if inside else None
+
+
+def _is_of_band(problem: HallProblem, unit: int) -> bool:
+    """Whether a unit is a stage before which no banquet sits: it stands at a wall."""
+    roles, zones = problem.visitors.roles.astype(int), problem.units.zones
+    tables = count_objects(problem)[(roles & TABLE > 0) & (zones == zones[unit])].max(initial=0)
+    return bool(roles[unit] & STAGE) and tables < BANQUET
 
 
 def _has_room(problem: HallProblem, unit: int, edges: Floats, point: Floats) -> bool:
