@@ -103,11 +103,11 @@ def _pieces(
 
 
 def _clip(rails: Floats, floor: shapely.Polygon) -> Floats:
-    """Rails (k, 5) that end where a slanting wall begins."""
+    """Rails (k, 5) that end where a slanting wall begins, less those of which nothing is left."""
     found = rails.copy()
     for rail in found:
         middle, way = rail[:2].copy(), np.array([np.sin(rail[2]), -np.cos(rail[2])])
         span = (-0.5 * float(rail[3]), 0.5 * float(rail[3]))
         low, high = clip_span(floor, middle, way, span, float(rail[4]))
         rail[:2], rail[3] = middle + 0.5 * (low + high) * way, high - low
-    return found
+    return found[found[:, 3] > TOUCH]

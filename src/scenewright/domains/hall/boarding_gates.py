@@ -20,9 +20,10 @@ from scenewright.domains.hall.furnish import make_piece
 from scenewright.domains.hall.holdings import HallDemand
 from scenewright.domains.hall.problem import Floats
 from scenewright.domains.hall.rails import INSIDE
+from scenewright.domains.hall.roles import GATE
 
-GATE, OFF = "ticket_gate", 1.3
-"""What stands before an exit, and metres between the two."""
+OFF = 1.3
+"""Metres between gates and the exit they stand before."""
 LITTLE = 0.005
 
 

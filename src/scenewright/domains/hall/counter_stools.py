@@ -6,14 +6,13 @@ from scenewright.catalog.kinds.usual import is_high
 from scenewright.domains.hall.accessories.stools import (
     COUNTER,
     OFF,
+    STOOL,
     count_around,
     count_before,
     is_bar,
     sits_around,
 )
 from scenewright.domains.hall.holdings import HallDemand, may_stand_together, with_floor
-
-STOOL = "bar_stool"
 
 
 def keep_stools(wishes: list[HallDemand]) -> list[HallDemand]:

@@ -33,6 +33,7 @@ from scenewright.domains.hall.partitions import (
     visiting_order,
 )
 from scenewright.domains.hall.problem import THICKNESS, Floats, HallProblem
+from scenewright.domains.hall.roles import GATE
 from scenewright.domains.hall.second_places import list_absent
 from scenewright.domains.hall.shortfall import drop_unplaceable
 from scenewright.domains.hall.solvers.chains import anneal_hall, first_layout
@@ -40,10 +41,6 @@ from scenewright.domains.hall.terms.state import Kept
 from scenewright.engine.solve import Budget, Cancel
 
 NOTHING = Kept(np.zeros((0, 4)), np.zeros((0, 5)), np.zeros((0, 2)), np.zeros((0, 2)))
-
-
-GATE = "ticket_gate"
-"""What everybody passes in a zone."""
 
 
 class Fitted(NamedTuple):

@@ -8,7 +8,9 @@ GOODS = ("gondola", "wall_shelving", "ring_shelf", "fridge_shelf", "clothes_rail
 """Where one of these is, counters are tills; elsewhere visitors come to them first."""
 DECOR = ("plant", "potted_tree", "planter", "litter_bin", "rope_barrier")
 """What nobody comes to see."""
-DESKS = ("info_desk", "ticket_gate")
+GATE = "ticket_gate"
+"""What everybody passes who comes into its zone."""
+DESKS = ("info_desk", GATE)
 
 
 def is_till(category: str, beside: Collection[str]) -> bool:

@@ -12,12 +12,13 @@ from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.solution import LeftOut
 from scenewright.domains.hall.accessories import ACCESSORIES
 from scenewright.domains.hall.accessories.place import Placed, StandingHall, place_accessories
+from scenewright.domains.hall.accessories.stools import STOOL
 from scenewright.domains.hall.hall_layout import Layer, PatternPart, PlacedGroup
 from scenewright.domains.hall.holdings import HallDemand
 from scenewright.domains.hall.problem import Floats
 
 REASON = "no place is left for it that bars no way"
-REMEDIES = {"bar_stool": "ask for fewer, a longer counter, or less beside it"}
+REMEDIES = {STOOL: "ask for fewer, a longer counter, or less beside it"}
 """What may help, by category."""
 
 Furnished = tuple[tuple[Piece, ...], tuple[PlacedGroup, ...], tuple[LeftOut, ...]]

@@ -26,7 +26,7 @@ from scenewright.domains.hall.accessories.setting import (
     lie_open,
 )
 from scenewright.domains.hall.accessories.spots import NO_PAIR, Spots, spread_spots
-from scenewright.domains.hall.accessories.stools import COUNTER, spread_stools, stand_before
+from scenewright.domains.hall.accessories.stools import COUNTER, STOOL, spread_stools, stand_before
 from scenewright.domains.hall.build_problem import MARGIN, SIDES, HallContext
 from scenewright.domains.hall.desks import SERVING
 from scenewright.domains.hall.holdings import HallDemand
@@ -44,7 +44,6 @@ AT_WALL = 0.045
 """Metres from a wall to the back of what is to stand at one: the referee asks for 5 mm more."""
 ARM = 0.2
 """Metres that an arm reaches beyond the side of who walks by."""
-STOOL = "bar_stool"
 TRIED, SAME = 12, 0.01
 """How many of the best spots, and of the others, are tried for what bars a way on the first, and
 metres between two spots that are one."""

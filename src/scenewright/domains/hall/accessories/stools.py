@@ -15,7 +15,7 @@ from scenewright.domains.hall.accessories.spots import Spots, face, join_spots, 
 from scenewright.domains.hall.holdings import HallDemand, may_stand_together
 from scenewright.domains.hall.problem import Floats
 
-COUNTER = "counter"
+COUNTER, STOOL = "counter", "bar_stool"
 PLACE, OFF, SERVED = 0.6, 0.05, 0.9
 """Metres of a counter for each stool, between the two, and of each counter that stay free for who
 is served standing."""
