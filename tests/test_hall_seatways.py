@@ -7,8 +7,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-import scenewright
+from scenewright.building.plan import spaces
 from scenewright.core.brief import Brief
+from scenewright.core.scene import Piece, Pose, Size
+from scenewright.domains.hall.free_to_sit import keep_drawn_back
 from scenewright.domains.hall.holdings import SEATWAY
 from scenewright.domains.hall.patterns import ACROSS, ALONG
 from scenewright.domains.hall.problem import HallProblem
@@ -68,16 +70,22 @@ def test_high_tables_without_chairs_need_no_seatway() -> None:
     assert measure_seatways(problem, kept, boxes_of(problem, kept)) == 0.0
 
 
-def test_no_chair_stands_where_it_cannot_be_drawn_back() -> None:
-    """Tables all over a hall with many columns: some chair would have one right behind it."""
-    holes = [
-        [[x, y], [x + 0.4, y], [x + 0.4, y + 0.4], [x, y + 0.4]] for x in (4, 8, 12) for y in (4, 8)
-    ]
-    asked = hall({"category": "dining_table", "count": 16}, holes=holes)
-    middles = np.array([np.mean(ring, axis=0) for ring in holes])
-    for seed in (0, 1):
-        found = scenewright.solve(asked, seed=seed, threads=1)
-        for chair in (p for p in found.pieces if p.category == "dining_chair"):
-            back = np.array([np.cos(chair.pose.heading), np.sin(chair.pose.heading)])
-            at = np.array(chair.pose[:2]) - (0.5 * chair.size.depth + 0.15) * back
-            assert (np.abs(middles - at).max(1) > 0.2).all()
+def chair(x: float, y: float, heading: float) -> Piece:
+    return Piece(
+        id=f"chair-{x}",
+        category="dining_chair",
+        asset="",
+        space="hall",
+        pose=Pose(x, y, 0.0, heading),
+        size=Size(0.45, 0.5, 0.85),
+    )
+
+
+def test_no_chair_stands_right_before_a_column_while_walls_do_not_count() -> None:
+    """A column of 0.4 m about (8, 6); one chair has it 0.2 m behind it, one 0.5 m, one a wall."""
+    column = [[7.8, 5.8], [8.2, 5.8], [8.2, 6.2], [7.8, 6.2]]
+    (space,) = spaces(hall(ROUND, holes=[column]))
+    near, far, at_wall = chair(8.65, 6.0, 0.0), chair(8.95, 6.0, 0.0), chair(0.35, 3.0, 0.0)
+    assert keep_drawn_back(space, (near, far, at_wall)) == (far, at_wall)
+    (bare,) = spaces(hall(ROUND))
+    assert keep_drawn_back(bare, (near, far)) == (near, far)

@@ -103,7 +103,13 @@ def _pieces(
 
 
 def _clip(rails: Floats, floor: shapely.Polygon) -> Floats:
-    """Rails (k, 5) that end where a slanting wall begins, less those of which nothing is left."""
+    """Rails (k, 5) that end where a slanting wall begins, less those of which nothing is left.
+
+    >>> floor = shapely.Polygon([(0, 0), (4, 0), (4, 3), (0, 5)])
+    >>> rails = np.array([[2, 3, 0, 4, 0.2], [9, 3, 0, 4, 0.2]])
+    >>> _clip(rails, floor)[:, [1, 3]].round(4).tolist()
+    [[2.475, 2.95]]
+    """
     found = rails.copy()
     for rail in found:
         middle, way = rail[:2].copy(), np.array([np.sin(rail[2]), -np.cos(rail[2])])
