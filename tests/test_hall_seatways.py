@@ -14,7 +14,9 @@ from scenewright.domains.hall.free_to_sit import keep_drawn_back
 from scenewright.domains.hall.holdings import SEATWAY
 from scenewright.domains.hall.patterns import ACROSS, ALONG
 from scenewright.domains.hall.problem import HallProblem
+from scenewright.domains.hall.retouch import RETOUCHES
 from scenewright.domains.hall.retouch.lines import find_layers
+from scenewright.domains.hall.retouch.mending import SeenTouch, mend
 from scenewright.domains.hall.retouch.seatways import (
     WORTH,
     find_seated,
@@ -62,6 +64,14 @@ def test_what_gaps_lack_counts_and_some_proposal_has_all_of_it() -> None:
     assert measure_seatways(problem, kept, boxes) == pytest.approx(WORTH * (SEATWAY - 0.02))
     proposed = list(propose_seatways(problem, kept, boxes))
     assert min(measure_seatways(problem, other, boxes) for other in proposed) == 0.0
+
+
+def test_tables_packed_together_are_set_apart() -> None:
+    problem, kept = pack(ROUND)
+    layout = layout_of(begin_chain(problem, kept, streams(0, 1)[0]))
+    found = mend(problem, layout, [SeenTouch(RETOUCHES["seatways"], problem)], 0)
+    assert measure_seatways(problem, found.kept, found.boxes) < 0.1
+    assert found.missed <= layout.missed
 
 
 def test_high_tables_without_chairs_need_no_seatway() -> None:
