@@ -21,7 +21,7 @@ from scenewright.domains.home.composing.forms import cost_of_case
 from scenewright.domains.home.composing.fronts import measure_share
 from scenewright.domains.home.composing.modest import find_shortage
 from scenewright.domains.home.composing.placed_faults import cost_of_crowding
-from scenewright.domains.home.composing.views import is_unseen, measure_turn
+from scenewright.domains.home.composing.views import cost_of_view, is_unseen, measure_turn
 from scenewright.domains.home.furnishing.furnish import FurnishedPatch
 from scenewright.domains.home.groups.dining import dining_wall, tables_with_stools
 from scenewright.domains.home.groups.living import shelf
@@ -144,6 +144,25 @@ def test_a_column_and_what_stands_right_before_a_screen_hide_it():
     assert is_unseen((*both, _group("chest", chest)))
     amid = piece("chest_of_drawers", 1.5, 0.3, 0.4, 0.4)
     assert not is_unseen((*both, _group("chest", amid)))
+
+
+def test_a_wall_beside_the_sight_costs_before_it_hides_the_screen():
+    screen = replace(piece("tv", 3.0, 0.0, 0.9, 0.1), pose=Pose(3.0, 0.0, 0.5, pi))
+    both = (_group("seating", piece("sofa", 0.0, 0.0, 2.0, 0.9)), _group("media", screen))
+    costs = PRESETS["default"].settings.composing.costs
+    near, far = (_room_with((1.3, -3.0, 1.8, y)) for y in (-0.3, -0.5))
+    assert not is_unseen(both, near)
+    assert cost_of_view(both, costs, near) > cost_of_view(both, costs, far) == 0.0
+
+
+@pytest.mark.parametrize(
+    ("kind", "height", "unseen"), [("fridge", 1.9, True), ("island", 0.9, False)]
+)
+def test_of_a_kitchen_only_what_is_tall_hides_a_screen(kind, height, unseen):
+    screen = replace(piece("tv", 3.0, 0.0, 1.2, 0.1), pose=Pose(3.0, 0.0, 0.5, pi))
+    unit = replace(piece(kind, 2.6, 0.3, 0.6, 0.6), size=Size(0.6, 0.6, height))
+    seats = _group("seating", piece("sofa", 0.0, 0.0, 2.0, 0.9))
+    assert is_unseen((seats, _group("media", screen), _group("kitchen", unit))) == unseen
 
 
 @pytest.mark.parametrize("books", [True, False])

@@ -95,6 +95,8 @@ def test_chairs_may_go_to_other_sides_of_a_table_but_none_is_lost():
     assert move._holds(ends, front)
     assert not move._holds(tables["1.0 m wall table for 3", 1.15], front)
     assert not move._holds(tables["0.9 m wall table for 1", 1.1], front)
+    assert move._holds(tables["0.9 m wall table for 1", 1.1], front, 1)
+    assert not move._holds(front, front, 1)
 
 
 def test_another_form_is_walked_past_before_the_same_once_more():

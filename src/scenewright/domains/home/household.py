@@ -18,10 +18,11 @@ import numpy as np
 import shapely
 
 from scenewright.building.ceiling import living_area, planes
+from scenewright.core.brief import Room
 from scenewright.core.catalog import Group, Member
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
-from scenewright.core.solution import Solution
+from scenewright.core.solution import LeftOut, Solution
 from scenewright.core.space import Space
 from scenewright.domains.home.cases.library import (
     SHIPPED,
@@ -61,7 +62,6 @@ STORING = frozenset(
     ("wardrobe", "chest_of_drawers", "bookcase", "sideboard", "shelf_unit", "storage_shelf")
 )
 COOKING = frozenset(("kitchen", "kitchenette", "fridge", "counter", "island"))
-LEAST_SECOND = 4.0  # a wet room of less is no second kitchen of a home, square metres
 WASHROOM = "washroom"
 WET = ("bathroom", "toilet", WASHROOM)
 
@@ -107,9 +107,11 @@ def decide_household(rooms: Sequence[Space], stated: int | None = None) -> House
     halls = [room for room in rooms if "hall" in uses[room.id]]
     entered = [room for room in halls if _is_entered(room)] or halls
 
-    def largest(functions: Sequence[str], least: float = 0.0) -> str:
+    wet = tuple(room.id for room in rooms if set(WET) & set(uses[room.id]))
+
+    def largest(functions: Sequence[str], least: float = 0.0, but: Sequence[str] = ()) -> str:
         for function in functions:
-            known = [k for k in areas if function in uses[k] and areas[k] >= least]
+            known = [k for k in areas if function in uses[k] and areas[k] >= least and k not in but]
             if known:
                 return max(known, key=lambda k: areas[k])
         return ""
@@ -122,13 +124,13 @@ def decide_household(rooms: Sequence[Space], stated: int | None = None) -> House
         works_in=largest(("study",))
         or largest(("single_bedroom",), LEAST_DESK)
         or largest(("double_bedroom", "living"), LEAST_WORKING),
-        wet=tuple(room.id for room in rooms if set(WET) & set(uses[room.id])),
+        wet=wet,
         stated=stated is not None,
         bunks=_bunks(uses, areas, (stated or 0) - sum(beds)),
         alone=_alone(uses, areas, sum(beds) - (stated or sum(beds))),
         areas=areas,
         washes_in=largest((WASHROOM,)),
-        cooks_in=largest(("kitchen",)),
+        cooks_in=largest(("kitchen",), but=wet) or largest(("kitchen",)),
     )
 
 
@@ -178,7 +180,7 @@ def share_out(
 ) -> tuple[Wish, ...]:
     """The wishes of a room as the household has them: shoes stand in one room, elsewhere is a rack
     for coats; of several washrooms one has the washing machine, and no second kitchen is fitted
-    into a tiny wet room; a home none of whose rooms brings a table eats where it has room.
+    into a wet room; a home none of whose rooms brings a table eats where it has room.
     ``others`` are the groups that all rooms wish for.
 
     >>> home = Household(3, 2, "living", "hall", "", ())
@@ -193,14 +195,33 @@ def share_out(
         found += racks
     if household.washes_in not in ("", room):
         found = [wish for wish in found if wish.group != WASHER or wish.required]
-    tiny = room in household.wet and household.areas.get(room, LEAST_SECOND) < LEAST_SECOND
-    if tiny and household.cooks_in not in ("", room):
+    if has_no_kitchen(household, room):
         found = [wish for wish in found if wish.group not in COOKING or wish.required]
     if any(wish.group in TABLES and wish.required for wish in found):
         found = [wish for wish in found if wish.group not in TABLES or wish.required]
     if room == household.eats_in and not others & TABLES:
         found.append(Wish("dining_wall", 1))
     return tuple(_for_residents(household, room, wish) for wish in found)
+
+
+def has_no_kitchen(household: Household, room: str) -> bool:
+    """Whether a room is wet and the home cooks in another: it is no second kitchen."""
+    return room in household.wet and household.cooks_in not in ("", room)
+
+
+def explain_no_kitchen(household: Household, room: Room, out: LeftOut) -> LeftOut:
+    """What is left out of a room, a second kitchen that nobody asked for with the reason why there
+    is none.
+
+    >>> home = Household(1, 1, "", "", "", ("bath",), cooks_in="living")
+    >>> room = Room(outline=[(0, 0), (2, 0), (2, 2), (0, 2)])
+    >>> explain_no_kitchen(home, room, LeftOut("bath", "kitchen", "no place", True)).reason
+    'the home cooks in living'
+    """
+    asked = room.ask is not None or any(wish.required for wish in room.wishes)
+    if asked or out.what not in COOKING or not has_no_kitchen(household, out.space):
+        return out
+    return out._replace(reason=f"the home cooks in {household.cooks_in}", required=False)
 
 
 def _for_residents(household: Household, room: str, wish: Wish) -> Wish:

@@ -39,7 +39,7 @@ from scenewright.domains.home.drafts import choose_open, furnish_best
 from scenewright.domains.home.entrances import entered_by
 from scenewright.domains.home.furnishing.look import apply_style
 from scenewright.domains.home.home_floor import HomeFloor, join_floors
-from scenewright.domains.home.household import decide_household, seat_residents
+from scenewright.domains.home.household import decide_household, explain_no_kitchen, seat_residents
 from scenewright.domains.home.kept_ways import find_barring_screens
 from scenewright.domains.home.learned.density import match_learned_density
 from scenewright.domains.home.open_plan import share_open_plans
@@ -334,6 +334,7 @@ def assemble_solution(
     stands = [[narrow.get(p.id, p) for p in here] for here in stands]
     pairs = list(zip(tasks, answers, strict=True))
     entries = {task.space.id: terms(task, answer) for task, answer in pairs}
+    household = decide_household(rooms, brief.residents)
     return Solution(
         brief=brief,
         pieces=apply_style(
@@ -347,7 +348,7 @@ def assemble_solution(
         terms=tuple(value for values in entries.values() for value in values),
         left_out=(
             *(
-                out
+                explain_no_kitchen(household, room, out)
                 for room, (task, answer), here in zip(brief.rooms, pairs, stands, strict=True)
                 for out in _left_out(room, task, answer, here)
             ),

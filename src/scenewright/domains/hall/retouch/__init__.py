@@ -40,6 +40,7 @@ from scenewright.domains.hall.retouch.gates import (
     gates_adrift,
     propose_gates,
 )
+from scenewright.domains.hall.retouch.gazes import measure_gazes, propose_views
 from scenewright.domains.hall.retouch.lecterns import lecterns_adrift, propose_lecterns
 from scenewright.domains.hall.retouch.mending import LEAST, Retouch, SeenTouch, mend
 from scenewright.domains.hall.retouch.nearness import (
@@ -92,6 +93,7 @@ RETOUCHES: dict[str, Retouch] = {
     "ropes": Retouch(_whole, ropes_adrift, propose_ropes, forgive_queues),
     "parted": Retouch(_whole, measure_parted, propose_sides, make_room=False),
     "poufs": Retouch(_whole, measure_fences, propose_circles, forgive_poufs, make_room=False),
+    "gazes": Retouch(_whole, measure_gazes, propose_views),
     "companies": Retouch(_whole, measure_apart, propose_companies),
     "bare": Retouch(find_floor, measure_bare, propose_moves),
     "runs": Retouch(_whole, measure_runs, propose_runs, make_room=False),

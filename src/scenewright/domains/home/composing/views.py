@@ -38,16 +38,19 @@ SIGHT, FILLED = 0.8, 0.6
 HIDDEN = 0.3
 """So many square metres of what stands in the sight hide a screen."""
 
-SEEN_PAST = frozenset(("seating", "media", "kitchen", "kitchenette", "counter", "fridge"))
-"""Groups that do not stand between seats and screen: themselves, and a kitchen, which keeps to its
-walls."""
+SEEN_PAST = frozenset(("seating", "media"))
+"""Groups that do not stand between seats and screen: themselves."""
+
+SEEN_OVER, EYES = frozenset(("kitchen", "kitchenette", "counter", "fridge")), 1.1
+"""Groups one looks over: of a kitchen only what is higher than the eyes of who sits hides a screen,
+in metres, as a fridge round a corner of the run."""
 
 COLUMN = 4.0
 """A column or wall hides more than its floor says, as nobody looks over it: so many times as
 much."""
-MIDST, SHORT = 0.5, 0.4
-"""Width of the sight that walls hide, and by how much it ends before the screen, whose own wall
-hides nothing, metres."""
+MIDST, WIDE, SHORT = 0.5, 0.9, 0.4
+"""Width of the sight without which a screen is hidden by walls, that which is better free of them,
+and by how much both end before the screen, whose own wall hides nothing, metres."""
 
 BEFORE, CLOSE = 0.5, 3.0
 """What stands within so many metres before a screen hides so many times as much of it as what
@@ -79,7 +82,7 @@ def cost_of_view(
     aside = abs((screen.pose.x - x) * sin(turn) - (screen.pose.y - y) * cos(turn))
     beside = min(max(aside - ON_AXIS, 0.0) / (OFF_AXIS - ON_AXIS), 1.0)
     reach = min(max(NEAR - away, away - FAR, 0.0), MOST) + KNEES * max(CRAMPED - away, 0.0)
-    between = min(_measure_hidden(sofas[0], screen, groups, edges) / FILLED, 1.0)
+    between = min(_measure_hidden(sofas[0], screen, groups, edges, WIDE) / FILLED, 1.0)
     return turned + costs.axis * beside + costs.distance * reach + costs.between * between
 
 
@@ -93,7 +96,7 @@ def is_unseen(groups: Sequence[FurnishedGroup], edges: Floats | None = None) -> 
     if not sofas:
         resting = (p for g in groups for p in g.pieces if p.category in RESTING)
         return not any(measure_turn(p.pose, screen.pose) <= LYING for p in resting)
-    behind = _measure_hidden(sofas[0], screen, groups, edges) > HIDDEN
+    behind = _measure_hidden(sofas[0], screen, groups, edges, MIDST) > HIDDEN
     return behind or min(measure_turn(sofa.pose, screen.pose) for sofa in sofas) > ASIDE
 
 
@@ -116,9 +119,10 @@ def _measure_distance(one: Pose, other: Pose) -> float:
 
 
 def _measure_hidden(
-    sofa: Piece, screen: Piece, groups: Sequence[FurnishedGroup], edges: Floats | None
+    sofa: Piece, screen: Piece, groups: Sequence[FurnishedGroup], edges: Floats | None, wide: float
 ) -> float:
-    """Square metres of the sight that others take, and walls with what counts for them."""
+    """Square metres of the sight that others take, and walls, in a sight so ``wide``, with what
+    counts for them."""
     filled = sum(_fill_sight(sofa, screen, groups).values())
     if edges is None:
         return filled
@@ -127,8 +131,8 @@ def _measure_hidden(
     if long <= 0.0:
         return filled
     x, y = a.x + long / 2 * cos(turn), a.y + long / 2 * sin(turn)
-    sight = make_frame(x, y, turn, MIDST, long)
-    return filled + COLUMN * (MIDST * long - float(area_in_polygon(sight, edges)))
+    sight = make_frame(x, y, turn, wide, long)
+    return filled + COLUMN * (wide * long - float(area_in_polygon(sight, edges)))
 
 
 def _make_sight(sofa: Piece, screen: Piece) -> Frame:
@@ -155,9 +159,10 @@ def _fill_sight(sofa: Piece, screen: Piece, groups: Sequence[FurnishedGroup]) ->
     for group in groups:
         if group.wish.group in SEEN_PAST:
             continue
+        lowest = EYES if group.wish.group in SEEN_OVER else 0.0
         for p in group.pieces:
-            (u, v, z, turn), (width, depth, _) = p.pose, p.size
-            low = z < RAISED and p.category != "rug"
+            (u, v, z, turn), (width, depth, height) = p.pose, p.size
+            low = z < RAISED and p.category != "rug" and height > lowest
             if low and hypot(u - x, v - y) < far + hypot(width, depth) / 2:
                 frame = make_frame(u, v, turn, width, depth)
                 area = float(common_area(frame, sight) + CLOSE * common_area(frame, front))

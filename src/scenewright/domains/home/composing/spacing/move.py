@@ -61,6 +61,9 @@ WATCHED = frozenset(("media", "seating"))
 """What is not moved to where a screen is out of sight."""
 SPARE = frozenset(("plant",))
 """What stands on a group and may be lost for it."""
+STUCK = 5.0
+"""What it costs at least that a chair can hardly be drawn back; a table loses one for that."""
+CHAIR = "dining_chair"
 HAIR = 1e-6
 
 
@@ -85,7 +88,9 @@ def keep_distances(
 def _spread(room: int, task: RoomTask, found: list[RoomAnswer], opened: Opened) -> list[RoomAnswer]:
     """The answers with one group of a room moved, at last one for which another makes room; as they
     were where none finds a place."""
-    trials = chain(_list_moves(task, found[room]), _list_with_room(task, found[room]))
+    answer = found[room]
+    most = chain(_list_moves(task, answer), _list_with_room(task, answer))
+    trials = chain(most, _list_with_fewer(task, answer))
     tried = (try_in_home(room, answer, found, opened) for answer in trials)
     return next((trial for trial in tried if trial is not None), found)
 
@@ -110,10 +115,23 @@ def _list_with_room(task: RoomTask, answer: RoomAnswer) -> Iterator[RoomAnswer]:
                     yield answer._replace(placed=other, missing=missing)
 
 
-def _list_elsewhere(task: RoomTask, placed: Placed, name: str) -> Iterator[Placed]:
-    """The groups of a room with the one of that name elsewhere, few of many places."""
+def _list_with_fewer(task: RoomTask, answer: RoomAnswer) -> Iterator[RoomAnswer]:
+    """The answer with one chair less at a table one of whose chairs can hardly be drawn back."""
+    if not may_leave_out(task):
+        return
+    close = list_close(answer.placed, task.fixed, task.ground)
+    stuck = {pair.group for pair in close if pair.cost >= STUCK}
+    for p in answer.placed:
+        if p.wish.group in SEATED and p.name in stuck:
+            found = _list_elsewhere(task, answer.placed, p.name, 1)
+            yield from (answer._replace(placed=other) for other in found)
+
+
+def _list_elsewhere(task: RoomTask, placed: Placed, name: str, fewer: int = 0) -> Iterator[Placed]:
+    """The groups of a room with the one of that name elsewhere, with so many chairs fewer, few of
+    many places."""
     at = next(i for i, p in enumerate(placed) if p.name == name)
-    yield from islice(_list_apart(task, placed, at), WALKED)
+    yield from islice(_list_apart(task, placed, at, fewer), WALKED)
 
 
 def _list_movable(task: RoomTask, placed: Placed) -> list[str]:
@@ -125,14 +143,14 @@ def _list_movable(task: RoomTask, placed: Placed) -> list[str]:
     return [p.name for p in sorted(free, key=lambda p: ORDER.index(p.wish.group))]
 
 
-def _list_apart(task: RoomTask, placed: Placed, at: int) -> Iterator[Placed]:
+def _list_apart(task: RoomTask, placed: Placed, at: int, fewer: int) -> Iterator[Placed]:
     """The groups of a room with one of them where less stands too near, the best first, where that
     bars no further way."""
     judge, now = judge_of(task, placed), _measure(task, placed)
     before, faults = judge.cost_of(placed).cost, sum_faults(task, placed)
     doors, unmet = measure_before_doors(placed[at], task.ground), count_unmet(task, placed)
     rooms, closed = list[tuple[float, Placed]](), count_closed_beds(placed, task.ground)
-    for other, cost in _list_moved(judge, placed, at, before + WORTH * now):
+    for other, cost in _list_moved(judge, placed, at, fewer, before + WORTH * now):
         gain = now - _measure(task, other)
         worth = gain + max(before - cost, 0.0) / WORTH
         if gain < 0.0 or worth <= LEAST or cost - before >= WORTH * gain:
@@ -174,29 +192,31 @@ def _take_turns(rooms: Sequence[tuple[float, Placed]], at: int) -> list[Placed]:
 
 
 def _list_moved(
-    judge: RoomJudge, placed: Placed, at: int, most: float
+    judge: RoomJudge, placed: Placed, at: int, fewer: int, most: float
 ) -> Iterator[tuple[Placed, float]]:
     """The rooms with a group elsewhere along the walls, or not far from where it is amid the floor,
     that cost at most so much, and what each costs."""
-    forms = list(_list_like(judge.task, placed[at]))
+    forms = list(_list_like(judge.task, placed[at], fewer))
     along = try_places(judge, placed, at, forms, most, 0.0, STEP)
-    for judged in chain(along, list_shifted(judge, placed, at, most)):
+    for judged in chain(along, () if fewer else list_shifted(judge, placed, at, most)):
         yield judged.placed, judged.cost
 
 
-def _list_like(task: RoomTask, group: FurnishedGroup) -> Iterator[Group]:
-    """The form of a group, then those that hold as much or hardly less."""
+def _list_like(task: RoomTask, group: FurnishedGroup, fewer: int = 0) -> Iterator[Group]:
+    """The form of a group, then those that hold as much or hardly less; only those with so many
+    chairs ``fewer`` if any are."""
     now = group.dressed.case
-    yield now
+    if not fewer:
+        yield now
     for form in list_forms(task, group):
-        if form != now and _holds(form, now):
+        if form != now and _holds(form, now, fewer):
             yield form
 
 
-def _holds(form: Group, now: Group) -> bool:
-    """Whether a form has all that a group has ``now``, a plant on it apart, hardly narrower, and no
-    wider but for chairs on other sides of a table."""
-    if _list_kinds(form) != _list_kinds(now):
+def _holds(form: Group, now: Group, fewer: int = 0) -> bool:
+    """Whether a form has all that a group has ``now``, a plant on it and so many chairs apart,
+    hardly narrower, and no wider but for chairs on other sides of a table."""
+    if sorted([*_list_kinds(form), *[CHAIR] * fewer]) != _list_kinds(now):
         return False
     share = 1.0 if form.function in KEPT else HALF if form.function == "shoes" else CUT
     least = share * now.width

@@ -1,0 +1,65 @@
+"""Rows of lounge seats amid a hall: they look into it, not at a wall or a window close before."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+import shapely
+
+from scenewright.domains.hall.patterns import CHAIN, GRID, SINGLE
+from scenewright.domains.hall.problem import Floats, HallProblem
+from scenewright.domains.hall.terms.state import Kept
+from scenewright.domains.hall.terms.visitors import LOUNGE
+
+CLOSE, LOOKED = 2.0, 8.0
+"""Metres to a wall at which nobody wants to look, and metres beyond which a view is no wider."""
+TURNED = 1.5
+"""What a group counts all of which looks at a wall close before, in metres."""
+STEPS = tuple(sorted((0.15 * k for k in range(-8, 9)), key=abs))
+"""Metres ahead of where they stand that are tried with seats turned half round."""
+
+
+def find_lounges(problem: HallProblem, kept: Kept) -> list[int]:
+    """The units of lounge seats in straight rows that look at nothing of their own."""
+    lounge = problem.visitors.roles.astype(int) & LOUNGE > 0
+    straight = np.isin(kept.rows[:, 0].astype(int), (CHAIN, GRID, SINGLE))
+    return [int(u) for u in np.flatnonzero(lounge & straight & (problem.units.targets < 0))]
+
+
+def measure_gazes(problem: HallProblem, kept: Kept, boxes: Floats) -> float:
+    """What groups among boxes (n, 5) count of whose seats more than half look at a wall closer than
+    :data:`CLOSE` with a wider view behind: :data:`TURNED` each."""
+    return sum(TURNED for unit in find_lounges(problem, kept) if _looks_away(problem, boxes, unit))
+
+
+def _looks_away(problem: HallProblem, boxes: Floats, unit: int) -> bool:
+    """Whether more than half of a unit look at a wall with a wider view behind them."""
+    mine = boxes[slice(*problem.units.spans[unit])]
+    before, behind = _view(problem, mine, 0.0), _view(problem, mine, np.pi)
+    return bool(np.mean((before < CLOSE) & (behind > CLOSE)) > 0.5)
+
+
+def _view(problem: HallProblem, seats: Floats, turn: float) -> Floats:
+    """How far seats (n, 5) see (n,), in metres: from their edge to the first wall, that way."""
+    ahead = np.stack([np.cos(seats[:, 2] + turn), np.sin(seats[:, 2] + turn)], axis=1)
+    begin = seats[:, :2] + 0.5 * seats[:, 4:] * ahead
+    rays = shapely.linestrings(np.stack([begin, begin + LOOKED * ahead], axis=1))
+    walls = shapely.multilinestrings(problem.ground.edges[:, :4].reshape(-1, 2, 2))
+    hit = shapely.distance(shapely.points(begin), shapely.intersection(rays, walls))
+    seen: Floats = np.nan_to_num(hit, nan=LOOKED)
+    return seen
+
+
+def propose_views(problem: HallProblem, kept: Kept, boxes: Floats) -> Iterator[Kept]:
+    """Layouts with one group that looks at a wall turned half round, a little ahead of or behind
+    where it stands."""
+    for unit in find_lounges(problem, kept):
+        if not _looks_away(problem, boxes, unit):
+            continue
+        heading = float(kept.pose[unit, 2])
+        for step in STEPS:
+            pose = kept.pose.copy()
+            pose[unit, :2] += step * np.array([np.cos(heading), np.sin(heading)])
+            pose[unit, 2] += np.pi
+            yield kept._replace(pose=pose)
