@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from scenewright.catalog.kinds.usual import is_high
 from scenewright.domains.hall.accessories.stools import (
     COUNTER,
     OFF,
@@ -10,6 +9,7 @@ from scenewright.domains.hall.accessories.stools import (
     count_around,
     count_before,
     is_bar,
+    may_sit_at,
     sits_around,
 )
 from scenewright.domains.hall.holdings import HallDemand, may_stand_together, with_floor
@@ -35,12 +35,13 @@ def _rank(wish: HallDemand) -> int:
     """1 for bars, 2 for high tables, 3 for other counters, 0 for what one does not sit at high."""
     if wish.category == COUNTER:
         return 1 if is_bar(wish.id) else 3
-    return 2 if is_high(wish.category, wish.sizes[0].height) else 0
+    return 2 if may_sit_at(wish.category, wish.sizes[0].height) else 0
 
 
 def _count_places(wish: HallDemand) -> int:
-    at_counter = wish.category == COUNTER
-    return sum(count_before(s.width) if at_counter else count_around(s) for s in wish.sizes)
+    if wish.category == COUNTER:  # side by side
+        return count_before(sum(size.width for size in wish.sizes))
+    return sum(count_around(size) for size in wish.sizes)
 
 
 def _widen(wish: HallDemand, out: float) -> HallDemand:

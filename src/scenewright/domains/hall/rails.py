@@ -90,8 +90,8 @@ class RowOfGates(NamedTuple):
 
 def lay_rails(problem: HallProblem, row: RowOfGates, side: int) -> Floats:
     """Boxes (k, 5) of the rails of a row of gates with the wide gate on one ``side`` (-1 or 1) of
-    it: to the walls, or to what stands at them; last the open leaf of that gate, if a rail bears
-    it."""
+    it: to the walls, or to what stands at them; last the open leaf of that gate, which a rail
+    bears, or the wall."""
     way_in, way, centre = row.way_in, row.way_in.way, row.box[:2]
     edges = np.concatenate([problem.ground.edges, _sides(_solid(problem, row))])
     right = np.array([way[1], -way[0]])
@@ -109,8 +109,9 @@ def lay_rails(problem: HallProblem, row: RowOfGates, side: int) -> Floats:
             corner = centre + end * (stop + 0.5 * THICK + APART) * right
             back = reach(edges, corner, -way)
             found += [(corner, corner - back * way)] * (back > SHORTEST)
-        if end == side and way_in.half > 0.0 and (turns or stop - begin > SHORTEST):
-            off = end * (begin + 0.5 * THICK + APART)
+        if end == side and way_in.half > 0.0:
+            bears = turns or stop - begin > SHORTEST
+            off = end * (begin if bears else stop - THICK - 3 * APART) + end * (0.5 * THICK + APART)
             post = centre + off * right + (0.5 * THICK + APART) * way
             leaf.append((post, post + way_in.width * way))
     return np.array([_rail(*line) for line in (*found, *leaf)]).reshape(-1, 5)

@@ -12,9 +12,9 @@ from dataclasses import replace
 from typing import NamedTuple
 
 from scenewright.catalog.kinds import KINDS
-from scenewright.catalog.kinds.usual import is_high
 from scenewright.core.catalog import Catalog
 from scenewright.core.scene import Piece, Pose, Size
+from scenewright.domains.hall.accessories.stools import may_sit_at
 from scenewright.domains.hall.build_problem import HallContext
 from scenewright.domains.hall.chairs import grow_table
 from scenewright.domains.hall.counter_forms import list_forms
@@ -211,7 +211,7 @@ def grow_to_floor(piece: Piece, wish: HallDemand, catalog: Catalog) -> Piece:
         return grow_desk(piece, wish.before)
     if wish.staff or wish.double:
         return _grow_staff(piece, KINDS[wish.category].staff)
-    stools = is_high(piece.category, piece.size.height)
+    stools = may_sit_at(piece.category, piece.size.height)
     return piece if stools else grow_table(piece, wish.chairs, catalog)
 
 

@@ -14,6 +14,7 @@ from scenewright.core.layout import corners
 from scenewright.core.piece_outlines import boxes_of, polygons_of
 from scenewright.core.scene import Piece, Size
 from scenewright.domains.hall.accessories import ACCESSORIES
+from scenewright.domains.hall.accessories.counter_rows import join_counters
 from scenewright.domains.hall.accessories.setting import (
     Bools,
     FreeFloor,
@@ -86,9 +87,10 @@ def _spread_stools(
     """The same with the stools before each counter evenly along it, where they bar nothing so."""
     for k, wish in enumerate(small):
         stools = [n for n, box in enumerate(boxes[k]) if box is not None]
-        for counter in there.pieces if wish.category == STOOL and stools else ():
+        counters = [p for p in there.pieces if p.category == COUNTER]
+        for counter in join_counters(counters) if wish.category == STOOL and stools else ():
             rows = _stack(boxes[k])
-            own = stand_before(counter, rows) & (counter.category == COUNTER)
+            own = stand_before(counter, rows)
             if not own.any():
                 continue
             rows[own] = spread_stools(counter, rows[own])

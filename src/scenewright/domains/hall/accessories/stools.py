@@ -8,14 +8,15 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.catalog.kinds.usual import is_high
+from scenewright.catalog.kinds.usual import HIGH, is_high
 from scenewright.core.scene import Piece, Size
+from scenewright.domains.hall.accessories.counter_rows import join_counters
 from scenewright.domains.hall.accessories.setting import Setting
 from scenewright.domains.hall.accessories.spots import Spots, face, join_spots, make_spots
 from scenewright.domains.hall.holdings import HallDemand, may_stand_together
 from scenewright.domains.hall.problem import Floats
 
-COUNTER, STOOL = "counter", "bar_stool"
+COUNTER, STOOL, SHOW = "counter", "bar_stool", "display_table"
 PLACE, OFF, SERVED = 0.6, 0.05, 0.9
 """Metres of a counter for each stool, between the two, and of each counter that stay free for who
 is served standing."""
@@ -35,20 +36,32 @@ SMALL = 0.9
 def may_sit_high(wish: HallDemand, wishes: list[HallDemand]) -> bool:
     """Whether some counter or high table may stand in a zone of stools."""
     return any(
-        (other.category == COUNTER or is_high(other.category, other.sizes[0].height))
+        (other.category == COUNTER or may_sit_at(other.category, other.sizes[0].height))
         and may_stand_together(wish, other)
         for other in wishes
     )
 
 
+def may_sit_at(category: str, height: float) -> bool:
+    """Whether one may sit on bar stools round a table: a high one, or one as high with something
+    on it.
+
+    >>> may_sit_at("round_table", 1.1), may_sit_at("display_table", 1.05)
+    (True, True)
+    >>> may_sit_at("display_table", 0.9)
+    False
+    """
+    return is_high(category, height) or (category == SHOW and height >= HIGH)
+
+
 def find_stool_spots(setting: Setting, size: Size) -> Spots:
     """Spots before the counters and round the high tables that stand."""
     parts = [make_spots(np.zeros((0, 5)), 0.0)]
+    for row in join_counters([p for p in setting.pieces if p.category == COUNTER]):
+        cost = 0.0 if is_bar(row.function) else SERVING
+        parts.append(_weigh(list(_before(row, size)), cost))
     for piece in setting.pieces:
-        if piece.category == COUNTER:
-            cost = 0.0 if is_bar(piece.function) else SERVING
-            parts.append(_weigh(list(_before(piece, size)), cost))
-        elif is_high(piece.category, piece.size.height):
+        if may_sit_at(piece.category, piece.size.height):
             parts.append(_weigh(list(_around(piece, size)), AT_TABLE))
     return join_spots(parts)
 

@@ -29,6 +29,11 @@ most that counts, and what a metre by which the mean seat lies out of sight does
 PASSED, LONG = 0.5, 0.25
 """Metres between neighbours through which one leaves a row, and what each seat counts that a row
 without has more than between two aisles; metres."""
+THIN, STRETCHED, SEAT, LOOSENED = 0.6, 1.3, 1.0, 8.0
+"""Metres between neighbours, and between rows, from which on each counts so much of seats at most
+so wide: an audience sits together."""
+DEEP = 0.5
+"""What each metre counts by which it is deeper than wide."""
 FAR, GAPS = (1.3, 2.0, 3.0), (1.1, 0.92, 0.57)
 """Metres between stage and first row, and between rows, that are tried."""
 AWAY = 30.0
@@ -77,8 +82,25 @@ def sit_aside(problem: HallProblem, kept: Kept, boxes: Floats) -> float:
         )
         if kept.pose[seats, 3] == 0.0:
             total += LONG * max(_find_longest(problem, kept, seats) - BLOCK, 0)
-        total += measure_stage(problem, boxes, stage)
+        total += measure_stage(problem, boxes, stage) + _measure_loose(problem, kept, seats)
     return total
+
+
+def _measure_loose(problem: HallProblem, kept: Kept, seats: int) -> float:
+    """What straight rows of a unit count that lie too far apart, or neighbours in them, or that are
+    deeper than wide; metres."""
+    wide, deep = problem.units.sizes[problem.units.spans[seats, 0]]
+    if wide > SEAT or int(kept.rows[seats, 0]) not in (CHAIN, GRID):
+        return 0.0
+    row, used = find_layers(problem, seats)[0], int(kept.rows[seats, 1])
+    layers = kept.layers[row : row + used]
+    number, along = layers[:, NUMBER], layers[:, ALONG]
+    thin = along[number > 1].max(initial=0.0) - THIN
+    stretched = layers[1:, ACROSS].max(initial=0.0) - STRETCHED
+    across = used * deep + layers[1:, ACROSS].sum()
+    too_deep = across - (number * (wide + along) - along).max()
+    loose = LOOSENED * (max(thin, 0.0) + max(stretched, 0.0))
+    return float(loose + DEEP * max(too_deep, 0.0))
 
 
 def _find_longest(problem: HallProblem, kept: Kept, seats: int) -> int:

@@ -17,7 +17,7 @@ from scenewright.domains.hall.retouch.arrivals import box_round, find_met
 from scenewright.domains.hall.retouch.lines import forgive_space, line_up
 from scenewright.domains.hall.terms.state import Kept, PreparedHall, State
 from scenewright.domains.hall.terms.table import ORDER
-from scenewright.domains.hall.terms.visitors import FIRST, LANE, RECEPTION, TILL
+from scenewright.domains.hall.terms.visitors import FIRST, LANE, LOUNGE, RECEPTION, TILL
 
 STEP, PROPOSED, APART = 0.4, 120, 0.9
 """Metres between two places that are tried along a wall, how many of the best of them, and the
@@ -51,6 +51,11 @@ AMID = 0.7
 entrance, and metres between two places amid its zone that are tried."""
 MOST, PARTED = 6, 2.0
 """Desks that one row holds at most, and metres that each further row of a group counts."""
+SIDE_OF_STAFF, SAT, MOST_SAT = 3.0, 1.0, 4.0
+"""Metres behind a desk where no visitor sits, what each seat there counts, and the most that
+they count; metres."""
+ROUND = 4.0
+"""Metres ahead of and behind where they stand that are tried with such desks turned half round."""
 BACK = 2
 """The column of ``access`` that says whether one comes up to a back."""
 
@@ -118,14 +123,41 @@ def desks_adrift(desks: Desks, kept: Kept, boxes: Floats) -> float:
         (unit, box_round(boxes[slice(*desks.problem.units.spans[unit])]))
         for unit in find_desks(desks, kept)
     )
-    return sum(_fault(desks, kept, unit, box) for unit, box in whole)
+    seats = find_seats(desks.problem, boxes)
+    return sum(_fault(desks, kept, unit, box, seats) for unit, box in whole)
 
 
-def _fault(desks: Desks, kept: Kept, unit: int, box: Floats) -> float:
-    """The fault of the desks of one unit in a ``box`` (5,) round them, in metres."""
+def _fault(desks: Desks, kept: Kept, unit: int, box: Floats, seats: Floats) -> float:
+    """The fault of the desks of one unit in a ``box`` (5,) round them among ``seats`` (n, 5), in
+    metres."""
     row, rows = int(desks.problem.units.spans[unit, 0]), int(kept.rows[unit, 1])
     parted = PARTED * (rows - 1) if int(kept.rows[unit, 0]) == CHAIN else 0.0
-    return float(measure_desks(desks.problem, box[None], row, _rate(desks, unit))[0]) + parted
+    fault = measure_desks(desks.problem, box[None], row, _rate(desks, unit))[0]
+    return float(fault) + parted + float(count_behind(box[None], seats)[0])
+
+
+def find_seats(problem: HallProblem, boxes: Floats) -> Floats:
+    """Those of boxes (n, 5) on which visitors sit in a lounge (m, 5)."""
+    lounge = problem.visitors.roles.astype(int) & LOUNGE > 0
+    return boxes[np.repeat(lounge, np.diff(problem.units.spans, axis=1)[:, 0])]
+
+
+def count_behind(desks: Floats, seats: Floats) -> Floats:
+    """What ``seats`` (m, 5) count that lie on the side of those who serve at desks (n, 5), (n,).
+
+    >>> desk = np.array([[0.0, 0.0, np.pi / 2, 3.0, 0.8]])
+    >>> seats = np.array([[0.0, -2.0, 0.0, 0.8, 0.8], [0.0, 2.0, 0.0, 0.8, 0.8]])
+    >>> count_behind(desk, seats).tolist()
+    [1.0]
+    """
+    front = np.stack([np.cos(desks[:, 2]), np.sin(desks[:, 2])], axis=1)
+    strips = desks.copy()
+    strips[:, :2] -= 0.5 * (desks[:, 4:] + SIDE_OF_STAFF) * front
+    strips[:, 4] = SIDE_OF_STAFF
+    tree = shapely.STRtree(shapely.points(seats[:, :2]))
+    hit = tree.query(shapely.polygons(corners(strips)), "intersects")[0]
+    found: Floats = np.minimum(SAT * np.bincount(hit, minlength=len(desks)), MOST_SAT)
+    return found
 
 
 def _rate(desks: Desks, unit: int) -> Rates:
@@ -245,11 +277,24 @@ def propose_desks(desks: Desks, kept: Kept, boxes: Floats) -> Iterator[Kept]:
         back = bool(_turn_back(problem, box[None])[0])
         if desks.first and (back or not _is_at_door(problem, unit)):
             places = np.concatenate([places, _spread(problem, unit)])
+        seats = find_seats(problem, boxes)
+        if count_behind(box[None], seats)[0]:
+            places = np.concatenate([places, _turn_round(box)])
         faults = measure_desks(problem, places, row, _rate(desks, unit))
-        now = _fault(desks, kept, unit, box)
+        faults = faults + count_behind(places, seats)
+        now = _fault(desks, kept, unit, box, seats)
         better = np.flatnonzero(faults < now)
         for number in _spaced(places, better[np.argsort(faults[better], kind="stable")]):
             yield line_up(problem, kept, unit, places[number])
+
+
+def _turn_round(box: Floats) -> Floats:
+    """Boxes (n, 5) of desks turned half round, where they stand and ahead of or behind that."""
+    steps = np.arange(-ROUND, ROUND + STEP, STEP)
+    places = np.tile(box, (len(steps), 1))
+    places[:, :2] += steps[:, None] * np.array([np.cos(box[2]), np.sin(box[2])])
+    places[:, 2] += np.pi
+    return places
 
 
 def _spread(problem: HallProblem, unit: int) -> Floats:

@@ -35,8 +35,8 @@ def make_room(chain: HallChain, before: Kept, kept: Kept, firm: list[int]) -> li
     bring_back(p, s, work, before)
     facing = s.costs[FACING].copy()
     bring_back(p, s, work, kept)
-    yielding = _in_the_way(chain, _moved(before, kept))
-    if not 0 < len(yielding) <= MOST or set(yielding) & set(firm):
+    yielding = find_yielding(chain, before, kept, firm)
+    if not yielding:
         return []
     count, looked = len(p.spans), facing[yielding]
     standing = [u for u in range(count) if u not in yielding]
@@ -54,6 +54,13 @@ def make_room(chain: HallChain, before: Kept, kept: Kept, firm: list[int]) -> li
             if (s.costs[FACING, yielding] <= looked + TURNED).all():
                 found.append((energy, drawn, one))
     return [_settle(chain, one, yielding) for _, _, one in sorted(found)[:SETTLED]]
+
+
+def find_yielding(chain: HallChain, before: Kept, kept: Kept, firm: list[int]) -> list[int]:
+    """The units in the way of what ``kept`` moves, which stands in the chain; none if more than
+    ``MOST`` of them are or one of the ``firm`` ones."""
+    found = _in_the_way(chain, _moved(before, kept))
+    return [] if len(found) > MOST or set(found) & set(firm) else found
 
 
 def _settle(chain: HallChain, kept: Kept, units: list[int]) -> Kept:

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from scenewright.domains.hall.problem import Floats, HallProblem
-from scenewright.domains.hall.retouch.make_room import make_room
+from scenewright.domains.hall.retouch.make_room import find_yielding, make_room
 from scenewright.domains.hall.solvers.chains import HallChain, begin_chain, layout_of
 from scenewright.domains.hall.solvers.guided_metropolis import bring_back
 from scenewright.domains.hall.solvers.outcome import MeasuredLayout
@@ -87,10 +87,10 @@ def weigh_proposals(
     proposed = one.touch.propose(one.seen, layout.kept, layout.boxes)
     found = [weigh_layout(chain, [one], kept) for kept in proposed]
     least = min((p.fault for p in found if p.cost < now.cost), default=now.fault)
-    runs_into = _barred(found, layout.kept, least - WORTH) if one.touch.make_room else []
-    for barred in runs_into:
-        made = make_room(chain, layout.kept, barred.kept, firm)
-        found += [weigh_layout(chain, [one], kept) for kept in made]
+    if one.touch.make_room:
+        for barred in _barred(chain, found, layout.kept, least - WORTH, firm):
+            made = make_room(chain, layout.kept, barred.kept, firm)
+            found += [weigh_layout(chain, [one], kept) for kept in made]
     return found
 
 
@@ -120,15 +120,19 @@ def _placed(touches: list[SeenTouch], kept: Kept) -> list[int]:
     return [unit for row in rows for unit in row]
 
 
-def _barred(found: list[Proposal], before: Kept, most: float) -> list[Proposal]:
+def _barred(
+    chain: HallChain, found: list[Proposal], before: Kept, most: float, firm: list[int]
+) -> list[Proposal]:
     """Proposals of less than the ``most`` fault worth making room for, the best first and none
-    near another."""
+    near another, in whose way only others than the ``firm`` ones are."""
     chosen: list[Proposal] = []
     for one in sorted((one for one in found if one.fault < most), key=lambda one: one.fault):
         moved = (one.kept.pose != before.pose).any(1)
         off = (np.abs(one.kept.pose - other.kept.pose)[moved, :3].max() for other in chosen)
         if moved.any() and all(far > APART for far in off):
-            chosen.append(one)
+            bring_back(chain.p, chain.s, chain.work, one.kept)
+            if find_yielding(chain, before, one.kept, firm):
+                chosen.append(one)
         if len(chosen) == BARRED:
             break
     return chosen

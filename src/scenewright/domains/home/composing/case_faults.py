@@ -30,7 +30,9 @@ DEEP = 0.4  # depth of a wardrobe, metres: with less, clothes hang on a rail tha
 LONG = 2.0  # a bed for two, metres
 FULL_BED = 0.9  # a bed for one, metres
 SLIM = 0.35  # a nightstand that is narrower leaves no way beside the bed, metres
-ACROSS = 2.45  # between hob and sink that face each other across an aisle, metres
+ACROSS, PAST = 2.45, 1.2
+"""Metres between hob and sink that face each other across an aisle, and by which one may lie past
+the other along it."""
 LONE_SINK = 6.0  # what a sink by itself across from the hob counts of one beside worktop
 LEG = (1.2, 2.7)  # of a work triangle, metres
 TOUCH, IN_LINE = 0.03, 0.3  # units nearer, and less far ahead, than this are in one line, metres
@@ -172,7 +174,18 @@ def _are_split(hob: Member, sink: Member, units: list[Member]) -> bool:
 
 def _do_face(one: Member, other: Member) -> bool:
     turned = abs(remainder(one.heading - other.heading - pi, 2 * pi))
-    return turned < TURNED and hypot(one.x - other.x, one.y - other.y) <= ACROSS
+    ahead = cos(one.heading), sin(one.heading)
+    return turned < TURNED and lie_across((other.x - one.x, other.y - one.y), ahead)
+
+
+def lie_across(off: tuple[float, float], ahead: tuple[float, float]) -> bool:
+    """Whether what lies so far ``off`` is across an aisle from one that looks ``ahead``, a step
+    aside at most.
+
+    >>> lie_across((1.8, 0.9), (1.0, 0.0)), lie_across((1.8, 1.5), (1.0, 0.0))
+    (True, False)
+    """
+    return hypot(*off) <= ACROSS and abs(off[0] * ahead[1] - off[1] * ahead[0]) <= PAST
 
 
 def _are_joined(one: Member, other: Member, units: list[Member]) -> bool:

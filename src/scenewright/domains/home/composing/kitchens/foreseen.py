@@ -9,7 +9,6 @@ from typing import NamedTuple
 
 from scenewright.core.same import Same
 from scenewright.domains.home.composing.case_faults import (
-    ACROSS,
     AMPLE,
     BESIDE,
     FOUR_RINGS,
@@ -17,6 +16,7 @@ from scenewright.domains.home.composing.case_faults import (
     LEG,
     TOUCH,
     WORKTOP,
+    lie_across,
 )
 from scenewright.domains.home.composing.forms import WHOLE_FROM, share_in
 from scenewright.domains.home.composing.kitchens.fitted import FACING
@@ -200,8 +200,8 @@ def _tell_split(kitchen: FittedKitchen) -> str:
     if cooking.wall.ux * washing.wall.ux + cooking.wall.uy * washing.wall.uy >= FACING:
         return "split"
     one, other = middle_of(cooking, "hob_cabinet"), middle_of(washing, "sink_cabinet")
-    near = hypot(one[0] - other[0], one[1] - other[1]) <= ACROSS
-    return "across" if near else "split"
+    off, ahead = (other[0] - one[0], other[1] - one[1]), (-cooking.wall.uy, cooking.wall.ux)
+    return "across" if lie_across(off, ahead) else "split"
 
 
 def _off_triangle(kitchen: FittedKitchen) -> float:

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from scenewright.domains.home.attempt import FurnishedGroup, Missing, RoomAnswer, RoomTask
 from scenewright.domains.home.composing.case_faults import find_case_faults
 from scenewright.domains.home.composing.judging import RUNS, Placed, count_unmet
 from scenewright.domains.home.composing.placed_faults import list_standing
-from scenewright.domains.home.composing.spacing.rules import list_close
+from scenewright.domains.home.composing.spacing.rules import Close, list_close
+from scenewright.domains.home.household import COOKING, TABLES
 from scenewright.domains.home.programme import WELCOME
 
 NEVER = 9
@@ -18,6 +21,8 @@ YIELDING = (
     | dict.fromkeys(("console", "plant", "reading", "sideboard", "vanity"), WELCOME)
 )
 """What a room looks no emptier without than it looks crowded with, from the rank of its wish on."""
+OF_ENTRY = frozenset(("shoes", "coats"))
+"""What of an entrance goes where it stands hard before a kitchen or at a table."""
 MUCH = 3.0
 """What it costs at least that something stands so near that it goes."""
 
@@ -44,15 +49,24 @@ def may_leave_out(task: RoomTask) -> bool:
 def _find_near(task: RoomTask, placed: Placed) -> FurnishedGroup | None:
     close = [c for c in list_close(placed, task.fixed, task.ground) if c.cost >= MUCH]
     hindered = {c.group for c in close}
-    near = hindered | {c.other for c in close}
+    near, amiss = hindered | {c.other for c in close}, _find_amiss(placed, close)
     for group in placed:
         wish = group.wish
         spare = wish.rank >= YIELDING.get(wish.group, NEVER) and not wish.required
         opened = wish.rank < OPENED.get(wish.group, 0)
         stuck = group.name in (hindered if opened else near)
-        if spare and stuck and not _is_needed(task, group, placed):
+        misplaced = group.name in amiss and not wish.required
+        if (misplaced or (spare and stuck)) and not _is_needed(task, group, placed):
             return group
     return None
+
+
+def _find_amiss(placed: Placed, close: Sequence[Close]) -> set[str]:
+    """The names of shoes and coats hard before a kitchen or at a table."""
+    of = {group.name: group.wish.group for group in placed}
+    before = {c.other for c in close if of.get(c.group) in COOKING}
+    beside = {c.group for c in close if of.get(c.other) in TABLES}
+    return {name for name in before | beside if of.get(name) in OF_ENTRY}
 
 
 def _is_needed(task: RoomTask, group: FurnishedGroup, placed: Placed) -> bool:

@@ -46,6 +46,8 @@ CUPBOARDS = frozenset(
     )
 )
 """What is not to stand across the end of a worktop."""
+EATEN_AT = frozenset(("dining_table", "round_table", "dining_chair", "stool"))
+"""What coats are not to hang over."""
 HAIR = 0.02  # so much floor is not seen, square metres
 
 
@@ -75,6 +77,7 @@ DISTANCES = (
     Distance(frozenset(("shoe_cabinet", "bookcase")), FRONT, 0.4, frozenset(), 5.0),
     Distance(frozenset(("dining_table", "round_table")), ROUND, 0.3, BEDS, 5.0),
     Distance(frozenset(("dining_table", "round_table")), ROUND, 0.3, RUN, 4.0),
+    Distance(frozenset(("coat_rack",)), ROUND, 0.3, EATEN_AT, 5.0),
     Distance(frozenset(("dining_chair", "bar_stool")), BACK, 0.5, frozenset(), 5.0),
     Distance(frozenset(("dining_chair", "bar_stool", "stool")), BACK, 0.25, frozenset(), 10.0),
     Distance(frozenset(("armchair",)), FRONT, 0.4, frozenset(), 5.0),
