@@ -7,6 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 import scenewright
@@ -123,3 +124,19 @@ def test_chairs_of_a_long_zone_look_at_the_screen_on_its_side() -> None:
     report = scenewright.check(scenewright.solve(brief, seed=0, threads=1))
     assert report.valid
     assert not any("look away" in note.message for note in report.notes)
+
+
+@pytest.mark.parametrize("seed", [1, 401])
+def test_a_small_audience_sits_together(seed: int) -> None:
+    """Rows one behind the other down a long zone, with two metres between neighbours, are none."""
+    chairs = {"category": "dining_chair", "count": 12}
+    narrow = [[0, 0], [7, 0], [7, 20], [0, 20]]
+    found = lay_out(narrow, seed, {"category": "stage", "size": [4, 2.5, 0.4]}, chairs)
+    (stage,) = (piece for piece in found.pieces if piece.category == "stage")
+    seats = np.array([p.pose[:2] for p in found.pieces if p.category == "dining_chair"])
+    ahead = np.array([math.cos(stage.pose.heading), math.sin(stage.pose.heading)])
+    deep, wide = np.ptp(seats @ ahead), np.ptp(seats @ [ahead[1], -ahead[0]])
+    assert len(seats) == 12
+    assert max(deep, wide) < 5.0
+    assert deep < wide + 0.6
+    assert scenewright.check(found).valid

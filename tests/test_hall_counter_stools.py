@@ -124,3 +124,26 @@ def test_few_stools_stand_evenly_along_the_middle_of_a_bar(count: int) -> None:
     assert sum(along) == pytest.approx(0.0, abs=1e-6)
     steps = [after - before for before, after in pairwise(along)]
     assert steps == pytest.approx([steps[0]] * len(steps), abs=1e-6)
+
+
+def test_counters_side_by_side_are_one_bar_to_sit_at() -> None:
+    parts = BAR | {"name": "Ramen bar", "count": 3, "size": [1.6, 0.6, 1.05]}
+    found = scenewright.solve(cafe(parts, STOOLS | {"count": 7}, TABLES), seed=59, threads=1)
+    stools = [piece.pose[:2] for piece in found.pieces if piece.category == "bar_stool"]
+    assert len(stools) == 7
+    along = max(stools[0], stools[-1], key=lambda at: at[0]), min(stools, key=lambda at: at[0])
+    way = 0 if abs(along[0][0] - along[1][0]) > 0.5 else 1
+    places = sorted(at[way] for at in stools)
+    assert max(b - a for a, b in pairwise(places)) < 0.9
+    assert scenewright.check(found).valid
+
+
+def test_without_a_counter_stools_stand_at_high_tables_with_something_on_them() -> None:
+    charging = {"category": "display_table", "count": 2, "size": [2.0, 0.7, 1.05]}
+    found = scenewright.solve(cafe(charging, STOOLS), seed=59, threads=1)
+    tables = [piece for piece in found.pieces if piece.category == "display_table"]
+    stools = [piece for piece in found.pieces if piece.category == "bar_stool"]
+    assert (len(tables), len(stools)) == (2, 4)
+    for stool in stools:
+        assert min(math.dist(stool.pose[:2], table.pose[:2]) for table in tables) < 1.2
+    assert scenewright.check(found).valid

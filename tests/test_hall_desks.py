@@ -16,6 +16,7 @@ from scenewright.core.solution import Solution
 from scenewright.domains.hall.desks import SERVING
 from scenewright.domains.hall.retouch.desks import (
     BACK_TO,
+    count_behind,
     desks_adrift,
     find_desks,
     first_desks,
@@ -134,3 +135,36 @@ def test_a_reception_in_another_zone_looks_to_the_door(seed: int) -> None:
     front = math.cos(desk.pose.heading), math.sin(desk.pose.heading)
     assert way @ front > -0.3 * math.hypot(*way)
     assert scenewright.check(found).valid
+
+
+@pytest.mark.parametrize("seed", [1, 5])
+def test_no_lounge_lies_on_the_side_of_those_who_serve(seed: int) -> None:
+    room = {
+        "name": "Bank",
+        "outline": [[0, 0], [16, 0], [16, 9], [11, 9], [11, 12], [0, 12]],
+        "doors": [
+            {"id": "in", "at": [3, 0], "width": 2.0, "swing": "slide"},
+            {"at": [0, 11], "width": 0.9, "use": "exit"},
+        ],
+        "zones": [
+            {"id": "foyer", "area": 32, "door": "in"},
+            {"id": "hall", "beside": ["foyer", "advice"]},
+            {"id": "advice", "area": 60},
+        ],
+        "demands": [
+            {"category": "info_desk", "zone": "hall"},
+            {"category": "counter", "count": 3, "zone": "hall", "size": [1.8, 0.8, 1.1]},
+            {"category": "rope_barrier", "count": 4, "zone": "hall", "required": False},
+            {"category": "lounge_seat", "count": 6, "zone": "hall"},
+            {"category": "desk", "count": 4, "zone": "advice"},
+        ],
+    }
+    found = scenewright.solve(
+        Brief.model_validate({"domain": "hall", "rooms": [room]}), seed=seed, threads=1
+    )
+    counters = [piece for piece in found.pieces if piece.category == "counter"]
+    seats = [piece for piece in found.pieces if piece.category == "lounge_seat"]
+    assert (len(counters), len(seats)) == (3, 6)
+    desks = np.array([(*c.pose[:2], c.pose.heading, *c.size[:2]) for c in counters])
+    places = np.array([(*s.pose[:2], s.pose.heading, *s.size[:2]) for s in seats])
+    assert count_behind(desks, places).sum() == 0.0

@@ -115,6 +115,30 @@ def test_other_numbers_are_refused(number: object) -> None:
         Brief.model_validate(document | {"residents": number})
 
 
+@pytest.mark.parametrize(
+    ("rooms", "cooks_in", "fitted"),
+    [
+        ({"living+kitchen": 20.0, "kitchen+washroom": 9.0}, "living+kitchen", False),
+        ({"kitchen": 5.0, "kitchen+washroom": 9.0}, "kitchen", False),
+        ({"living": 20.0, "kitchen+washroom": 9.0}, "kitchen+washroom", True),
+        ({"kitchen+washroom": 4.0, "kitchen+bathroom": 9.0}, "kitchen+bathroom", False),
+    ],
+)
+def test_a_wet_room_is_no_second_kitchen(
+    rooms: dict[str, float], cooks_in: str, fitted: bool
+) -> None:
+    spaces = [
+        replace(space(name, "", area, 1.0), functions=tuple(name.split("+")))
+        for name, area in rooms.items()
+    ]
+    household = decide_household(spaces)
+    assert household.cooks_in == cooks_in
+    for required in (False, True):
+        wish = Wish("kitchen", 0, required=required)
+        found = share_out(household, "kitchen+washroom", (wish,), frozenset())
+        assert (wish in found) == (fitted or required)
+
+
 def test_halls_have_no_residents() -> None:
     brief, _ = read_planned("sample:hall-shop")
     with pytest.raises(InputError, match="residents"):

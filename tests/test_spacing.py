@@ -156,6 +156,28 @@ def _answer(*groups):
 
 
 @pytest.mark.parametrize(
+    ("name", "category", "to", "metres", "gone"),
+    [
+        ("shoes", "shoe_cabinet", "fridge", 0.1, True),
+        ("shoes", "shoe_cabinet", "fridge", 0.5, False),
+        ("coats", "coat_rack", "dining_wall", 0.05, True),
+        ("coats", "coat_rack", "dining_wall", 0.4, False),
+        ("media", "tv_stand", "fridge", 0.1, False),
+    ],
+)
+def test_shoes_and_coats_go_that_stand_before_a_fridge_or_at_a_table(
+    name, category, to, metres, gone
+):
+    kind = "fridge" if to == "fridge" else "dining_table"
+    one = group(to, kind, 0.0, 0.0, 0.0, 0.6, 0.6)
+    other = group(name, category, 0.3 + metres + 0.2, 0.0, 0.0, 0.6, 0.4)
+    left = leave_out_near(_task(), _answer(one, other))
+    assert [m.wish.group for m in left.missing] == ([name] if gone else [])
+    asked = other._replace(wish=other.wish._replace(required=True))
+    assert leave_out_near(_task(), _answer(one, asked)).placed == (one, asked)
+
+
+@pytest.mark.parametrize(
     ("name", "category", "rank", "metres", "gone"),
     [
         ("counter", "drawer_cabinet", 1, 0.05, True),
