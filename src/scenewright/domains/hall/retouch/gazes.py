@@ -16,6 +16,9 @@ CLOSE, LOOKED = 2.0, 8.0
 """Metres to a wall at which nobody wants to look, and metres beyond which a view is no wider."""
 TURNED = 1.5
 """What a group counts all of which looks at a wall close before, in metres."""
+OFF = 0.1
+"""What each metre counts between the backs of a group and a wall close behind: turned round, it
+stands nearer to that."""
 STEPS = tuple(sorted((0.15 * k for k in range(-8, 9)), key=abs))
 """Metres ahead of where they stand that are tried with seats turned half round."""
 
@@ -29,15 +32,18 @@ def find_lounges(problem: HallProblem, kept: Kept) -> list[int]:
 
 def measure_gazes(problem: HallProblem, kept: Kept, boxes: Floats) -> float:
     """What groups among boxes (n, 5) count of whose seats more than half look at a wall closer than
-    :data:`CLOSE` with a wider view behind: :data:`TURNED` each."""
-    return sum(TURNED for unit in find_lounges(problem, kept) if _looks_away(problem, boxes, unit))
+    :data:`CLOSE` with a wider view behind: :data:`TURNED` each; of others, how far their backs are
+    from such a wall, by :data:`OFF`."""
+    return sum(_measure_gaze(problem, boxes, unit) for unit in find_lounges(problem, kept))
 
 
-def _looks_away(problem: HallProblem, boxes: Floats, unit: int) -> bool:
-    """Whether more than half of a unit look at a wall with a wider view behind them."""
+def _measure_gaze(problem: HallProblem, boxes: Floats, unit: int) -> float:
     mine = boxes[slice(*problem.units.spans[unit])]
     before, behind = _view(problem, mine, 0.0), _view(problem, mine, np.pi)
-    return bool(np.mean((before < CLOSE) & (behind > CLOSE)) > 0.5)
+    if np.mean((before < CLOSE) & (behind > CLOSE)) > 0.5:
+        return TURNED
+    near = behind[behind < CLOSE]
+    return OFF * float(near.mean()) if 2 * len(near) > len(mine) else 0.0
 
 
 def _view(problem: HallProblem, seats: Floats, turn: float) -> Floats:
@@ -55,7 +61,7 @@ def propose_views(problem: HallProblem, kept: Kept, boxes: Floats) -> Iterator[K
     """Layouts with one group that looks at a wall turned half round, a little ahead of or behind
     where it stands."""
     for unit in find_lounges(problem, kept):
-        if not _looks_away(problem, boxes, unit):
+        if _measure_gaze(problem, boxes, unit) < TURNED:
             continue
         heading = float(kept.pose[unit, 2])
         for step in STEPS:
