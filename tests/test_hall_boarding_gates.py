@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import json
+from collections import Counter
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
+import shapely
 
 import scenewright
 from scenewright.core.brief import Brief
+from scenewright.core.piece_outlines import polygons_of
 from scenewright.core.solution import Solution
 
 GATES: dict[str, Any] = {"id": "gates", "category": "ticket_gate", "count": 2, "zone": "gate"}
@@ -47,13 +51,31 @@ def test_boarding_gates_stand_side_by_side_before_the_exit(seed: int) -> None:
     assert not found.left_out
     assert scenewright.check(found).valid
     group = next(g for g in found.detail.layout.groups if g.demand == "gates")
-    assert (group.zone, len(group.objects)) == ("gate", 2)
+    assert group.zone == "gate"
+    assert {p.id for p in found.pieces if p.function == "gates"} <= set(group.objects)
+
+
+def test_boarding_gates_are_fenced_back_to_the_wall_of_the_exit() -> None:
+    """But for the wide gate with its post: nobody walks round them to the door."""
+    found = scenewright.solve(lounge(GATES, SEATS), seed=59, threads=1)
+    fence = [p for p in found.pieces if p.function == "gates/barriers"]
+    assert Counter(p.category for p in fence) == {"glass_barrier": 3, "gate_post": 1}
+    solid = [p for p in found.pieces if p in fence or p.function == "gates"]
+    low, high = min(p.pose.x for p in solid), max(p.pose.x for p in solid)
+    taken = shapely.union_all(polygons_of(solid))
+    reach = [x for x in np.linspace(low, high, 200) if not taken.intersects(_line(x))]
+    assert 0.8 < (high - low) * len(reach) / 200 < 1.3
+    assert scenewright.check(found).valid
+
+
+def _line(x: float) -> shapely.LineString:
+    return shapely.LineString([(x, 9.0), (x, 10.69)])
 
 
 def test_gates_where_people_come_in_are_not_boarding_gates() -> None:
     found = scenewright.solve(lounge(GATES, SEATS, use="both"), seed=59, threads=1)
     named = {p.category for p in found.pieces if p.function.startswith("gates")}
-    assert named <= {"ticket_gate", "glass_barrier"}
+    assert named <= {"ticket_gate", "glass_barrier", "gate_post"}
     assert "glass_barrier" in named or found.left_out
 
 

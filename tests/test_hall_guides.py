@@ -12,7 +12,7 @@ import shapely
 import scenewright
 from scenewright.core.brief import Brief
 from scenewright.core.piece_outlines import polygons_of
-from scenewright.domains.hall.rails import RowOfGates, find_way_in, lay_rails, reach
+from scenewright.domains.hall.rails import RowOfGates, find_stops, find_way_in, lay_rails, reach
 from scenewright.domains.hall.retouch.audience import measure_audience as sits_aside
 from scenewright.domains.hall.retouch.lines import line_up
 from scenewright.domains.hall.retouch.ropes import Anchor, forms_lane, measure_before
@@ -70,7 +70,8 @@ def test_no_rail_runs_back_to_what_stands_right_behind_its_end() -> None:
     row = np.array([7.0, 3.0, -0.5 * np.pi, 2.0, 1.2])
     desks = np.array([[x, 2.0, 0.0, 1.99, 3.0] for x in (4.0, 10.0)])
     for side in (-1, 1):
-        rails = lay_rails(one.problem, RowOfGates(row, way_in, desks, desks), side)
+        gates = RowOfGates(row, way_in, desks, desks)
+        rails = lay_rails(find_stops(one.problem, gates), gates, side)
         assert (rails[:, 3] > 0.1).all()
 
 

@@ -1,4 +1,4 @@
-"""Glass barriers of halls."""
+"""Glass barriers of halls, and the post of a wide gate in them."""
 
 from __future__ import annotations
 
@@ -7,11 +7,11 @@ from itertools import pairwise
 import numpy as np
 
 from scenewright.catalog.assets.drawing import Drawing
-from scenewright.catalog.assets.materials import GLASS, STEEL
+from scenewright.catalog.assets.materials import BLACK, GLASS, LEAF, STEEL
 from scenewright.catalog.assets.model import Parts, parts
-from scenewright.catalog.assets.symbols import Lines, oval, rectangle
+from scenewright.catalog.assets.symbols import Lines, box, oval, rectangle
 from scenewright.core.scene import Size
-from scenewright.geometry.solids import block
+from scenewright.geometry.solids import block, slab
 
 
 def _glass_barrier(size: Size) -> Parts:
@@ -41,4 +41,27 @@ def _barrier_symbol(size: Size) -> Lines:
     return rectangle(size), *(oval(float(x), 0, d, d) for x in posts)
 
 
-ASSETS = (Drawing("glass_barrier", _glass_barrier, _barrier_symbol),)
+def _gate_post(size: Size) -> Parts:
+    """A housing like that of a gate, a wide leaf of glass open along it, a light on either end."""
+    w, d, h = size.width / 2, size.depth / 2, size.height
+    lights = [(-w + 0.11, -w + 0.21), (w - 0.21, w - 0.11)]
+    return parts(
+        size,
+        {
+            STEEL: [slab((-w, w), (-d, d), (0, h - 0.03), 0.05, 2)],
+            BLACK: [slab((-w, w), (-d, d), (h - 0.03, h), 0.05, 2)],
+            LEAF: [block(x, (-d + 0.05, d - 0.05), (h - 0.001, h + 0.004)) for x in lights],
+        },
+    )
+
+
+def _post_symbol(size: Size) -> Lines:
+    """A box with round corners, as of a gate."""
+    w, d = size.width / 2, size.depth / 2
+    return (box(-w, w, -d, d, 0.05),)
+
+
+ASSETS = (
+    Drawing("glass_barrier", _glass_barrier, _barrier_symbol),
+    Drawing("gate_post", _gate_post, _post_symbol),
+)

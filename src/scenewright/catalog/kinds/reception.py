@@ -117,6 +117,21 @@ KINDS = (
         drawn_by=(".barriers",),
     ),
     Kind(
+        "gate_post",
+        sizes=size_range("60 120 220", "15 20 30", "80 100 130"),
+        words=(
+            words(
+                en="gate post, gate housing",
+                fr="montant de portillon",
+                de="torpfosten, schleusenpfosten",
+                es="pilar de torniquete",
+                zh="闸机立柱",
+                ja="改札柱",
+            ),
+        ),
+        drawn_by=(".barriers",),
+    ),
+    Kind(
         "litter_bin",
         access=ALL_SIDES,
         reach=0.45,

@@ -13,12 +13,21 @@ from scenewright.core.space import Space
 from scenewright.domains.hall.borders import floor_of
 from scenewright.domains.hall.built_walls import clip_span
 from scenewright.domains.hall.problem import Floats, HallProblem
-from scenewright.domains.hall.rails import RowOfGates, lay_rails, measure_barred, measure_blocked
+from scenewright.domains.hall.rails import (
+    POST,
+    RowOfGates,
+    find_stops,
+    has_post,
+    lay_rails,
+    measure_barred,
+    measure_blocked,
+)
 from scenewright.domains.hall.retouch.gates import find_gates, find_row, measure_gates
 from scenewright.domains.hall.solvers.outcome import MeasuredLayout, lacking, measure_among
 
-CATEGORY, BARRIERS = "glass_barrier", "/barriers"
-"""What closes the floor beside gates, and what its function ends with."""
+CATEGORY, GATE_POST, BARRIERS = "glass_barrier", "gate_post", "/barriers"
+"""What closes the floor beside gates, what stands beyond a wide one, and what their function ends
+with."""
 HEIGHT = 1.0
 """How high barriers are, in metres."""
 ASTRAY = 3.5
@@ -49,7 +58,7 @@ def place_barriers(
             free = measure_blocked(problem, row, rails) <= TOUCH
             if free and _leads_on(problem, layout, rails):
                 name = problem.names[unit]
-                found = (*found, *_pieces(space, name, demands[name], rails, catalog))
+                found = (*found, *make_barriers(space, name, demands[name], rails, catalog))
                 solid = np.concatenate([solid, rails])
                 break
     return found
@@ -57,9 +66,11 @@ def place_barriers(
 
 def _choices(problem: HallProblem, row: RowOfGates) -> list[Floats]:
     """Rails (k, 5) of a row: first those that close floor on which nothing stands, then without the
-    leaf of their wide gate, last those with one more end open."""
-    laid = {side: lay_rails(problem, row, side) for side in (-1, 1)}
-    sides = sorted(laid, key=lambda side: measure_barred(problem, row, side, laid[side]))
+    post of their wide gate, last those with one more end open."""
+    stops = find_stops(problem, row)
+    laid = {side: lay_rails(stops, row, side) for side in (-1, 1)}
+    barred = {side: measure_barred(problem, row, side, rails) for side, rails in laid.items()}
+    sides = sorted(laid, key=lambda side: (barred[side], not has_post(laid[side])))
     whole = [laid[side] for side in sides]
     last = max(len(rails) for rails in whole)
     less = [
@@ -77,19 +88,20 @@ def _leads_on(problem: HallProblem, layout: MeasuredLayout, rails: Floats) -> bo
     return missed <= layout.missed and lacking(p, s) <= layout.lacking + 1e-9
 
 
-def _pieces(
+def make_barriers(
     space: Space, group: str, demand: str, rails: Floats, catalog: Catalog
 ) -> tuple[Piece, ...]:
     """The rails (k, 5) of a group as pieces, within the hall."""
     found, floor = [], floor_of(space)
     for number, (x, y, heading, width, depth) in enumerate(_clip(rails, floor).tolist(), 1):
         size = Size(width, depth, HEIGHT)
-        asset = catalog.choose(CATEGORY, size)
+        category = GATE_POST if depth >= POST else CATEGORY
+        asset = catalog.choose(category, size)
         turned = (heading + math.pi) % (2 * math.pi) - math.pi
         found.append(
             Piece(
-                id=f"{group}/{CATEGORY}_{number}",
-                category=CATEGORY,
+                id=f"{group}/{category}_{number}",
+                category=category,
                 asset=asset.id if asset else "",
                 space=space.id,
                 pose=Pose(x, y, 0.0, turned),

@@ -1,6 +1,5 @@
 """Gates asked for in a zone that people only leave by stand in one row before its exit, as boarding
-gates do; they are set before all else. No barriers stand beside them: whoever boards is called.
-"""
+gates do, with barriers back to the wall beside them; they are set before all else."""
 
 from __future__ import annotations
 
@@ -9,17 +8,19 @@ from typing import NamedTuple
 import numpy as np
 import shapely
 
-from scenewright.building.door_approach import DoorApproach, gates
+from scenewright.building.door_approach import DoorApproach, edges_of, gates
 from scenewright.core.catalog import Catalog
 from scenewright.core.layout import corners
 from scenewright.core.piece_outlines import boxes_of
 from scenewright.core.scene import Piece, Pose
+from scenewright.domains.hall.barriers import make_barriers
 from scenewright.domains.hall.build_problem import HallContext
 from scenewright.domains.hall.doors import visitor_exits, ways_in
 from scenewright.domains.hall.furnish import make_piece
 from scenewright.domains.hall.holdings import HallDemand
 from scenewright.domains.hall.problem import Floats
-from scenewright.domains.hall.rails import INSIDE
+from scenewright.domains.hall.rails import INSIDE, LANE, RowOfGates, WayIn, lay_rails, sides_of
+from scenewright.domains.hall.retouch.arrivals import box_round
 from scenewright.domains.hall.roles import GATE
 
 OFF = 1.3
@@ -52,6 +53,9 @@ def set_boarding_gates(
             continue
         used.add(row[0].opening.id)
         found += _make_row(hall, wish, row[1], catalog)
+        name = f"{hall.space.id}/{wish.id}"
+        rails = _lay_rails(hall, row[0], row[1], there)
+        found += make_barriers(hall.space, name, wish.id, rails, catalog)
     return SetGates(hall._replace(fixed=(*hall.fixed, *found)), rest, tuple(found))
 
 
@@ -91,6 +95,26 @@ def _is_free(hall: HallContext, row: Floats, there: tuple[Piece, ...]) -> bool:
     taken = shapely.polygons(corners(np.array(solid).reshape(-1, 5)))
     floor = shapely.Polygon(hall.space.outline, hall.space.holes)
     return bool(floor.covers(needed) and not shapely.intersects(taken, needed).any())
+
+
+def _lay_rails(
+    hall: HallContext, door: DoorApproach, gates: Floats, there: tuple[Piece, ...]
+) -> Floats:
+    """Boxes (k, 5) of the rails beside gates (n, 5) back to the wall of their door, a wide gate at
+    one end; none where they would not stand free."""
+    way = WayIn(door.face, door.inward, 0.5 * door.opening.width, max(LANE, hall.route))
+    others = np.array([box for piece in there for box in boxes_of(piece)]).reshape(-1, 5)
+    row = RowOfGates(box_round(gates), way, others, others)
+    stops = np.concatenate([edges_of(hall.space), sides_of(others)])
+    floor = shapely.Polygon(hall.space.outline, hall.space.holes)
+    taken = shapely.polygons(corners(np.concatenate([others, gates])))
+    for side in (1, -1):
+        rails = lay_rails(stops, row, side)
+        needed = shapely.polygons(corners(rails))
+        free = bool(floor.covers(shapely.union_all(needed)))
+        if free and not shapely.intersects(needed[:, None], taken[None, :]).any():
+            return rails
+    return np.zeros((0, 5))
 
 
 def _make_row(

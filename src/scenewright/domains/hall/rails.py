@@ -1,5 +1,5 @@
 """Rails beside a row of gates: from its ends back to the wall on both sides of the door they belong
-to, or on to the walls; at one end a wide gate for wheelchairs and prams, its leaf open."""
+to, or on to the walls; at one end a wide gate for wheelchairs and prams, open, a post beyond it."""
 
 from __future__ import annotations
 
@@ -17,6 +17,10 @@ INSIDE = 0.6
 BESIDE_DOOR, AT_WALL, SHORTEST, THICK = 0.4, 1.6, 0.2, 0.06
 """How far beside a door rails begin, how near a wall lies to which they run on instead of turning
 back, the shortest of them, and how thick they are; metres."""
+POST = 0.2
+"""How thick the post of the wide gate is, in metres."""
+BARE = 0.25
+"""What it counts that it has none, as metres of rails on floor that others need."""
 APART = 0.01
 """What rails stay off walls, gates and one another, in metres."""
 LANE, MARGIN, THROUGH = 0.9, 0.2, 3.0
@@ -88,33 +92,38 @@ class RowOfGates(NamedTuple):
     needed: Floats
 
 
-def lay_rails(problem: HallProblem, row: RowOfGates, side: int) -> Floats:
+def find_stops(problem: HallProblem, row: RowOfGates) -> Floats:
+    """The directed edges (e, 4) of walls and of what stands beside a row, at which rails end."""
+    return np.concatenate([problem.ground.edges, sides_of(_solid(problem, row))])
+
+
+def lay_rails(edges: Floats, row: RowOfGates, side: int) -> Floats:
     """Boxes (k, 5) of the rails of a row of gates with the wide gate on one ``side`` (-1 or 1) of
-    it: to the walls, or to what stands at them; last the open leaf of that gate, which a rail
-    bears, or the wall."""
+    it: to the ``edges`` (e, 4) of walls, or of what stands at them; last the post beyond that gate,
+    like the housing of one."""
     way_in, way, centre = row.way_in, row.way_in.way, row.box[:2]
-    edges = np.concatenate([problem.ground.edges, _sides(_solid(problem, row))])
     right = np.array([way[1], -way[0]])
     aside, half = float((centre - way_in.start) @ right), 0.5 * float(row.box[3])
-    found, leaf = list[tuple[Floats, Floats]](), list[tuple[Floats, Floats]]()
+    found, post = list[tuple[Floats, Floats]](), list[list[float]]()
     for end in (-1, 1):
         begin = half + APART + (way_in.width + MARGIN if end == side else 0.0)
         wall = reach(edges, centre + end * (half + APART) * right, end * right) + half + APART
         beyond = max(begin, way_in.half + BESIDE_DOOR - end * aside)
         turns = way_in.half > 0.0 and wall - beyond > AT_WALL
         stop = beyond if turns else wall
+        if end == side and way_in.half > 0.0 and stop >= begin:
+            bears = turns or stop - begin > POST + SHORTEST
+            inner = begin if bears else stop - POST - APART
+            off = end * (inner + 0.5 * POST)
+            post.append([*(centre + off * right), *_across(way), float(row.box[4]), POST])
+            begin, stop = (begin + POST + APART, stop) if bears else (begin, inner - APART)
         if stop - begin > SHORTEST:
             found.append((centre + end * begin * right, centre + end * stop * right))
         if turns:
-            corner = centre + end * (stop + 0.5 * THICK + APART) * right
+            corner = centre + end * (max(beyond, begin - APART) + 0.5 * THICK + APART) * right
             back = reach(edges, corner, -way)
             found += [(corner, corner - back * way)] * (back > SHORTEST)
-        if end == side and way_in.half > 0.0:
-            bears = turns or stop - begin > SHORTEST
-            off = end * (begin if bears else stop - THICK - 3 * APART) + end * (0.5 * THICK + APART)
-            post = centre + off * right + (0.5 * THICK + APART) * way
-            leaf.append((post, post + way_in.width * way))
-    return np.array([_rail(*line) for line in (*found, *leaf)]).reshape(-1, 5)
+    return np.array([*(_rail(*line) for line in found), *post]).reshape(-1, 5)
 
 
 def find_open_end(row: RowOfGates, side: int) -> Floats:
@@ -130,7 +139,7 @@ def _solid(problem: HallProblem, row: RowOfGates) -> Floats:
     return np.concatenate([row.others, problem.ground.obstacles])
 
 
-def _sides(boxes: Floats) -> Floats:
+def sides_of(boxes: Floats) -> Floats:
     """The directed edges (4 n, 4) of boxes (n, 5)."""
     rings = corners(boxes)
     return np.concatenate([rings, np.roll(rings, -1, axis=1)], axis=2).reshape(-1, 4)
@@ -148,9 +157,16 @@ def reach(edges: Floats, point: Floats, way: Floats) -> float:
 
 def measure_rails(problem: HallProblem, row: RowOfGates, side: int) -> tuple[float, float]:
     """What bars the rails of a row with its wide gate on one ``side`` (:func:`measure_barred`), and
-    metres of them on floor that others need free."""
-    rails = lay_rails(problem, row, side)
-    return measure_barred(problem, row, side, rails), _measure_crowded(row, rails)
+    metres of them on floor that others need free; a wide gate without a post counts as some."""
+    rails = lay_rails(find_stops(problem, row), row, side)
+    bare = BARE * (row.way_in.half > 0.0 and not has_post(rails))
+    return measure_barred(problem, row, side, rails), _measure_crowded(row, rails) + bare
+
+
+def has_post(rails: Floats) -> bool:
+    """Whether the wide gate has a post among some rails (k, 5): where the wall is too near for one,
+    what is left open looks like a gap."""
+    return bool((rails[:, 4] >= POST).any())
 
 
 def measure_barred(problem: HallProblem, row: RowOfGates, side: int, rails: Floats) -> float:
@@ -190,5 +206,9 @@ def _rail(start: Floats, end: Floats) -> list[float]:
     """The box (5,) of a rail between two points."""
     along = end - start
     x, y = 0.5 * (start + end)
-    length = float(np.hypot(*along)) - 2 * APART
-    return [x, y, float(np.arctan2(-along[0], along[1])), length, THICK]
+    return [x, y, *_across(along), float(np.hypot(*along)) - 2 * APART, THICK]
+
+
+def _across(along: Floats) -> tuple[float]:
+    """The heading of what is as wide as some way is long."""
+    return (float(np.arctan2(-along[0], along[1])),)

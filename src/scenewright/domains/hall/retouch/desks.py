@@ -278,7 +278,7 @@ def propose_desks(desks: Desks, kept: Kept, boxes: Floats) -> Iterator[Kept]:
         if desks.first and (back or not _is_at_door(problem, unit)):
             places = np.concatenate([places, _spread(problem, unit)])
         seats = find_seats(problem, boxes)
-        if count_behind(box[None], seats)[0]:
+        if back or count_behind(box[None], seats)[0]:
             places = np.concatenate([places, _turn_round(box)])
         faults = measure_desks(problem, places, row, _rate(desks, unit))
         faults = faults + count_behind(places, seats)

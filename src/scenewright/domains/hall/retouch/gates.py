@@ -35,6 +35,8 @@ STEPS = (1.72, 2.0, 2.4, 2.8, 3.4)
 SHIFTS = tuple(0.65 * k for k in range(-8, 9))
 FEWER = SHIFTS[4:-4]
 """Metres ahead and aside that are tried, and aside where each of several doors has gates."""
+NUDGES = (0.05, -0.05, 0.1, -0.1, 0.2, -0.2, 0.3, -0.3)
+"""Metres along their row that are tried where they stand."""
 
 
 def find_gates(problem: HallProblem, kept: Kept) -> list[int]:
@@ -115,3 +117,7 @@ def propose_gates(problem: HallProblem, kept: Kept, boxes: Floats) -> Iterator[K
         for ahead, aside in product(STEPS, SHIFTS if len(faults) == 1 else FEWER):
             at = start + ahead * way + aside * np.array([-way[1], way[0]])
             yield line_up(problem, kept, unit, (*at, np.arctan2(-way[1], -way[0])))
+        for aside in NUDGES:
+            pose = kept.pose.copy()
+            pose[unit, :2] += aside * np.array([-way[1], way[0]])
+            yield kept._replace(pose=pose)
