@@ -150,3 +150,24 @@ def test_gates_stand_in_one_row_across_the_way_in(monkeypatch: pytest.MonkeyPatc
     assert all(_across(seed) for seed in range(4))
     monkeypatch.setattr(compose, "retouch_layout", lambda _, layout: layout)
     assert not all(_across(seed) for seed in range(4))
+
+
+@pytest.mark.parametrize("seed", [3, 401])
+def test_a_machine_for_tickets_is_near_the_door_people_come_in_by(seed: int) -> None:
+    room = {
+        "outline": [[0, 0], [10, 0], [10, 4.5], [6, 4.5], [6, 7.5], [0, 7.5]],
+        "doors": [
+            {"at": [8.5, 0], "width": 1.0, "swing": "in"},
+            {"at": [0, 6.5], "width": 0.9, "use": "exit"},
+        ],
+        "demands": [
+            {"category": "ticket_machine", "name": "Meal tickets"},
+            {"category": "counter", "count": 3, "name": "Ramen bar", "size": [1.6, 0.6, 1.05]},
+            {"category": "dining_table", "count": 5, "size": [1.2, 0.75, 0.74]},
+        ],
+    }
+    brief = Brief.model_validate({"domain": "hall", "rooms": [room]})
+    found = scenewright.solve(brief, seed=seed, threads=1)
+    (machine,) = (piece for piece in found.pieces if piece.category == "ticket_machine")
+    assert math.dist(machine.pose[:2], (8.5, 0.0)) < 5.0
+    assert scenewright.check(found).valid

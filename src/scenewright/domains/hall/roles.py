@@ -10,7 +10,9 @@ DECOR = ("plant", "potted_tree", "planter", "litter_bin", "rope_barrier")
 """What nobody comes to see."""
 GATE = "ticket_gate"
 """What everybody passes who comes into its zone."""
-DESKS = ("info_desk", GATE)
+MACHINES = ("ticket_machine",)
+"""Where one gets a ticket or a number without being served."""
+DESKS = ("info_desk", GATE, *MACHINES)
 
 
 def is_till(category: str, beside: Collection[str]) -> bool:

@@ -12,7 +12,7 @@ from scenewright.domains.hall.assign import Unit
 from scenewright.domains.hall.doors import visitor_exits, ways_in, ways_out
 from scenewright.domains.hall.holdings import HallDemand
 from scenewright.domains.hall.problem import Floats, VisitorPlan
-from scenewright.domains.hall.roles import is_first, is_till
+from scenewright.domains.hall.roles import MACHINES, is_first, is_till
 from scenewright.domains.hall.terms.visitors import (
     ALOOF,
     FIRST,
@@ -20,6 +20,7 @@ from scenewright.domains.hall.terms.visitors import (
     LANE,
     LOUNGE,
     LOW,
+    MACHINE,
     MAIN,
     RECEPTION,
     SPEAKER,
@@ -50,6 +51,7 @@ STANDING = (
     (LOW, LOW_TABLES),
     *SHOWN,
     (RECEPTION, RECEPTIONS),
+    (MACHINE, frozenset(MACHINES)),
 )
 """Roles that depend on nothing but the category."""
 

@@ -17,7 +17,7 @@ from scenewright.domains.hall.retouch.arrivals import box_round, find_met
 from scenewright.domains.hall.retouch.lines import forgive_space, line_up
 from scenewright.domains.hall.terms.state import Kept, PreparedHall, State
 from scenewright.domains.hall.terms.table import ORDER
-from scenewright.domains.hall.terms.visitors import FIRST, LANE, LOUNGE, RECEPTION, TILL
+from scenewright.domains.hall.terms.visitors import FIRST, LANE, LOUNGE, MACHINE, RECEPTION, TILL
 
 STEP, PROPOSED, APART = 0.4, 120, 0.9
 """Metres between two places that are tried along a wall, how many of the best of them, and the
@@ -93,7 +93,7 @@ def find_desks(desks: Desks, kept: Kept) -> list[int]:
     return [
         unit
         for unit in find_met(problem, kept, FIRST | TILL, MOST, (SINGLE, CHAIN))
-        if not int(roles[unit]) & LANE
+        if not int(roles[unit]) & (LANE | MACHINE)
         and units.targets[unit] < 0
         and not units.access[firsts[unit], BACK]
         and desks.first == (int(np.ptp(units.spans[unit])) == 1 and _is_first(problem, unit))

@@ -9,6 +9,7 @@ import shapely
 
 from scenewright.domains.hall.patterns import CHAIN, GRID, SINGLE
 from scenewright.domains.hall.problem import Floats, HallProblem
+from scenewright.domains.hall.retouch.lines import turn_half_round
 from scenewright.domains.hall.terms.state import Kept
 from scenewright.domains.hall.terms.visitors import LOUNGE
 
@@ -61,11 +62,5 @@ def propose_views(problem: HallProblem, kept: Kept, boxes: Floats) -> Iterator[K
     """Layouts with one group that looks at a wall turned half round, a little ahead of or behind
     where it stands."""
     for unit in find_lounges(problem, kept):
-        if _measure_gaze(problem, boxes, unit) < TURNED:
-            continue
-        heading = float(kept.pose[unit, 2])
-        for step in STEPS:
-            pose = kept.pose.copy()
-            pose[unit, :2] += step * np.array([np.cos(heading), np.sin(heading)])
-            pose[unit, 2] += np.pi
-            yield kept._replace(pose=pose)
+        if _measure_gaze(problem, boxes, unit) == TURNED:
+            yield from turn_half_round(kept, unit, STEPS)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -44,6 +44,16 @@ def line_up(
             layers[first + k] = (float(each), 0.0, apart, CHAIN, 0.0)
         rows[unit], poses[unit, 3] = (CHAIN, lines), 0.0
     return kept._replace(pose=poses, layers=layers, rows=rows)
+
+
+def turn_half_round(kept: Kept, unit: int, steps: Sequence[float]) -> Iterator[Kept]:
+    """Layouts with a unit turned half round, so many metres ahead of where it stands."""
+    heading = float(kept.pose[unit, 2])
+    for step in steps:
+        pose = kept.pose.copy()
+        pose[unit, :2] += step * np.array([np.cos(heading), np.sin(heading)])
+        pose[unit, 2] += np.pi
+        yield kept._replace(pose=pose)
 
 
 def set_rows(

@@ -8,6 +8,7 @@ import numpy as np
 
 from scenewright.domains.hall.patterns import CHAIN, GRID, SINGLE
 from scenewright.domains.hall.problem import Floats, HallProblem
+from scenewright.domains.hall.retouch.lines import turn_half_round
 from scenewright.domains.hall.terms.state import Kept
 from scenewright.domains.hall.terms.visitors import ALOOF
 
@@ -48,11 +49,5 @@ def propose_turns(problem: HallProblem, kept: Kept, boxes: Floats) -> Iterator[K
     """Layouts with one group of stands that looks away turned half round, a little ahead of or
     behind where it stands."""
     for unit in _find_stands(problem, kept):
-        if _measure_away(problem, boxes, unit) <= 0.0:
-            continue
-        heading = float(kept.pose[unit, 2])
-        for step in STEPS:
-            pose = kept.pose.copy()
-            pose[unit, :2] += step * np.array([np.cos(heading), np.sin(heading)])
-            pose[unit, 2] += np.pi
-            yield kept._replace(pose=pose)
+        if _measure_away(problem, boxes, unit) > 0.0:
+            yield from turn_half_round(kept, unit, STEPS)
