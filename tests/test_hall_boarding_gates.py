@@ -59,12 +59,18 @@ def test_boarding_gates_are_fenced_back_to_the_wall_of_the_exit() -> None:
     """But for the wide gate with its post: nobody walks round them to the door."""
     found = scenewright.solve(lounge(GATES, SEATS), seed=59, threads=1)
     fence = [p for p in found.pieces if p.function == "gates/barriers"]
-    assert Counter(p.category for p in fence) == {"glass_barrier": 3, "gate_post": 1}
-    solid = [p for p in found.pieces if p in fence or p.function == "gates"]
+    assert Counter(p.category for p in fence) == {
+        "glass_barrier": 3,
+        "gate_post": 1,
+        "gate_leaf": 1,
+    }
+    (leaf,) = (p for p in fence if p.category == "gate_leaf")
+    solid = [p for p in found.pieces if (p in fence or p.function == "gates") and p is not leaf]
     low, high = min(p.pose.x for p in solid), max(p.pose.x for p in solid)
     taken = shapely.union_all(polygons_of(solid))
     reach = [x for x in np.linspace(low, high, 200) if not taken.intersects(_line(x))]
     assert 0.8 < (high - low) * len(reach) / 200 < 1.3
+    assert leaf.size.width == pytest.approx((high - low) * len(reach) / 200, abs=0.15)
     assert scenewright.check(found).valid
 
 
@@ -75,7 +81,7 @@ def _line(x: float) -> shapely.LineString:
 def test_gates_where_people_come_in_are_not_boarding_gates() -> None:
     found = scenewright.solve(lounge(GATES, SEATS, use="both"), seed=59, threads=1)
     named = {p.category for p in found.pieces if p.function.startswith("gates")}
-    assert named <= {"ticket_gate", "glass_barrier", "gate_post"}
+    assert named <= {"ticket_gate", "glass_barrier", "gate_post", "gate_leaf"}
     assert "glass_barrier" in named or found.left_out
 
 

@@ -93,7 +93,8 @@ def test_gates_leave_open_no_more_than_a_wide_gate(seed: int) -> None:
     found = scenewright.solve(brief, seed=seed, steps=3000, threads=1)
     assert scenewright.check(found).valid
     row = [p for p in found.pieces if p.function.startswith("gates")]
-    bodies = shapely.union_all(polygons_of(row))
+    (leaf,) = (p for p in row if p.category == "gate_leaf")
+    bodies = shapely.union_all(polygons_of([p for p in row if p is not leaf]))
     line = np.mean([p.pose.y for p in row if p.function == "gates"])
     wings = [p for p in row if p.category == "glass_barrier" and p.pose.y < line - 0.7]
     across = shapely.LineString(
@@ -102,6 +103,7 @@ def test_gates_leave_open_no_more_than_a_wide_gate(seed: int) -> None:
     gaps = [part.length for part in shapely.get_parts(across.difference(bodies.buffer(0.02)))]
     assert sum(gap > 0.5 for gap in gaps) == 1
     assert 0.9 < max(gaps) < 1.2
+    assert leaf.size.width == pytest.approx(max(gaps), abs=0.1)
 
 
 def test_gates_that_close_nothing_are_left_out_by_name() -> None:

@@ -53,7 +53,7 @@ class Bodies(NamedTuple):
     """Pieces as arrays, row by row: kind, oriented footprint, corners (n, 4, 2) from back right
     counter-clockwise, underside and top above the level's floor, index of the room and of the
     level, and what their use allows: ``flat`` lies on the floor, ``seat`` may be pushed aside
-    and under a table, ``soft`` gives way (curtains), ``known`` the catalog has its kind.
+    and under a table, ``soft`` gives way (curtains, leaves), ``known`` the catalog has its kind.
     ``into`` (k, 2) are rows that stand in one room and reach into another, and that other room."""
 
     pieces: tuple[Piece, ...]
@@ -134,7 +134,7 @@ def _stack(
         rooms.level[room],
         flat,
         np.array([bool(k.under) and _matches_any(k.category, _SEATS) for k in kinds], bool),
-        np.array([_matches_any(k.category, _CURTAINS) for k in kinds], bool),
+        np.array([k.swings or _matches_any(k.category, _CURTAINS) for k in kinds], bool),
         np.array([p.category in catalog.kinds for p in pieces], bool),
         _reaching(footprints, room, rooms),
     )

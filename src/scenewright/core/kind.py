@@ -72,7 +72,8 @@ class Kind:
 
     ``access`` lists the sides of which at least one must be reachable from the door (none: the
     piece is used together with its group, like a nightstand). ``reach`` is the free depth in
-    metres a person needs at that side. ``flat`` things (rugs) may be stood on by others.
+    metres a person needs at that side. ``flat`` things (rugs) may be stood on by others, one
+    ``swings`` open for who walks through it (the leaf of a gate).
     ``support`` tells what holds it: the floor, a wall (pictures, wall cabinets), the ceiling
     (lamps) or the top of another piece. ``under`` names kinds this one may be pushed under or
     into (a chair under a table). ``airy`` is what air passes under or round: it may stand before
@@ -96,6 +97,7 @@ class Kind:
     access: tuple[Side, ...] = ()
     reach: float = 0.5
     flat: bool = False
+    swings: bool = False
     support: Support = "floor"
     under: tuple[str, ...] = ()
     airy: bool = False

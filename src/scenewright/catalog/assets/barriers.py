@@ -1,4 +1,4 @@
-"""Glass barriers of halls, and the post of a wide gate in them."""
+"""Glass barriers of halls, the post of a wide gate in them and its leaves."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 from scenewright.catalog.assets.drawing import Drawing
 from scenewright.catalog.assets.materials import BLACK, GLASS, LEAF, STEEL
 from scenewright.catalog.assets.model import Parts, parts
-from scenewright.catalog.assets.symbols import Lines, box, oval, rectangle
+from scenewright.catalog.assets.symbols import Lines, box, oval, path, rectangle
 from scenewright.core.scene import Size
 from scenewright.geometry.solids import block, slab
 
@@ -42,7 +42,7 @@ def _barrier_symbol(size: Size) -> Lines:
 
 
 def _gate_post(size: Size) -> Parts:
-    """A housing like that of a gate, a wide leaf of glass open along it, a light on either end."""
+    """A housing like that of a gate, a light at either end."""
     w, d, h = size.width / 2, size.depth / 2, size.height
     lights = [(-w + 0.11, -w + 0.21), (w - 0.21, w - 0.11)]
     return parts(
@@ -55,6 +55,23 @@ def _gate_post(size: Size) -> Parts:
     )
 
 
+def _gate_leaf(size: Size) -> Parts:
+    """Two leaves of glass that meet in the middle, a rail round each."""
+    w, d, h, rim = size.width / 2, size.depth / 2, size.height, 0.03
+    glass, steel = [], []
+    for low, high in ((-w, -0.02), (0.02, w)):
+        glass.append(block((low, high), (-0.3 * d, 0.3 * d), (0.2, h)))
+        steel.append(block((low, high), (-d, d), (h - rim, h)))
+        steel.append(block((low, high), (-d, d), (0.2, 0.2 + rim)))
+    return parts(size, {GLASS: glass, STEEL: steel})
+
+
+def _leaf_symbol(size: Size) -> Lines:
+    """Two lines with a gap between."""
+    w = size.width / 2
+    return path((-w, 0), (-0.05, 0)), path((0.05, 0), (w, 0))
+
+
 def _post_symbol(size: Size) -> Lines:
     """A box with round corners, as of a gate."""
     w, d = size.width / 2, size.depth / 2
@@ -64,4 +81,5 @@ def _post_symbol(size: Size) -> Lines:
 ASSETS = (
     Drawing("glass_barrier", _glass_barrier, _barrier_symbol),
     Drawing("gate_post", _gate_post, _post_symbol),
+    Drawing("gate_leaf", _gate_leaf, _leaf_symbol),
 )

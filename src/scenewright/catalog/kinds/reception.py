@@ -117,6 +117,22 @@ KINDS = (
         drawn_by=(".barriers",),
     ),
     Kind(
+        "gate_leaf",
+        swings=True,
+        sizes=size_range("40 110 260", "2 3 5", "60 90 120"),
+        words=(
+            words(
+                en="gate leaf, gate wing",
+                fr="vantail de portillon",
+                de="schwenkflügel, torflügel",
+                es="hoja de portillo",
+                zh="闸机门翼",
+                ja="改札扉",
+            ),
+        ),
+        drawn_by=(".barriers",),
+    ),
+    Kind(
         "gate_post",
         sizes=size_range("60 120 220", "15 20 30", "80 100 130"),
         words=(

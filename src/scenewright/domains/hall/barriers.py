@@ -25,9 +25,10 @@ from scenewright.domains.hall.rails import (
 from scenewright.domains.hall.retouch.gates import find_gates, find_row, measure_gates
 from scenewright.domains.hall.solvers.outcome import MeasuredLayout, lacking, measure_among
 
-CATEGORY, GATE_POST, BARRIERS = "glass_barrier", "gate_post", "/barriers"
-"""What closes the floor beside gates, what stands beyond a wide one, and what their function ends
-with."""
+CATEGORY, BARRIERS = "glass_barrier", "/barriers"
+"""What closes the floor beside gates, and what its function ends with."""
+GATE_POST = "gate_post"
+"""What stands beyond a wide gate."""
 HEIGHT = 1.0
 """How high barriers are, in metres."""
 ASTRAY = 3.5

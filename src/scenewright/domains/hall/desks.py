@@ -17,6 +17,8 @@ from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.solvers.outcome import MeasuredLayout, measure_layout
 
 SERVING = ("info_desk", "counter", "checkout")
+FACING = 0.7
+"""The cosine of the angle up to which a desk looks to the entrance."""
 
 
 def turn_desks(
@@ -39,11 +41,20 @@ def turn_desks(
     ]
     for number in desks if not layout.loose else []:
         row = int(problem.units.spans[number, 0])
-        if _welcome(hall, units[number].zone, layout.boxes[row]) < 0.0:
+        box = layout.boxes[row]
+        if _welcome(hall, units[number].zone, box) < 0.0 and not _faces_door(hall, box):
             other = _half_round(layout, number, row)
             if _measure_cost(problem, other) <= _measure_cost(problem, layout):
                 layout = other
     return layout
+
+
+def _faces_door(hall: HallContext, box: Floats) -> bool:
+    """Whether a desk looks to where people come in: it may then have the middle of its zone behind
+    it."""
+    front = math.cos(box[2]), math.sin(box[2])
+    ways = [(door.x - box[0], door.y - box[1]) for door in ways_in(hall.space)[:1]]
+    return any(x * front[0] + y * front[1] > FACING * math.hypot(x, y) for x, y in ways)
 
 
 def _welcome(hall: HallContext, zone: int, box: Floats) -> float:

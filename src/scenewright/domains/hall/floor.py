@@ -83,7 +83,8 @@ def _slowness(clear: DistanceRaster, half: float) -> Floats:
 def _in_the_way(piece: Piece, catalog: Catalog) -> bool:
     kind = catalog.kinds.get(piece.category)
     above = piece.on is not None or piece.pose.z >= HEAD_HEIGHT
-    return not above and (kind is None or not (kind.flat or kind.support == "ceiling"))
+    passed = kind is not None and (kind.flat or kind.swings or kind.support == "ceiling")
+    return not above and not passed
 
 
 def _across(door: Opening, width: float, depth: float) -> list[float]:

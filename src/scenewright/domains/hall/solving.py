@@ -35,6 +35,7 @@ from scenewright.domains.hall.desks import turn_desks
 from scenewright.domains.hall.filling import fill_halls, settle_counts
 from scenewright.domains.hall.furnish import kept_groups
 from scenewright.domains.hall.furnish_layout import furnish_guided
+from scenewright.domains.hall.gate_leaves import with_leaves
 from scenewright.domains.hall.hall_layout import HallLayout
 from scenewright.domains.hall.holdings import collect_demands, restrict_patterns
 from scenewright.domains.hall.lack import lacks, leaves_open, measure_lack
@@ -277,7 +278,7 @@ def _lay(
     laid = furnish_guided(search, fitted, best, locked, missing, found.evaluations)
     on, groups, out = put_on_stage(hall, carried, (*hall.fixed, *laid.pieces), catalog)
     return laid._replace(
-        pieces=(*boarding, *laid.pieces, *on),
+        pieces=with_leaves(hall.space, (*boarding, *laid.pieces, *on), catalog),
         groups=(*laid.groups, *groups),
         left_out=(*laid.left_out, *out),
         zones=hall.plan.zones,

@@ -149,8 +149,8 @@ def ways_layers(view: PaperView, halls: Halls, solid: Geometry) -> list[PlanLaye
 
 
 def solid_of(walls: Geometry, pieces: Sequence[Piece], catalog: Catalog) -> Geometry:
-    """Walls and what stands on the floor and is no carpet, in plan metres."""
-    flat = {name for name, kind in catalog.kinds.items() if kind.flat}
+    """Walls and what stands on the floor, but carpets and leaves that swing, in plan metres."""
+    flat = {name for name, kind in catalog.kinds.items() if kind.flat or kind.swings}
     bodies = [
         Polygon(footprint(piece))
         for piece in pieces

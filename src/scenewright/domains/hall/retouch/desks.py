@@ -278,8 +278,9 @@ def propose_desks(desks: Desks, kept: Kept, boxes: Floats) -> Iterator[Kept]:
         if desks.first and (back or not _is_at_door(problem, unit)):
             places = np.concatenate([places, _spread(problem, unit)])
         seats = find_seats(problem, boxes)
-        if back or count_behind(box[None], seats)[0]:
-            places = np.concatenate([places, _turn_round(box)])
+        sat = count_behind(box[None], seats)[0] > 0.0
+        if back or sat:
+            places = np.concatenate([places, _turn_round(box, ROUND if sat else 0.0)])
         faults = measure_desks(problem, places, row, _rate(desks, unit))
         faults = faults + count_behind(places, seats)
         now = _fault(desks, kept, unit, box, seats)
@@ -288,9 +289,10 @@ def propose_desks(desks: Desks, kept: Kept, boxes: Floats) -> Iterator[Kept]:
             yield line_up(problem, kept, unit, places[number])
 
 
-def _turn_round(box: Floats) -> Floats:
-    """Boxes (n, 5) of desks turned half round, where they stand and ahead of or behind that."""
-    steps = np.arange(-ROUND, ROUND + STEP, STEP)
+def _turn_round(box: Floats, most: float) -> Floats:
+    """Boxes (n, 5) of desks turned half round, where they stand and up to so many metres ahead of
+    or behind that."""
+    steps = STEP * np.arange(-int(most / STEP), int(most / STEP) + 1)
     places = np.tile(box, (len(steps), 1))
     places[:, :2] += steps[:, None] * np.array([np.cos(box[2]), np.sin(box[2])])
     places[:, 2] += np.pi
