@@ -9,7 +9,7 @@ import numpy as np
 from scenewright.catalog.assets.drawing import Drawing
 from scenewright.catalog.assets.materials import BLACK, GLASS, LEAF, STEEL
 from scenewright.catalog.assets.model import Parts, parts
-from scenewright.catalog.assets.symbols import Lines, box, oval, path, rectangle
+from scenewright.catalog.assets.symbols import Lines, box, oval, rectangle
 from scenewright.core.scene import Size
 from scenewright.geometry.solids import block, slab
 
@@ -67,9 +67,9 @@ def _gate_leaf(size: Size) -> Parts:
 
 
 def _leaf_symbol(size: Size) -> Lines:
-    """Two lines with a gap between."""
-    w = size.width / 2
-    return path((-w, 0), (-0.05, 0)), path((0.05, 0), (w, 0))
+    """Two slim boxes with a gap between."""
+    w, d = size.width / 2, size.depth / 2
+    return box(-w, -0.03, -d, d, 0.2 * d), box(0.03, w, -d, d, 0.2 * d)
 
 
 def _post_symbol(size: Size) -> Lines:
