@@ -234,6 +234,8 @@ def test_sinks_without_worktop_and_units_by_themselves_are_faults():
         <= faults_of(cooking, UnitLine(west, 0.0, (sink,)), UnitLine(north, 0.0, (fridge,))).keys()
     )
     assert not named & faults_of(cooking, UnitLine(north, 1.0, (top, sink, fridge))).keys()
+    past = UnitLine(north, -0.6, (top, sink, fridge))
+    assert named & faults_of(cooking, past).keys() == {"split"}
     facing = faults_of(cooking, UnitLine(north, 1.0, (top, sink, fridge)))
     assert facing["across"] == 1.0
     assert faults_of(cooking, UnitLine(north, 1.6, (sink,)))["across"] > 1.0

@@ -174,7 +174,7 @@ def _are_split(hob: Member, sink: Member, units: list[Member]) -> bool:
 
 def _do_face(one: Member, other: Member) -> bool:
     turned = abs(remainder(one.heading - other.heading - pi, 2 * pi))
-    ahead = cos(one.heading), sin(one.heading)
+    ahead = -sin(one.heading), cos(one.heading)  # of a member, which looks along y unturned
     return turned < TURNED and lie_across((other.x - one.x, other.y - one.y), ahead)
 
 
