@@ -221,7 +221,7 @@ def explain_no_kitchen(household: Household, room: Room, out: LeftOut) -> LeftOu
     asked = room.ask is not None or any(wish.required for wish in room.wishes)
     if asked or out.what not in COOKING or not has_no_kitchen(household, out.space):
         return out
-    return out._replace(reason=f"the home cooks in {household.cooks_in}", required=False)
+    return out._replace(reason=f"the home cooks in {household.cooks_in}")
 
 
 def _for_residents(household: Household, room: str, wish: Wish) -> Wish:
