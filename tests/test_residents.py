@@ -121,6 +121,7 @@ def test_other_numbers_are_refused(number: object) -> None:
         ({"living+kitchen": 20.0, "kitchen+washroom": 9.0}, "living+kitchen", False),
         ({"kitchen": 5.0, "kitchen+washroom": 9.0}, "kitchen", False),
         ({"living": 20.0, "kitchen+washroom": 9.0}, "kitchen+washroom", True),
+        ({"kitchen": 1.5, "kitchen+washroom": 4.0}, "kitchen+washroom", True),  # no room to cook
         ({"kitchen+washroom": 4.0, "kitchen+bathroom": 9.0}, "kitchen+bathroom", False),
     ],
 )

@@ -7,6 +7,8 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from benchmarks.plans_r2v import adapt, raw_plans
+from benchmarks.rescaled_r2v import rescale
 
 import scenewright as sw
 from scenewright.core.brief import Brief
@@ -383,3 +385,16 @@ def test_nothing_that_was_learned_makes_room():
     assert not may_leave_out(task)
     task.library = SHIPPED
     assert may_leave_out(task)
+
+
+@pytest.mark.realdata
+def test_a_chair_that_cannot_be_drawn_back_goes_and_is_reported(real_data):
+    """A table for four whose end was wedged at the sofa of its room."""
+    home = sw.solve(adapt(rescale(raw_plans()[923])).brief, seed=401, threads=1)
+    reasons = [out.reason for out in home.left_out if out.what == "dining_wall"]
+    assert sum(reason.startswith(move.FEWER) for reason in reasons) == 1
+    chairs = [piece for piece in home.pieces if piece.category == "dining_chair"]
+    (sofa,) = (piece for piece in home.pieces if piece.category == "sofa")
+    assert len(chairs) == 3
+    placed = [FurnishedGroup(Wish(p.function, 1), p.group, None, (p,)) for p in (*chairs, sofa)]
+    assert not [pair for pair in rules.list_close(placed) if pair.cost >= move.STUCK]

@@ -115,7 +115,7 @@ def lay_rails(edges: Floats, row: RowOfGates, side: int) -> Floats:
             bears = turns or stop - begin > POST + SHORTEST
             inner = begin if bears else stop - POST - APART
             off = end * (inner + 0.5 * POST)
-            post.append([*(centre + off * right), *_across(way), float(row.box[4]), POST])
+            post.append([*(centre + off * right), _turn_across(way), float(row.box[4]), POST])
             begin, stop = (begin + POST + APART, stop) if bears else (begin, inner - APART)
         if stop - begin > SHORTEST:
             found.append((centre + end * begin * right, centre + end * stop * right))
@@ -206,9 +206,9 @@ def _rail(start: Floats, end: Floats) -> list[float]:
     """The box (5,) of a rail between two points."""
     along = end - start
     x, y = 0.5 * (start + end)
-    return [x, y, *_across(along), float(np.hypot(*along)) - 2 * APART, THICK]
+    return [x, y, _turn_across(along), float(np.hypot(*along)) - 2 * APART, THICK]
 
 
-def _across(along: Floats) -> tuple[float]:
+def _turn_across(along: Floats) -> float:
     """The heading of what is as wide as some way is long."""
-    return (float(np.arctan2(-along[0], along[1])),)
+    return float(np.arctan2(-along[0], along[1]))

@@ -18,6 +18,7 @@ import numpy as np
 import shapely
 
 from scenewright.building.ceiling import living_area, planes
+from scenewright.building.room_needs import USABLE
 from scenewright.core.brief import Room
 from scenewright.core.catalog import Group, Member
 from scenewright.core.plan import Plan
@@ -130,7 +131,7 @@ def decide_household(rooms: Sequence[Space], stated: int | None = None) -> House
         alone=_alone(uses, areas, sum(beds) - (stated or sum(beds))),
         areas=areas,
         washes_in=largest((WASHROOM,)),
-        cooks_in=largest(("kitchen",), but=wet) or largest(("kitchen",)),
+        cooks_in=largest(("kitchen",), USABLE["kitchen"].area, wet) or largest(("kitchen",)),
     )
 
 

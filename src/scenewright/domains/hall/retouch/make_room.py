@@ -27,17 +27,13 @@ STEPS = (0.6, 0.3, 0.15)
 """Metres by which what gave way is moved on for less energy."""
 
 
-def make_room(chain: HallChain, before: Kept, kept: Kept, firm: list[int]) -> list[Kept]:
-    """Layouts like ``kept`` in which the groups stand elsewhere that are in the way of what it
-    moves, in the form they have or in another. None if more than ``MOST`` of them are, one of the
-    ``firm`` ones or something else."""
+def make_room(chain: HallChain, before: Kept, kept: Kept, yielding: list[int]) -> list[Kept]:
+    """Layouts like ``kept`` in which the units ``yielding`` (:func:`find_yielding`) stand
+    elsewhere, in the form they have or in another."""
     p, s, work = chain.p, chain.s, chain.work
     bring_back(p, s, work, before)
     facing = s.costs[FACING].copy()
     bring_back(p, s, work, kept)
-    yielding = find_yielding(chain, before, kept, firm)
-    if not yielding:
-        return []
     count, looked = len(p.spans), facing[yielding]
     standing = [u for u in range(count) if u not in yielding]
     order = np.array([*standing, *yielding], np.int64)

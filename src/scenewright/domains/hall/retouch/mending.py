@@ -88,8 +88,8 @@ def weigh_proposals(
     found = [weigh_layout(chain, [one], kept) for kept in proposed]
     least = min((p.fault for p in found if p.cost < now.cost), default=now.fault)
     if one.touch.make_room:
-        for barred in _barred(chain, found, layout.kept, least - WORTH, firm):
-            made = make_room(chain, layout.kept, barred.kept, firm)
+        for barred, yielding in _barred(chain, found, layout.kept, least - WORTH, firm):
+            made = make_room(chain, layout.kept, barred.kept, yielding)
             found += [weigh_layout(chain, [one], kept) for kept in made]
     return found
 
@@ -122,17 +122,17 @@ def _placed(touches: list[SeenTouch], kept: Kept) -> list[int]:
 
 def _barred(
     chain: HallChain, found: list[Proposal], before: Kept, most: float, firm: list[int]
-) -> list[Proposal]:
+) -> list[tuple[Proposal, list[int]]]:
     """Proposals of less than the ``most`` fault worth making room for, the best first and none
-    near another, in whose way only others than the ``firm`` ones are."""
-    chosen: list[Proposal] = []
+    near another, each with the units in its way, none of them ``firm``."""
+    chosen: list[tuple[Proposal, list[int]]] = []
     for one in sorted((one for one in found if one.fault < most), key=lambda one: one.fault):
         moved = (one.kept.pose != before.pose).any(1)
-        off = (np.abs(one.kept.pose - other.kept.pose)[moved, :3].max() for other in chosen)
+        off = (np.abs(one.kept.pose - other.kept.pose)[moved, :3].max() for other, _ in chosen)
         if moved.any() and all(far > APART for far in off):
             bring_back(chain.p, chain.s, chain.work, one.kept)
-            if find_yielding(chain, before, one.kept, firm):
-                chosen.append(one)
+            if yielding := find_yielding(chain, before, one.kept, firm):
+                chosen.append((one, yielding))
         if len(chosen) == BARRED:
             break
     return chosen

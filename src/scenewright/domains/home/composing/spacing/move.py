@@ -14,7 +14,13 @@ from collections.abc import Iterator, Sequence
 from itertools import chain, islice
 
 from scenewright.core.catalog import Group
-from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask, find_blocked
+from scenewright.domains.home.attempt import (
+    FurnishedGroup,
+    Missing,
+    RoomAnswer,
+    RoomTask,
+    find_blocked,
+)
 from scenewright.domains.home.bed_first import with_narrow_ways
 from scenewright.domains.home.composing.bed_sides import count_closed_beds
 from scenewright.domains.home.composing.doorways import HOLDING
@@ -38,6 +44,7 @@ from scenewright.domains.home.composing.spacing.rules import list_close, measure
 from scenewright.domains.home.composing.spacing.shifts import list_shifted
 from scenewright.domains.home.composing.views import is_unseen
 from scenewright.domains.home.composing.walked_places import try_places
+from scenewright.domains.home.programme import WELCOME
 from scenewright.domains.home.second_try import Opened
 
 ORDER = (
@@ -63,7 +70,7 @@ SPARE = frozenset(("plant",))
 """What stands on a group and may be lost for it."""
 STUCK = 5.0
 """What it costs at least that a chair can hardly be drawn back; a table loses one for that."""
-CHAIR = "dining_chair"
+CHAIR, FEWER = "dining_chair", "a chair less stands at it: it could not be drawn back"
 HAIR = 1e-6
 
 
@@ -123,8 +130,10 @@ def _list_with_fewer(task: RoomTask, answer: RoomAnswer) -> Iterator[RoomAnswer]
     stuck = {pair.group for pair in close if pair.cost >= STUCK}
     for p in answer.placed:
         if p.wish.group in SEATED and p.name in stuck:
+            lost = Missing(p.wish._replace(rank=WELCOME, core=False, required=False), FEWER)
+            missing = (*answer.missing, lost)
             found = _list_elsewhere(task, answer.placed, p.name, 1)
-            yield from (answer._replace(placed=other) for other in found)
+            yield from (answer._replace(placed=other, missing=missing) for other in found)
 
 
 def _list_elsewhere(task: RoomTask, placed: Placed, name: str, fewer: int = 0) -> Iterator[Placed]:
