@@ -147,3 +147,17 @@ def test_without_a_counter_stools_stand_at_high_tables_with_something_on_them() 
     for stool in stools:
         assert min(math.dist(stool.pose[:2], table.pose[:2]) for table in tables) < 1.2
     assert scenewright.check(found).valid
+
+
+@pytest.mark.parametrize("seed", [59, 61])
+def test_few_stools_stand_amid_the_sides_of_a_long_high_table(seed: int) -> None:
+    table = {"category": "display_table", "count": 1, "size": [3.0, 0.9, 1.05]}
+    found = scenewright.solve(cafe(table, STOOLS, TABLES), seed=seed, threads=1)
+    (long,) = (piece for piece in found.pieces if piece.category == "display_table")
+    right = math.sin(long.pose.heading), -math.cos(long.pose.heading)
+    off = [
+        (p.pose.x - long.pose.x) * right[0] + (p.pose.y - long.pose.y) * right[1]
+        for p in found.pieces
+        if p.category == "bar_stool"
+    ]
+    assert sorted(off) == pytest.approx([-0.45, -0.45, 0.45, 0.45])

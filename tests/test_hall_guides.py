@@ -14,6 +14,7 @@ from scenewright.core.brief import Brief
 from scenewright.core.piece_outlines import polygons_of
 from scenewright.domains.hall.rails import RowOfGates, find_stops, find_way_in, lay_rails, reach
 from scenewright.domains.hall.retouch.audience import measure_audience as sits_aside
+from scenewright.domains.hall.retouch.gates import find_gates, list_steps
 from scenewright.domains.hall.retouch.lines import line_up
 from scenewright.domains.hall.retouch.ropes import Anchor, forms_lane, measure_before
 from scenewright.domains.hall.retouch.tills import measure_tills
@@ -31,6 +32,16 @@ def _solve(demands: list[dict[str, Any]], size: tuple[float, float], at: float) 
     }
     brief = Brief.model_validate({"domain": "hall", "rooms": [room]})
     return scenewright.solve(brief, seed=1, threads=1)
+
+
+def _problems(demands: list[dict[str, Any]]) -> Any:
+    room = {
+        "name": "Hall",
+        "outline": [[0, 0], [14, 0], [14, 11], [0, 11]],
+        "doors": [{"id": "in", "at": [7, 0], "width": 1.8, "swing": "slide"}],
+        "demands": demands,
+    }
+    return problems(Brief.model_validate({"domain": "hall", "rooms": [room]}))
 
 
 def test_a_ray_ends_at_the_first_edge() -> None:
@@ -331,3 +342,17 @@ def test_ropes_in_several_lines_before_an_exhibit_guard_nothing_more_than_one() 
     lines = np.concatenate([line, line + np.array([1.5, 0, 0, 0, 0])])
     assert measure_before(line, whale) == pytest.approx(0.0)
     assert measure_before(lines, whale) > 1.0
+
+
+def test_rows_of_gates_before_one_door_step_back_from_one_line() -> None:
+    """Each row is held against those before it; rows far apart along the way are two lines."""
+    row = {"category": "ticket_gate", "count": 2}
+    ((problem, start),) = _problems([row | {"id": "first"}, row | {"id": "second"}])
+    boxes = np.array([[x, 3.0, -0.5 * math.pi, 0.95, 1.4] for x in (5.0, 6.0, 8.0, 9.0)])
+    units = find_gates(problem, start)
+    assert list_steps(problem, boxes, 1, units) == [pytest.approx(0.0)]
+    boxes[2:, 1] = 3.4
+    assert list_steps(problem, boxes, 1, units) == [pytest.approx(-0.4)]
+    assert list_steps(problem, boxes, 0, units) == []
+    boxes[2:, 1] = 5.0
+    assert list_steps(problem, boxes, 1, units) == []

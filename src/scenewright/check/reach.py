@@ -182,7 +182,7 @@ def _all_of(group: Members, shapes: dict[int, Shape]) -> Shape:
 def _used_from(bodies: Bodies, rooms: Rooms, i: int, depth: float) -> Shape:
     """The boxes before the using sides of a piece, ``depth`` metres deep; each deeper if one has
     to bend down there."""
-    corners, sides = bodies.corners[i], bodies.kinds[i].access or _ROUND
+    corners, sides = bodies.corners[i], bodies.kinds[i].reached_from or _ROUND
     space = rooms.spaces[bodies.room[i]]
     return shapely.multipolygons([_before(corners, side, depth, space) for side in sides])
 

@@ -124,6 +124,17 @@ class Kind:
         """
         return self.label or self.category.replace("_", " ")
 
+    @property
+    def reached_from(self) -> tuple[Side, ...]:
+        """The sides at one of which people come to it: what they sit down on from behind, as at a
+        table, stands at a wall too, and then they do so from the front.
+
+        >>> Kind("chair", access=("back", "left", "right")).reached_from
+        ('back', 'left', 'right', 'front')
+        """
+        behind = "back" in self.access and "front" not in self.access
+        return (*self.access, "front") if behind else self.access
+
 
 def size_range(width: str, depth: str, height: str) -> SizeRange:
     """The sizes of a kind from three columns ``"smallest usual largest"`` in centimetres.

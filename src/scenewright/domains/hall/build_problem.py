@@ -91,7 +91,8 @@ def taken_floor(hall: HallContext) -> Floats:
     """Boxes (n, 5) of the floor that doors and windows need, and of what stands there already."""
     solid = [piece for piece in (*hall.fixed, *hall.beside) if _solid(piece)]
     standing = [list(box) for piece in solid for box in boxes_of(piece)]
-    return _rows([*_kept_free(hall.space, gates(hall.space)), *standing], 5)
+    kept = [row[:5] for row in _kept_free(hall.space, gates(hall.space))]
+    return _rows([*kept, *standing], 5)
 
 
 def zone_areas(hall: HallContext) -> Floats:
@@ -129,6 +130,7 @@ def build_problem(
             choices=_choices(wishes, units, hall.settings.whole),
             demands=np.array([unit.demand for unit in units], np.int64),
             targets=_targets(wishes, units),
+            heights=np.array([size.height for size in sizes], np.float64),
         ),
         names=unit_names(hall, wishes, units),
         zone_names=hall.names,
@@ -172,10 +174,12 @@ def _ground(
     doors = [gate for gate in seen if gate.opening.kind != "window"]
     solid = [piece for piece in (*hall.fixed, *hall.beside) if _solid(piece)]
     locked = _find_locked(hall, catalog)
+    kept = _rows(_kept_free(hall.space, seen), 6)
     return HallGround(
         edges=edges_of(hall.space),
         obstacles=_rows([box for piece in solid for box in boxes_of(piece)], 5),
-        keep_free=_rows(_kept_free(hall.space, seen), 5),
+        keep_free=kept[:, :5],
+        sills=kept[:, 5],
         doors=_rows([throat(gate) for gate in doors], 5),
         zone_edges=np.concatenate(rings),
         zone_spans=np.stack([ends - [len(ring) for ring in rings], ends], 1),
@@ -219,14 +223,15 @@ def _least(wishes: list[HallDemand], units: list[Unit], areas: Floats) -> Floats
 
 
 def _kept_free(space: Space, seen: tuple[DoorApproach, ...]) -> list[list[float]]:
-    boxes = []
+    """Boxes of the floor that doors and windows need, and how high things may be there."""
+    rows = []
     for gate in seen:
         if gate.opening.kind == "window":
-            boxes.append(before(gate, gate.opening.width, WINDOW))
+            rows.append([*before(gate, gate.opening.width, WINDOW), gate.opening.sill])
         else:
-            boxes += door_zone(space, gate)
-            boxes.append(before(gate, gate.opening.width, LANDING))
-    return boxes
+            boxes = [*door_zone(space, gate), before(gate, gate.opening.width, LANDING)]
+            rows += [[*box, 0.0] for box in boxes]
+    return rows
 
 
 def _stretches(hall: HallContext, wishes: list[HallDemand], units: list[Unit]) -> list[list[float]]:
@@ -287,13 +292,16 @@ def _access(wishes: list[HallDemand], units: list[Unit], catalog: Catalog) -> Fl
     rows = []
     for unit in units:
         category = wishes[unit.demand].category
-        sides: tuple[str, ...] = catalog.kinds.get(category, Kind(category)).access
+        kind = catalog.kinds.get(category, Kind(category))
+        sides: tuple[str, ...] = kind.access
         if any(word in category for word in SEATS):
             sides = ()  # one goes along the row, sideways
         elif wishes[unit.demand].lounges:
             sides = ("left", "right")
         elif wishes[unit.demand].double:
             sides = ("front", "back")
+        elif wishes[unit.demand].at_wall:
+            sides = tuple(side for side in kind.reached_from if side != "back")
         elif wishes[unit.demand].turned:
             sides = tuple(side for k, side in enumerate(SIDES) if SIDES[k - 2] in sides)
         each = EACH if wishes[unit.demand].double else 1.0

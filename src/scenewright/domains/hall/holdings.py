@@ -11,7 +11,7 @@ from scenewright.core.brief import Brief
 from scenewright.core.brief.zones import Demand
 from scenewright.core.catalog import Catalog
 from scenewright.core.scene import Piece, Size
-from scenewright.domains.hall.audience import find_shows, find_tables, may_share_zone
+from scenewright.domains.hall.audience import CHAIRS, find_shows, find_tables, may_share_zone
 from scenewright.domains.hall.cash_desks import is_cash_desk, measure_cash_desk
 from scenewright.domains.hall.chairs import out_of_table, seats_around
 from scenewright.domains.hall.demands import ids_of, sizes_of
@@ -183,6 +183,8 @@ def _clearance(
 ) -> tuple[float, float, float, float]:
     stated = usual if demand.clearance is None else demand.clearance
     front, left, back, right = stated if isinstance(stated, tuple) else (stated,) * 4
+    if demand.clearance is None and at_wall and demand.category in CHAIRS:
+        return (max(front, back), 0.0, 0.0, 0.0)  # side by side, who sits there before them
     return (front, left, 0.0 if at_wall else back, right)
 
 

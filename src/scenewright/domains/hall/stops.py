@@ -82,7 +82,7 @@ def _views(
     owners = []
     for k, (box, piece) in enumerate(zip(boxes, members, strict=True)):
         kind = catalog.kinds.get(piece.category)
-        for side in (kind and kind.access) or SIDES:
+        for side in (kind and kind.reached_from) or SIDES:
             lines.append(_before(box, SIDES.index(side), max(CLOSE, clear.cell)))
             owners += [k] * len(lines[-1])
     starts, points = np.split(np.concatenate(lines), [1], axis=1)

@@ -9,6 +9,7 @@ from scenewright.core.piece_outlines import boxes_of
 from scenewright.core.scene import Piece
 from scenewright.core.space import Opening, Space
 from scenewright.domains.hall.assign import Unit
+from scenewright.domains.hall.audience import CHAIRS
 from scenewright.domains.hall.doors import visitor_exits, ways_in, ways_out
 from scenewright.domains.hall.holdings import HallDemand
 from scenewright.domains.hall.problem import Floats, VisitorPlan
@@ -27,6 +28,7 @@ from scenewright.domains.hall.terms.visitors import (
     STAGE,
     TABLE,
     TILL,
+    WAITING,
 )
 
 EYES = 1.6
@@ -40,6 +42,8 @@ BELT = 0.78
 """Depth in metres of a till with a belt, at least; lesser ones have no lanes."""
 EXHIBITS = ("exhibit_island", "showcase", "plinth", "interactive_table", "stage", "screen")
 LOUNGES = frozenset(("lounge_seat", "armchair", "sofa", "pouf"))
+WAITS = ("wait", "warte", "attente", "espera", "等候", "待合")
+"""Parts of the names of seats to wait on."""
 TABLES = frozenset(("reading_table", "dining_table", "round_table", "outdoor_table"))
 ON_SHOW = frozenset((*EXHIBITS[:4], "exhibit_panel", "display_table", "mannequin"))
 LOW_TABLES = frozenset(("coffee_table",))
@@ -119,6 +123,16 @@ def _roles(wishes: list[HallDemand], units: list[Unit]) -> Floats:
 
 
 def _standing(wishes: list[HallDemand], units: list[Unit]) -> Floats:
-    """The roles (g,) of units that follow from what they are made of."""
+    """The roles (g,) of units that follow from what they are made of, and of seats to wait on."""
     kinds = [wishes[unit.demand].category for unit in units]
-    return np.array([sum(bit for bit, of in STANDING if kind in of) for kind in kinds], np.float64)
+    roles = [sum(bit for bit, of in STANDING if kind in of) for kind in kinds]
+    waits = [WAITING * is_to_wait_on(wishes[unit.demand]) for unit in units]
+    return np.array(roles, np.float64) + np.array(waits, np.float64)
+
+
+def is_to_wait_on(wish: HallDemand) -> bool:
+    """Whether a demand is seats on which people wait to be served, as its name says, or chairs at
+    a wall."""
+    seats = wish.category in (*LOUNGES, *CHAIRS, "bench")
+    chairs = wish.category in CHAIRS and wish.at_wall
+    return chairs or (seats and any(word in wish.name.casefold() for word in WAITS))

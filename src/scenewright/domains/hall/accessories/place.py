@@ -14,7 +14,6 @@ from scenewright.core.layout import corners
 from scenewright.core.piece_outlines import boxes_of, polygons_of
 from scenewright.core.scene import Piece, Size
 from scenewright.domains.hall.accessories import ACCESSORIES
-from scenewright.domains.hall.accessories.counter_rows import join_counters
 from scenewright.domains.hall.accessories.setting import (
     Bools,
     FreeFloor,
@@ -27,7 +26,12 @@ from scenewright.domains.hall.accessories.setting import (
     lie_open,
 )
 from scenewright.domains.hall.accessories.spots import NO_PAIR, Spots, spread_spots
-from scenewright.domains.hall.accessories.stools import COUNTER, STOOL, spread_stools, stand_before
+from scenewright.domains.hall.accessories.stools import (
+    STOOL,
+    list_fronts,
+    spread_stools,
+    stand_before,
+)
 from scenewright.domains.hall.build_problem import MARGIN, SIDES, HallContext
 from scenewright.domains.hall.desks import SERVING
 from scenewright.domains.hall.holdings import HallDemand
@@ -84,16 +88,16 @@ def _place_in_order(there: StandingHall, small: list[HallDemand]) -> Placed:
 def _spread_stools(
     there: StandingHall, small: list[HallDemand], boxes: Placed, least: tuple[float, float]
 ) -> Placed:
-    """The same with the stools before each counter evenly along it, where they bar nothing so."""
+    """The same with the stools before each counter and at each long side of a table evenly along
+    it, where they bar nothing so."""
     for k, wish in enumerate(small):
         stools = [n for n, box in enumerate(boxes[k]) if box is not None]
-        counters = [p for p in there.pieces if p.category == COUNTER]
-        for counter in join_counters(counters) if wish.category == STOOL and stools else ():
+        for front, served in list_fronts(there.pieces) if wish.category == STOOL else ():
             rows = _stack(boxes[k])
-            own = stand_before(counter, rows)
+            own = stand_before(front, rows)
             if not own.any():
                 continue
-            rows[own] = spread_stools(counter, rows[own])
+            rows[own] = spread_stools(front, rows[own], served)
             spread: list[Floats | None] = list(boxes[k])
             for n, row in zip(stools, rows, strict=True):
                 spread[n] = row

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -86,8 +87,21 @@ def _before(counter: Piece, size: Size) -> Iterator[Floats]:
         yield face((at + along * right)[None], heading + math.pi, size)[0]
 
 
-def spread_stools(counter: Piece, boxes: Floats) -> Floats:
-    """Stools (k, 5) evenly along the middle of the front of the counter they stand before.
+def list_fronts(pieces: Sequence[Piece]) -> Iterator[tuple[Piece, float]]:
+    """What stools stand before in lines, its front towards them, and how many metres of each stay
+    free: counters, and both long sides of high tables."""
+    for row in join_counters([p for p in pieces if p.category == COUNTER]):
+        yield row, SERVED
+    for table in pieces:
+        if may_sit_at(table.category, table.size.height) and not sits_around(table.size):
+            for turn in (0.0, math.pi):
+                pose = table.pose._replace(heading=table.pose.heading + turn)
+                yield replace(table, pose=pose), 0.0
+
+
+def spread_stools(counter: Piece, boxes: Floats, served: float = SERVED) -> Floats:
+    """Stools (k, 5) evenly along the middle of the front of the counter they stand before, but for
+    the metres of it where others are ``served``.
 
     >>> from scenewright.core.scene import Pose
     >>> bar = Piece(id="bar", category="counter", asset="", space="",
@@ -99,7 +113,7 @@ def spread_stools(counter: Piece, boxes: Floats) -> Floats:
     heading, count = counter.pose.heading, len(boxes)
     right = np.array([math.sin(heading), -math.cos(heading)])
     along = (boxes[:, :2] - counter.pose[:2]) @ right
-    pitch = min(max((counter.size.width - SERVED) / count, CLOSE), WIDEST)
+    pitch = min(max((counter.size.width - served) / count, CLOSE), WIDEST)
     evenly, order = pitch * (np.arange(count) - 0.5 * (count - 1)), np.argsort(along)
     found = boxes.copy()
     found[order, :2] += (evenly - along[order])[:, None] * right
@@ -154,11 +168,12 @@ def sits_around(table: Size) -> bool:
 
 
 def _around(table: Piece, size: Size) -> Iterator[Floats]:
-    """Places at the sides of a table, each across from another, looking at it."""
+    """Places at the sides of a table, each across from another, looking at it; first those in the
+    middle."""
     sides = (0, 2, 1, 3) if sits_around(table.size) else (0, 2)
     each = count_around(table.size) // len(sides)
     pitch = table.size.width / each
-    for number in range(each):
+    for number in sorted(range(each), key=lambda n: abs(2 * n - each + 1)):
         for turns in sides:
             angle = table.pose.heading + 0.5 * math.pi * turns
             deep = table.size.width if turns % 2 else table.size.depth

@@ -65,6 +65,7 @@ from scenewright.domains.hall.retouch.spread import measure_spread, propose_spre
 from scenewright.domains.hall.retouch.square import measure_askew, propose_squared
 from scenewright.domains.hall.retouch.stands import measure_backs, propose_turns
 from scenewright.domains.hall.retouch.tills import find_tills, propose_tills, tills_adrift
+from scenewright.domains.hall.retouch.waiting import forgive_backs, measure_waiting, propose_waiting
 from scenewright.domains.hall.solvers.outcome import MeasuredLayout
 
 ROUNDS = 4
@@ -88,6 +89,7 @@ RETOUCHES: dict[str, Retouch] = {
     "gates": Retouch(_whole, gates_adrift, propose_gates, forgive_doors, find_gates),
     "desks": Retouch(first_desks, desks_adrift, propose_desks, mind_order, find_desks),
     "counters": Retouch(other_desks, desks_adrift, propose_desks, forgive_walls, find_desks),
+    "waiting": Retouch(_whole, measure_waiting, propose_waiting, forgive_backs),
     "tills": Retouch(_whole, tills_adrift, propose_tills, mind_order, find_tills),
     "queues": Retouch(_whole, measure_queues, propose_queues, make_room=False),
     "ropes": Retouch(_whole, ropes_adrift, propose_ropes, forgive_queues),

@@ -35,6 +35,9 @@ STEPS = (1.72, 2.0, 2.4, 2.8, 3.4)
 SHIFTS = tuple(0.65 * k for k in range(-8, 9))
 FEWER = SHIFTS[4:-4]
 """Metres ahead and aside that are tried, and aside where each of several doors has gates."""
+PARALLEL, MOST_STEP = 0.99, 1.5
+"""The cosine between two ways that are one, and metres from row to row along them beyond which
+these are two lines."""
 NUDGES = (0.05, -0.05, 0.1, -0.1, 0.2, -0.2, 0.3, -0.3)
 """Metres along their row that are tried where they stand."""
 
@@ -48,7 +51,24 @@ def find_gates(problem: HallProblem, kept: Kept) -> list[int]:
 
 def gates_adrift(problem: HallProblem, kept: Kept, boxes: Floats) -> float:
     """The faults of all rows of gates of boxes (n, 5), in metres."""
-    return sum(measure_gates(problem, kept, boxes, unit) for unit in find_gates(problem, kept))
+    found = find_gates(problem, kept)
+    steps = (max(map(abs, list_steps(problem, boxes, unit, found)), default=0.0) for unit in found)
+    return sum(measure_gates(problem, kept, boxes, unit) for unit in found) + sum(steps)
+
+
+def list_steps(problem: HallProblem, boxes: Floats, unit: int, units: list[int]) -> list[float]:
+    """Metres by which each of the rows ``units`` before a unit that people pass the same way stands
+    ahead of it among boxes (n, 5): side by side, rows are in one line."""
+    spans, zones = problem.units.spans, problem.units.zones
+    mine, own = boxes[slice(*spans[unit])][:, :2].mean(0), find_way_in(problem, unit)
+    found = list[float]()
+    for other in units[: units.index(unit)]:
+        off = boxes[slice(*spans[other])][:, :2].mean(0) - mine
+        along = find_way_in(problem, other).way @ own.way > PARALLEL
+        ahead = float(off @ own.way)
+        if along and zones[other] == zones[unit] and abs(ahead) < MOST_STEP:
+            found.append(ahead)
+    return found
 
 
 def measure_gates(problem: HallProblem, kept: Kept, boxes: Floats, unit: int) -> float:
@@ -110,14 +130,28 @@ def forgive_doors(
 
 
 def propose_gates(problem: HallProblem, kept: Kept, boxes: Floats) -> Iterator[Kept]:
-    """Layouts with the gates of one unit that are not there side by side across the way."""
-    faults = {unit: measure_gates(problem, kept, boxes, unit) for unit in find_gates(problem, kept)}
-    for unit in [unit for unit, fault in faults.items() if fault > FREE]:
-        start, way = find_way_in(problem, unit)[:2]
-        for ahead, aside in product(STEPS, SHIFTS if len(faults) == 1 else FEWER):
-            at = start + ahead * way + aside * np.array([-way[1], way[0]])
+    """Layouts with the gates of one unit that are not there side by side across the way, or in
+    line with those of another."""
+    units = find_gates(problem, kept)
+    faults = {unit: measure_gates(problem, kept, boxes, unit) for unit in units}
+    for unit in units:
+        way_in = find_way_in(problem, unit)
+        start, way = way_in.start, way_in.way
+        left = np.array([-way[1], way[0]])
+        steps = [s for s in list_steps(problem, boxes, unit, units) if abs(s) > FREE]
+        for step, aside in product(steps, (0.0, *NUDGES)):
+            yield _shift(kept, unit, step * way + aside * left)
+        if faults[unit] <= FREE:
+            continue
+        for ahead, aside in product(STEPS, SHIFTS if len(units) == 1 else FEWER):
+            at = start + ahead * way + aside * left
             yield line_up(problem, kept, unit, (*at, np.arctan2(-way[1], -way[0])))
         for aside in NUDGES:
-            pose = kept.pose.copy()
-            pose[unit, :2] += aside * np.array([-way[1], way[0]])
-            yield kept._replace(pose=pose)
+            yield _shift(kept, unit, aside * left)
+
+
+def _shift(kept: Kept, unit: int, by: Floats) -> Kept:
+    """The layout with a unit moved by some metres (2,)."""
+    pose = kept.pose.copy()
+    pose[unit, :2] += by
+    return kept._replace(pose=pose)

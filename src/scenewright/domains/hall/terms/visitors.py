@@ -21,10 +21,10 @@ RAYS = 5
 QUEUE = 2.0
 """Depth of the floor before a till on which people wait, in metres: about four of them."""
 FIRST, TILL, MAIN, LANE, GUIDE, SPEAKER, ALOOF, LOUNGE, LOW = 1, 2, 4, 8, 16, 32, 64, 128, 256
-STAGE, TABLE, RECEPTION, MACHINE = 512, 1024, 2048, 4096
+STAGE, TABLE, RECEPTION, MACHINE, WAITING = 512, 1024, 2048, 4096, 8192
 """Roles of groups: seen first, passed last, the main exhibit, tills with lanes between them, ropes
 that guide people, lecterns, what keeps off columns, lounge seats, low tables before them, stages,
-tables to sit at, desks to ask at, and machines to get a ticket from."""
+tables to sit at, desks to ask at, machines to get a ticket from, and seats to wait on."""
 OFF_AXIS, FAR_OFF = 0.05, 5.0
 """What a metre of the main exhibit off the axis of the entrance costs, and the metres beyond which
 more cost no more."""
