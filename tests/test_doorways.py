@@ -5,7 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import shapely
+from benchmarks.composition_faults import strip_before
+from benchmarks.plans_r2v import adapt, raw_plans
+from benchmarks.rescaled_r2v import rescale
 
+import scenewright as sw
 from scenewright.building.door_approach import gates
 from scenewright.building.plan import spaces
 from scenewright.catalog.loading import catalog_of
@@ -13,11 +17,14 @@ from scenewright.core.brief import Brief, Room
 from scenewright.core.piece_outlines import outline_of
 from scenewright.domains.home.attempt import Missing, RoomAnswer, find_blocked
 from scenewright.domains.home.cases.library import cases
-from scenewright.domains.home.composing.case_faults import is_hung
+from scenewright.domains.home.composing.case_faults import RUN, is_hung
 from scenewright.domains.home.composing.doorways import clear_doorways
-from scenewright.domains.home.composing.forms import list_further
+from scenewright.domains.home.composing.forms import cost_of_case, list_further
 from scenewright.domains.home.composing.moving import dress_group, make_unplaced
 from scenewright.domains.home.composing.placed_faults import (
+    FIRMNESS,
+    cost_of_group,
+    cost_of_openings,
     measure_before_doors,
     measure_hung_over_doors,
 )
@@ -190,3 +197,37 @@ def test_a_screen_on_the_wall_over_a_door_is_left_out_by_name():
         task, "media", 0.5, 2.6, -NORTH, lambda c: c.width == 0.9 and is_hung(c), required=True
     )
     assert leave_out_unseen_screen(task, answer_of(asked)).placed == (asked,)
+
+
+@pytest.mark.parametrize("name", ["chest", "wardrobe"])
+def test_what_is_tall_before_a_wide_door_costs_more(name):
+    """Of what stands as far before it; found for one group as for many places at once."""
+    task = task_of(ROOM, CLOSET)
+    rule = task.preset.settings.composing
+    group = stand(task, name, 0.3, 2.1, 0.0, lambda c: c.width == 1.0)
+    metres = min(measure_before_doors(group, task.ground), 1.0)
+    tall = FIRMNESS.get("wardrobe", 1.0) if name == "wardrobe" else 1.0
+    found = cost_of_openings(group.dressed.case, group.dressed.box[None], task.ground, rule)
+    assert metres > 0.1
+    assert tall == 1.0 or tall > 2.0
+    assert found[0] == pytest.approx(rule.costs.opening * tall * (1.0 + metres) / 2)
+    more = cost_of_group(group, task.ground, rule) - cost_of_case(
+        group.dressed.case, task.ground.area, rule
+    )
+    assert more == pytest.approx(found[0])
+
+
+@pytest.mark.realdata
+def test_a_kitchen_that_ends_before_a_wide_door_is_made_anew(real_data):
+    """Its last drawers stood 0.6 m before the sliding door of a bedroom."""
+    brief = adapt(rescale(raw_plans()[299])).brief
+    home = sw.solve(brief, seed=401, threads=1)
+    doors = [
+        strip_before(gate, 0.3)
+        for space in spaces(brief)
+        for gate in gates(space)
+        if gate.opening.kind == "door" and not gate.opening.hinge and gate.opening.width > 1.2
+    ]
+    run = [shapely.Polygon(outline_of(p)) for p in home.pieces if p.category in RUN]
+    assert len(run) >= 4
+    assert max(unit.intersection(door).area / 0.3 for unit in run for door in doors) < 0.1

@@ -1,4 +1,4 @@
-"""Chairs at walls, seats to wait on, and what stands under windows."""
+"""Chairs at walls, and seats to wait on."""
 
 from __future__ import annotations
 
@@ -15,23 +15,18 @@ from scenewright.core.brief import Brief
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
 from scenewright.domains.hall.holdings import collect_demands
-from scenewright.domains.hall.retouch.mending import weigh_layout
 from scenewright.domains.hall.retouch.waiting import RATE, STAFF, _measure
-from scenewright.domains.hall.solvers.chains import begin_chain
-from scenewright.domains.hall.solving import problems
 from scenewright.domains.hall.visitor_plan import is_to_wait_on
-from scenewright.engine.draws import streams
 
 CHAIRS: dict[str, Any] = {"id": "chairs", "category": "dining_chair", "count": 4, "place": "wall"}
 COUNTER: dict[str, Any] = {"id": "counter", "category": "counter", "size": [4.0, 0.7, 1.0]}
 
 
-def shop(*demands: dict[str, Any], windows: list[dict[str, Any]] | None = None) -> Brief:
+def shop(*demands: dict[str, Any]) -> Brief:
     room = {
         "name": "Shop",
         "outline": [[0, 0], [10, 0], [10, 7], [0, 7]],
         "doors": [{"id": "way in", "at": [2, 0], "width": 1.6, "swing": "slide"}],
-        "windows": windows or [],
         "zones": [],
         "demands": list(demands),
     }
@@ -53,20 +48,6 @@ def test_chairs_at_a_wall_stand_in_one_row_and_are_reached_from_the_front(seed: 
     steps = [math.dist(a.pose[:2], b.pose[:2]) for a, b in pairwise(chairs)]
     assert max(steps) < chairs[0].size.width + 0.1
     assert len({round(chair.pose.heading, 3) for chair in chairs}) == 1
-
-
-@pytest.mark.parametrize(("sill", "height", "may"), [(1.2, 1.0, True), (0.6, 1.0, False)])
-def test_what_is_lower_than_a_sill_may_stand_under_the_window(
-    sill: float, height: float, may: bool
-) -> None:
-    window = {"at": [5, 7], "width": 4.0, "sill": sill, "height": 1.0}
-    counter = COUNTER | {"size": [3.0, 0.6, height]}
-    ((problem, start),) = problems(shop(counter, windows=[window]))
-    pose = start.pose.copy()
-    pose[0] = 5.0, 6.68, -0.5 * math.pi, 0.0
-    chain = begin_chain(problem, start, streams(0, 1)[0])
-    energy = weigh_layout(chain, [], start._replace(pose=pose)).cost
-    assert np.isfinite(energy) == may
 
 
 def test_seats_wait_before_a_desk_not_where_its_staff_stands() -> None:

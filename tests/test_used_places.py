@@ -69,6 +69,26 @@ def test_floor_that_is_cut_off_agrees_with_counting_by_hand():
     assert cut_off.measure_cut_off([], ground) == 0.0
 
 
+@pytest.mark.parametrize(
+    ("gap", "hinge", "shut"),
+    [(0.3, "left", True), (0.6, "left", False), (0.3, "right", True)],
+    ids=["closed", "a way past its tip", "the other way round"],
+)
+def test_a_door_whose_leaf_shuts_it_off_counts(gap, hinge, shut):
+    """A door in the middle of a wall, a cupboard on its free side and a sofa before its leaf."""
+    doors = [
+        {"at": [2.5, 0.0], "width": 0.8, "swing": "in", "hinge": hinge},
+        {"at": [4.5, 4.0], "width": 0.9, "swing": "out"},
+    ]
+    ground = ground_of(space_of(doors=doors), (), 30.0)
+    free = 2.5 - 0.6 * np.sign(ground.leaves[0, 0] - 2.5)
+    cupboard = group("chest", "bookcase", free, 0.5, 0.0, 1.0, 0.3)
+    sofa = group("seating", "sofa", 2.5, 0.8 + gap + 0.45, pi / 2, 2.4, 0.9)
+    found = cut_off.cost_of_shut_off([*cupboard.pieces, *sofa.pieces], ground)
+    assert found == (cut_off.SHUT if shut else 0.0)
+    assert cut_off.cost_of_shut_off([], ground) == 0.0
+
+
 def test_what_stands_already_is_nobodys_fault():
     ground = ground_of(space_of(), (), 30.0)
     wall = group("shelf", "bookcase", 2.0, 2.0, 0.0, 4.0, 0.2).pieces
@@ -174,7 +194,11 @@ def test_nothing_stands_across_the_end_of_an_aisle_beside_a_bed(x, wall, shut):
     """A bed along x, its right side 0.4 m from a wall, or less, and a wardrobe at that wall."""
     edges = np.array([[-1.0, wall, 6, wall], [6, wall, 6, 3], [6, 3, -1, 3], [-1, 3, -1, wall]])
     ground = SimpleNamespace(
-        edges=edges, keep_free=np.zeros((0, 5)), area=0.0, paths=np.zeros((0, 4))
+        edges=edges,
+        keep_free=np.zeros((0, 5)),
+        area=0.0,
+        paths=np.zeros((0, 4)),
+        leaves=np.zeros((0, 6)),
     )
     bed = group("sleeping", "double_bed", 0.0, 0.0, 0.0, 2.0, 2.0)
     wardrobe = group("wardrobe", "wardrobe", x, wall + 0.3, pi / 2, 2.0, 0.6)

@@ -20,6 +20,7 @@ Floats = NDArray[np.float64]
 LANDING = 0.7  # kept free before stairs, metres
 THRESHOLD = 0.5  # kept free before a door, metres
 PASSAGE, SHARE = 0.9, 0.6  # kept free of a wide opening at least: metres, share of its width
+LEAF = 0.04  # how thick a leaf is, metres
 WIDE = 1.2  # openings without a leaf wider than this need not stay free in full, metres
 HAIR = 0.001  # what an opening reaches into a room by rounding, metres
 QUARTER = 0.71  # a little over the cosine of 45 degrees
@@ -73,9 +74,23 @@ def door_zone(space: Space, gate: DoorApproach) -> list[list[float]]:
     wide = opening.hinge == 0 and opening.width > WIDE
     kept = max(PASSAGE, SHARE * opening.width) if wide else opening.width
     zones = [before(gate, kept, depth + _beyond_face(gate))]
-    if opening.hinge and opening.swing and opens_here(gate):
+    if has_leaf(gate):
         zones += _sweep(gate)
     return zones
+
+
+def has_leaf(gate: DoorApproach) -> bool:
+    """Whether a leaf swings into this room."""
+    opening = gate.opening
+    return bool(opening.hinge and opening.swing and opens_here(gate))
+
+
+def open_leaf(gate: DoorApproach) -> list[float]:
+    """The box of a leaf of this room that stands open at a right angle."""
+    half = gate.opening.width / 2
+    along = np.array([gate.opening.ux, gate.opening.uy]) * gate.opening.hinge
+    hung = gate._replace(face=gate.face + along * (half - LEAF / 2))
+    return before(hung, LEAF, 2 * half)
 
 
 def _beyond_face(gate: DoorApproach) -> float:

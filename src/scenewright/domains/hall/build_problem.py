@@ -91,8 +91,7 @@ def taken_floor(hall: HallContext) -> Floats:
     """Boxes (n, 5) of the floor that doors and windows need, and of what stands there already."""
     solid = [piece for piece in (*hall.fixed, *hall.beside) if _solid(piece)]
     standing = [list(box) for piece in solid for box in boxes_of(piece)]
-    kept = [row[:5] for row in _kept_free(hall.space, gates(hall.space))]
-    return _rows([*kept, *standing], 5)
+    return _rows([*_kept_free(hall.space, gates(hall.space)), *standing], 5)
 
 
 def zone_areas(hall: HallContext) -> Floats:
@@ -130,7 +129,6 @@ def build_problem(
             choices=_choices(wishes, units, hall.settings.whole),
             demands=np.array([unit.demand for unit in units], np.int64),
             targets=_targets(wishes, units),
-            heights=np.array([size.height for size in sizes], np.float64),
         ),
         names=unit_names(hall, wishes, units),
         zone_names=hall.names,
@@ -174,12 +172,10 @@ def _ground(
     doors = [gate for gate in seen if gate.opening.kind != "window"]
     solid = [piece for piece in (*hall.fixed, *hall.beside) if _solid(piece)]
     locked = _find_locked(hall, catalog)
-    kept = _rows(_kept_free(hall.space, seen), 6)
     return HallGround(
         edges=edges_of(hall.space),
         obstacles=_rows([box for piece in solid for box in boxes_of(piece)], 5),
-        keep_free=kept[:, :5],
-        sills=kept[:, 5],
+        keep_free=_rows(_kept_free(hall.space, seen), 5),
         doors=_rows([throat(gate) for gate in doors], 5),
         zone_edges=np.concatenate(rings),
         zone_spans=np.stack([ends - [len(ring) for ring in rings], ends], 1),
@@ -223,15 +219,14 @@ def _least(wishes: list[HallDemand], units: list[Unit], areas: Floats) -> Floats
 
 
 def _kept_free(space: Space, seen: tuple[DoorApproach, ...]) -> list[list[float]]:
-    """Boxes of the floor that doors and windows need, and how high things may be there."""
-    rows = []
+    boxes = []
     for gate in seen:
         if gate.opening.kind == "window":
-            rows.append([*before(gate, gate.opening.width, WINDOW), gate.opening.sill])
+            boxes.append(before(gate, gate.opening.width, WINDOW))
         else:
-            boxes = [*door_zone(space, gate), before(gate, gate.opening.width, LANDING)]
-            rows += [[*box, 0.0] for box in boxes]
-    return rows
+            boxes += door_zone(space, gate)
+            boxes.append(before(gate, gate.opening.width, LANDING))
+    return boxes
 
 
 def _stretches(hall: HallContext, wishes: list[HallDemand], units: list[Unit]) -> list[list[float]]:

@@ -58,7 +58,6 @@ def prepare(problem: HallProblem) -> PreparedHall:
         standing_access=_fresh(ground.standing_access, 4),
         obstacles=frames_of(_fresh(ground.obstacles, 5)),
         keep_free=frames_of(_fresh(ground.keep_free, 5)),
-        sills=_or_zeros(ground.sills, len(ground.keep_free)),
         zone_edges=_fresh(ground.zone_edges, 4),
         zone_spans=np.array(ground.zone_spans, np.int64).reshape(-1, 2),
         zone_areas=np.array(ground.zone_areas, np.float64),
@@ -201,7 +200,6 @@ def _unit_arrays(units: Units, printed: bool) -> dict[str, Any]:
         near[u] = near_radius(last - first, wide * (deep + max(gaps[u, 1], ROW)))
     return {
         "sizes": sizes,
-        "heights": _or_zeros(units.heights, len(sizes)),
         "clear": clear,
         "access": _fresh(units.access, 4),
         "strolled": several_sides.astype(np.int64),

@@ -26,8 +26,7 @@ class HallGround(NamedTuple):
 
     ``edges`` (e, 4): directed edges x0, y0, x1, y1 of outline and holes, the inside on the left.
     ``obstacles`` (o, 5) boxes of what stands there already, ``keep_free`` (k, 5) boxes before
-    doors and windows, ``sills`` (k,) how high what stands there may be (left out: nothing may
-    stand there), ``doors`` (d, 5) boxes of the ways in through the wall.
+    doors, ``doors`` (d, 5) boxes of the ways in through the wall.
     ``zone_edges`` (f, 4) the directed edges of all zones, zone z owning rows ``zone_spans[z]``
     (start, end); ``zone_areas`` (z,) in square metres, ``zone_bounds`` (z, 4).
     ``zone_least`` (z,) the share of each zone that should be in use, δ_min.
@@ -62,7 +61,6 @@ class HallGround(NamedTuple):
     zone_walls: Floats = _NONE
     standing: Floats = _NONE
     standing_access: Floats = _NONE
-    sills: Floats = _NONE
     thickness: float = THICKNESS
 
 
@@ -74,7 +72,7 @@ class Units(NamedTuple):
     owns objects ``spans[u]`` (start, end) and stands in zone ``zones[u]``. ``walls`` (g,) 1 for a
     row along walls. ``choices`` (g, 8) 1 for each pattern (row of the pattern table) the unit may
     take. ``demands`` (g,) the number of the demand each unit serves, ``targets`` (g,) the unit each
-    one looks at, -1: none. ``heights`` (n,) in metres (left out: higher than any sill).
+    one looks at, -1: none.
     """
 
     sizes: Floats
@@ -85,7 +83,6 @@ class Units(NamedTuple):
     choices: Ints
     demands: Ints
     targets: Ints
-    heights: Floats = _NONE
 
 
 class VisitorPlan(NamedTuple):

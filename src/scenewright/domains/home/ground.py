@@ -13,7 +13,9 @@ from scenewright.building.door_approach import (
     door_zone,
     edges_of,
     gates,
+    has_leaf,
     landing,
+    open_leaf,
     throat,
 )
 from scenewright.building.standing import RADIATED, is_radiator
@@ -69,6 +71,7 @@ def ground_of(
         paths=door_paths(space, doors, solids),
         strips=_rows([_strip(g) for g in seen if _wants_all(g)], 6),
         hearths=_rows([_hearth(p) for p in fixed if p.category == HEARTH], 4),
+        leaves=_rows([[*open_leaf(g), k] for k, g in enumerate(doors) if has_leaf(g)], 6),
     )
 
 

@@ -37,7 +37,8 @@ class Ground(NamedTuple):
     of the united ways from door to door, better left free. ``strips`` (k, 6): the floor before
     windows (1 in the last column) and before doors and passages without a leaf that are wider than
     need stay free (0). ``hearths`` (h, 4): middle of the front and heading (cos, sin) of each
-    fireplace that stands.
+    fireplace that stands. ``leaves`` (f, 6): each leaf that opens into the space, at a right angle,
+    and the number of its door.
     """
 
     edges: Floats
@@ -55,6 +56,7 @@ class Ground(NamedTuple):
     paths: Floats = np.zeros((0, 4))
     strips: Floats = np.zeros((0, 6))
     hearths: Floats = np.zeros((0, 4))
+    leaves: Floats = np.zeros((0, 6))
 
 
 class KnownGround:

@@ -139,6 +139,38 @@ def count_cut_off(
     return count
 
 
+def find_shut_off(ground: Ground, solid: Floats, width: float) -> Flags:
+    """Which of the leaves (f,) of a room, open at a right angle, shut their door off beside boxes
+    ``solid`` (n, 5): no disc ``width`` metres across gets from it to another door."""
+    grid = _empty_grid(known_ground(ground), width)
+    cells, shut = np.empty((2, *grid.free.shape), np.uint64), np.zeros(len(ground.leaves), bool)
+    if len(grid.doors) > 1:
+        shut_off_doors(grid, solid, ground.leaves, cells, shut)
+    return shut
+
+
+@compiled
+def shut_off_doors(
+    grid: RouteGrid, solid: Floats, leaves: Floats, cells: NDArray[np.uint64], shut: Flags
+) -> None:
+    """Write which of the ``leaves`` (f, 6) shut off their door into ``shut`` (f,); ``cells`` (2, h,
+    k) is scratch."""
+    free, reached = cells[0], cells[1]
+    for leaf in range(leaves.shape[0]):
+        for row in range(free.shape[0]):
+            for word in range(free.shape[1]):
+                free[row, word] = grid.free[row, word]
+        for k in range(solid.shape[0]):
+            sweep_box(free, grid, _frame(solid, k), grid.radius, CLEAR)
+        sweep_box(free, grid, _frame(leaves, leaf), grid.radius, CLEAR)
+        own = int(leaves[leaf, 5])
+        _flood_from(grid.doors[own], free, reached)
+        shut[leaf] = True
+        for k in range(grid.doors.shape[0]):
+            if k != own and _meet(grid.doors[k], reached):
+                shut[leaf] = False
+
+
 @lru_cache(maxsize=256)
 def _empty_grid(known: KnownGround, width: float) -> RouteGrid:
     """The grid of a room in which nothing stands but what is built in."""

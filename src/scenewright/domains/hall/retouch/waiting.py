@@ -31,11 +31,11 @@ MOST = 200
 """How many places along walls are tried at most."""
 
 
-def measure_waiting(problem: HallProblem, kept: Kept, boxes: Floats) -> float:  # noqa: ARG001
+def measure_waiting(problem: HallProblem, kept: Kept, boxes: Floats) -> float:
     """How much too far from the nearest desk, or where its staff is, each group of seats among
     boxes (n, 5) stands on which people wait, in metres."""
     desks = _find_desks(problem, boxes)
-    waiting = _find_waiting(problem) if len(desks) else []
+    waiting = _find_waiting(problem, kept) if len(desks) else []
     mine = {unit: boxes[slice(*problem.units.spans[unit])] for unit in waiting}
     return sum(_measure(desks, own) + _is_loose(problem, own) for own in mine.values())
 
@@ -50,9 +50,12 @@ def _is_loose(problem: HallProblem, seats: Floats) -> float:
     return LOOSE * min(max(float(walls.distance(back)) - 2.0 * CLOSE, 0.0), ADRIFT)
 
 
-def _find_waiting(problem: HallProblem) -> list[int]:
-    roles = problem.visitors.roles.astype(int)
-    return np.flatnonzero(roles & WAITING > 0).tolist()
+def _find_waiting(problem: HallProblem, kept: Kept) -> list[int]:
+    """The units of seats to wait on at walls or one by itself: lounges stand where they have room
+    for their company."""
+    waits = problem.visitors.roles.astype(int) & WAITING > 0
+    alone = (kept.rows[:, 0] == SINGLE) & (np.diff(problem.units.spans, axis=1)[:, 0] == 1)
+    return np.flatnonzero(waits & (alone | (kept.rows[:, 0] == WALL))).tolist()
 
 
 def _find_desks(problem: HallProblem, boxes: Floats) -> Floats:
@@ -94,7 +97,7 @@ def forgive_backs(
 ) -> float:
     """What of the energy of a measured state comes from free floor of seats by themselves that lies
     at walls: their back stands at one."""
-    alone = [unit for unit in _find_waiting(problem) if int(kept.rows[unit, 0]) == SINGLE]
+    alone = [unit for unit in _find_waiting(problem, kept) if int(kept.rows[unit, 0]) == SINGLE]
     return sum(forgive_space(p, s, unit, float(s.covered[unit, :2].sum())) for unit in alone)
 
 
@@ -102,15 +105,14 @@ def propose_waiting(problem: HallProblem, kept: Kept, boxes: Floats) -> Iterator
     """Layouts with the seats of one group that is not near a desk elsewhere in its zone, those at
     walls farther along them, one by itself with its back at each wall too."""
     desks = _find_desks(problem, boxes)
-    for unit in _find_waiting(problem) if len(desks) else []:
+    for unit in _find_waiting(problem, kept) if len(desks) else []:
         mine = boxes[slice(*problem.units.spans[unit])]
         if _measure(desks, mine) + _is_loose(problem, mine) <= 0.0:
             continue
         if int(kept.rows[unit, 0]) == WALL:
             poses = _slide(problem, unit, kept.pose[unit])
         else:
-            alone = int(kept.rows[unit, 0]) == SINGLE
-            poses = [*_spots(problem, unit, kept.pose[unit]), *(_walls(problem, unit) * alone)]
+            poses = [*_spots(problem, unit, kept.pose[unit]), *_walls(problem, unit)]
         for own in poses:
             pose = kept.pose.copy()
             pose[unit] = own

@@ -58,19 +58,8 @@ def meets(frame: Frame, solids: Floats) -> bool:
 
 
 @inlined
-def bars(p: PreparedHall, i: int, frame: Frame) -> bool:
-    """True if the footprint of object ``i`` meets floor that doors or windows need."""
-    for k in range(p.keep_free.shape[0]):
-        if p.heights[i] < p.sills[k]:
-            continue
-        if common_area(frame, read_frame(p.keep_free, k)) > SLACK:
-            return True
-    return False
-
-
-@inlined
-def wall_covered(clear: Frame, p: PreparedHall, i: int, walls: Floats) -> float:
-    """α_W of object ``i``: clearance beyond the hall, on obstacles, in door zones, on partitions.
+def wall_covered(clear: Frame, p: PreparedHall, walls: Floats) -> float:
+    """α_W of one object: clearance beyond the hall, on obstacles, in door zones, on partitions.
 
     Square metres; ``walls`` (p, 8) frames of the partitions.
     """
@@ -78,8 +67,7 @@ def wall_covered(clear: Frame, p: PreparedHall, i: int, walls: Floats) -> float:
     for k in range(p.obstacles.shape[0]):
         covered += common_area(clear, read_frame(p.obstacles, k))
     for k in range(p.keep_free.shape[0]):
-        if p.heights[i] >= p.sills[k]:
-            covered += common_area(clear, read_frame(p.keep_free, k))
+        covered += common_area(clear, read_frame(p.keep_free, k))
     for k in range(walls.shape[0]):
         if walls[k, 4] > 0.0:
             covered += common_area(clear, read_frame(walls, k))

@@ -26,8 +26,7 @@ class PreparedHall(NamedTuple):
     """A problem ready for compiled code; see :class:`scenewright.domains.hall.problem.HallProblem`.
 
     ``obstacles``, ``keep_free`` as frames (k, 8). ``standing`` (k, 8) locked objects that must stay
-    within reach at one of their sides of use, ``standing_access`` (k, 4). ``sills`` (k,) and
-    ``heights`` (n,): an object lower than a sill may stand before it. ``least`` (z,) share of
+    within reach at one of their sides of use, ``standing_access`` (k, 4). ``least`` (z,) share of
     each zone that should be in use, ``middles`` (z, 2) centroids. ``border_cells`` (b, 2) start and
     number of the
     cells of each border, ``blocked`` (cells,) 1 where walls or obstacles block one.
@@ -57,7 +56,6 @@ class PreparedHall(NamedTuple):
     standing_access: Floats
     obstacles: Floats
     keep_free: Floats
-    sills: Floats
     zone_edges: Floats
     zone_spans: Ints
     zone_areas: Floats
@@ -73,7 +71,6 @@ class PreparedHall(NamedTuple):
     loops: Ints
     loop_spans: Ints
     sizes: Floats
-    heights: Floats
     clear: Floats
     access: Floats
     strolled: Ints

@@ -12,7 +12,6 @@ import math
 from scenewright.domains.hall.terms.measure import (
     SLACK,
     access_of,
-    bars,
     crowd,
     meets,
     proportion_of,
@@ -82,7 +81,7 @@ def place_all(
     for i in range(p.spans[unit, 0], p.spans[unit, 1]):
         frame, clear = read_frame(s.frames, i), read_frame(s.clears, i)
         if strict:
-            if not within(frame, p, zone) or bars(p, i, frame):
+            if not within(frame, p, zone) or meets(frame, p.keep_free):
                 return -1.0, 0.0
             if meets(frame, p.obstacles) or meets(frame, s.walls):
                 return -1.0, 0.0
@@ -90,7 +89,7 @@ def place_all(
         if shared < 0.0:
             return -1.0, 0.0
         inside += shared
-        at_walls += wall_covered(clear, p, i, s.walls)
+        at_walls += wall_covered(clear, p, s.walls)
         insert(s.buckets, i, clear[0], clear[1], clear[6])
     return inside, at_walls
 

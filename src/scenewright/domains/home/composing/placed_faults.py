@@ -19,6 +19,7 @@ from scenewright.domains.home.composing.bed_places import (
     measure_head_gaps,
     place_member,
 )
+from scenewright.domains.home.composing.case_faults import RUN
 from scenewright.domains.home.composing.forms import TABLES, cost_of_case
 from scenewright.domains.home.furnishing.enlarge import SOFAS, find_widest_screen
 from scenewright.domains.home.problem import Ground
@@ -35,6 +36,8 @@ _CHESTS = ("chest_of_drawers", "sideboard", "tv_stand", "bookcase", "wardrobe", 
 _AWAY_FROM_DOORS = (*_BEDS, "armchair")
 SHADES = frozenset((*SEATS, *_BEDS, *_CHESTS, "hob_cabinet"))
 """What takes a window's light, or is not to stand in it."""
+FIRMNESS = dict.fromkeys(RUN, 1.9) | dict.fromkeys(("bookcase", "fridge", "wardrobe"), 2.6)
+"""How much more it costs that what is built in stands before a wide door, or what is as tall."""
 SCREEN = "tv"
 DESKS = frozenset(("desk", "kids_desk", "corner_desk"))
 BRIGHT, DAYLIT = 1.05, 2.1
@@ -77,7 +80,8 @@ def _cost_of_group(
             if not apart and (shades or not window):
                 share = _metres_before(piece, strip)
                 if share > SEEN:
-                    found.append((covered[0 if window else 1], min(share, 1.0)))
+                    each = covered[0 if window else 1] * _weigh_firmness(piece.category, window)
+                    found.append((each, min(share, 1.0)))
         if piece.category in _AWAY_FROM_DOORS and ground.area >= ROOMY:
             found += [(rule.costs.at_door, share) for share in _near_doors(piece, ground, half)]
         if piece.category == "single_bed":
@@ -90,6 +94,11 @@ def _cost_of_group(
             standing += rule.costs.dark * find_darkness(piece, ground)
     standing += sum(cost * (1.0 + degree) / 2 for cost, degree in found)
     return standing + cost_of_case(list_standing(group), ground.area, rule)
+
+
+def _weigh_firmness(category: str, window: bool) -> float:
+    """How much more it costs that something firm stands before a wide door."""
+    return 1.0 if window else FIRMNESS.get(category, 1.0)
 
 
 @lru_cache(maxsize=64)
@@ -173,6 +182,7 @@ def cost_of_openings(case: Group, boxes: Floats, ground: Ground, rule: Composing
             if not window or member.category in SHADES:
                 share = _lengths_before(there, strip)
                 each = rule.costs.window if window else rule.costs.opening
+                each *= _weigh_firmness(member.category, window)
                 cost += np.where(share > SEEN, each * (1.0 + np.minimum(share, 1.0)) / 2, 0.0)
     return cost
 

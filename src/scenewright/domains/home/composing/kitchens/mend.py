@@ -34,7 +34,7 @@ from scenewright.domains.home.composing.judging import (
 from scenewright.domains.home.composing.kitchens.reform import list_fitted, may_reform, parts_of
 from scenewright.domains.home.composing.kitchens.second_runs import is_spare
 from scenewright.domains.home.composing.moving import make_unplaced, with_margin
-from scenewright.domains.home.composing.placed_faults import list_standing
+from scenewright.domains.home.composing.placed_faults import list_standing, measure_before_doors
 from scenewright.domains.home.composing.trials import try_forms
 from scenewright.domains.home.furnishing.furnish import pieces_of
 from scenewright.domains.home.groups.fitted_kitchen import FittedKitchen, width_of
@@ -47,6 +47,8 @@ FORMS, PLACES = 8, 16
 """Forms and places in which each of the rest is tried beside a kitchen that stands first."""
 FAULTS = frozenset(("worktop", "hob_at_sink", "hob_at_end"))
 """What makes a kitchen one to be tried again."""
+BEFORE = 0.05
+"""Metres of a wide door before which a kitchen may stand."""
 KITCHEN = (*RUNS, "fridge")
 
 
@@ -79,7 +81,7 @@ def find_place(task: RoomTask, answer: RoomAnswer) -> Place | None:
     if task.accessible or not task.preset.settings.exact or task.library.own or islands:
         return None
     if run is not None and not lost:
-        return take_place(task, answer) if _is_at_fault(answer) else None
+        return take_place(task, answer) if _is_at_fault(task, answer) else None
     if not lost or lost[0].most or lost[0].required:
         return None
     parts = tuple(p for p in answer.placed if p.wish.group in KITCHEN)
@@ -115,9 +117,17 @@ def _as_it_stands(task: RoomTask, group: FurnishedGroup) -> FurnishedGroup:
     return group._replace(dressed=dressed._replace(stands=stands))
 
 
-def _is_at_fault(answer: RoomAnswer) -> bool:
+def _is_at_fault(task: RoomTask, answer: RoomAnswer) -> bool:
+    """Whether a kitchen has too little worktop, none beside its hob, or stands before a wide
+    door."""
+    parts = [p for p in answer.placed if p.wish.group in KITCHEN]
+    before = any(measure_before_doors(p, task.ground) > BEFORE for p in parts)
+    return before or _lacks_worktop(answer.placed)
+
+
+def _lacks_worktop(placed: Placed) -> bool:
     """Whether a kitchen has too little worktop, or none beside its hob."""
-    runs = (p for p in answer.placed if p.wish.group in RUNS)
+    runs = (p for p in placed if p.wish.group in RUNS)
     return any(FAULTS & {name for name, _ in find_case_faults(list_standing(r))} for r in runs)
 
 
@@ -126,7 +136,7 @@ def _mend(
 ) -> list[RoomAnswer]:
     best, worth = found, cost_of_home(room, task, found) - task.preset.settings.composing.least
     for answer in _list_answers(task, place, found[room]):
-        sound = best is not found and not _is_at_fault(_see_gone(task, best[room]))
+        sound = best is not found and not _is_at_fault(task, _see_gone(task, best[room]))
         if sound or task.cancelled():
             break
         trial = [answer if k == room else other for k, other in enumerate(found)]
@@ -147,7 +157,8 @@ def cost_of_home(room: int, task: RoomTask, answers: Sequence[RoomAnswer]) -> fl
 
 
 def _list_answers(task: RoomTask, place: Place, before: RoomAnswer) -> Iterator[RoomAnswer]:
-    """The room with other kitchens: beside the rest, then before it."""
+    """The room with other kitchens: beside the rest, then before it, unless there is nothing wrong
+    with the one it has but that it stands before a door."""
     missing = tuple(m for m in before.missing if m.wish.group not in KITCHEN)
     before = before._replace(gone=tuple(g for g in before.gone if g.category not in RUN))
     barred = frozenset(find_blocked(with_margin(task), (*place.rest, *place.parts)))
@@ -155,6 +166,8 @@ def _list_answers(task: RoomTask, place: Place, before: RoomAnswer) -> Iterator[
     beside = chain.from_iterable(step(inf) for step in steps)
     for judged in islice(beside, BESIDE):
         yield before._replace(placed=judged.placed, missing=missing)
+    if place.parts and not _lacks_worktop(place.parts):
+        return
     most = sum_faults(task, place.parts) if place.parts else inf
     for step in list_fitted(task, (), place.run, frozenset(), likeness=measure_kitchen):
         for start in step(inf):

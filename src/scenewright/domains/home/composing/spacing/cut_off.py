@@ -1,4 +1,6 @@
-"""Floor on which somebody could stand and to which nobody gets: a strip behind a sofa, a niche."""
+"""Floor on which somebody could stand and to which nobody gets: a strip behind a sofa, a niche; and
+doors whose own leaf, once it is open, leaves no way on.
+"""
 
 from __future__ import annotations
 
@@ -12,13 +14,15 @@ from scenewright.core.piece_outlines import boxes_of
 from scenewright.core.same import Same
 from scenewright.core.scene import Piece
 from scenewright.domains.home.problem import Ground
-from scenewright.domains.home.ways import walk_floor
+from scenewright.domains.home.ways import find_shut_off, walk_floor
 from scenewright.geometry.boxes import Floats
 
 LARGE = 10.0
 """In rooms of so many square metres floor is worth getting to."""
 SQUEEZE, STAND = 0.44, 0.6
 """Gaps through which one gets, and the floor one stands on, in metres."""
+SHUT = 15.0
+"""What each door costs whose leaf shuts it off."""
 SEEN, COST, EACH, MOST = 0.1, 4.0, 5.0, 10.0
 """Square metres of middles of such floor that are not noticed, what more costs, what each square
 metre of them costs besides, and the most that counts."""
@@ -30,6 +34,21 @@ def cost_of_cut_off(pieces: Sequence[Piece], ground: Ground) -> float:
         return 0.0
     area = measure_cut_off(pieces, ground)
     return min(COST + EACH * area, MOST) if area > SEEN else 0.0
+
+
+def cost_of_shut_off(pieces: Sequence[Piece], ground: Ground) -> float:
+    """What it costs that who opens a door to a right angle stands between its leaf and pieces."""
+    if not len(ground.leaves) or len(ground.doors) < 2:
+        return 0.0
+    boxes: Floats = np.array([box for p in pieces for box in boxes_of(p)]).reshape(-1, 5)
+    shut = find_shut_off(ground, boxes, SQUEEZE) & ~_find_shut_empty(Same(ground))
+    return SHUT * int(shut.sum())
+
+
+@lru_cache(maxsize=64)
+def _find_shut_empty(same: Same[Ground]) -> NDArray[np.bool_]:
+    nothing: NDArray[np.float64] = np.zeros((0, 5))
+    return find_shut_off(same.value, nothing, SQUEEZE)
 
 
 def measure_cut_off(pieces: Sequence[Piece], ground: Ground) -> float:

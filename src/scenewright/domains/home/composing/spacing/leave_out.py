@@ -23,6 +23,8 @@ YIELDING = (
 """What a room looks no emptier without than it looks crowded with, from the rank of its wish on."""
 OF_ENTRY = frozenset(("shoes", "coats"))
 """What of an entrance goes where it stands hard before a kitchen or at a table."""
+SHELVES, OF_ROOM = "storage", frozenset(("chest", "console", "sideboard", "vanity"))
+"""What of a room goes where it stands before open shelves."""
 MUCH = 3.0
 """What it costs at least that something stands so near that it goes."""
 
@@ -62,11 +64,14 @@ def _find_near(task: RoomTask, placed: Placed) -> FurnishedGroup | None:
 
 
 def _find_amiss(placed: Placed, close: Sequence[Close]) -> set[str]:
-    """The names of shoes and coats hard before a kitchen or at a table."""
+    """The names of shoes and coats hard before a kitchen or at a table, and of what stands before
+    open shelves."""
     of = {group.name: group.wish.group for group in placed}
     before = {c.other for c in close if of.get(c.group) in COOKING}
     beside = {c.group for c in close if of.get(c.other) in TABLES}
-    return {name for name in before | beside if of.get(name) in OF_ENTRY}
+    shelves = {c.other for c in close if of.get(c.group) == SHELVES}
+    amiss = {name for name in before | beside if of.get(name) in OF_ENTRY}
+    return amiss | {name for name in shelves if of.get(name) in OF_ROOM}
 
 
 def _is_needed(task: RoomTask, group: FurnishedGroup, placed: Placed) -> bool:

@@ -64,7 +64,9 @@ WALKED = 4  # rooms that are walked through with their home, for each group
 ROUNDS = 3
 SEATED = frozenset(("dining", "dining_wall"))
 """Groups whose chairs may go to other sides."""
-WATCHED = frozenset(("media", "seating"))
+SEATING, STRAIGHT = "seating", {"corner_sofa": "sofa"}
+"""Groups whose sofa may be a straight one instead."""
+WATCHED = frozenset(("media", SEATING))
 """What is not moved to where a screen is out of sight."""
 SPARE = frozenset(("plant",))
 """What stands on a group and may be lost for it."""
@@ -123,12 +125,16 @@ def _list_with_room(task: RoomTask, answer: RoomAnswer) -> Iterator[RoomAnswer]:
 
 
 def _list_with_fewer(task: RoomTask, answer: RoomAnswer) -> Iterator[RoomAnswer]:
-    """The answer with one chair less at a table one of whose chairs can hardly be drawn back."""
+    """The answer with one chair less at a table one of whose chairs can hardly be drawn back, or a
+    straight sofa where one round a corner stands too near to something."""
     if not may_leave_out(task):
         return
     close = list_close(answer.placed, task.fixed, task.ground)
     stuck = {pair.group for pair in close if pair.cost >= STUCK}
     for p in answer.placed:
+        if p.wish.group == SEATING and p.name in stuck:
+            found = _list_elsewhere(task, answer.placed, p.name, 1)
+            yield from (answer._replace(placed=other) for other in found)
         if p.wish.group in SEATED and p.name in stuck:
             lost = Missing(p.wish._replace(rank=WELCOME, core=False, required=False), FEWER)
             missing = (*answer.missing, lost)
@@ -213,7 +219,7 @@ def _list_moved(
 
 def _list_like(task: RoomTask, group: FurnishedGroup, fewer: int = 0) -> Iterator[Group]:
     """The form of a group, then those that hold as much or hardly less; only those with so many
-    chairs ``fewer`` if any are."""
+    chairs ``fewer``, or a sofa without its corner, if any are."""
     now = group.dressed.case
     if not fewer:
         yield now
@@ -225,11 +231,18 @@ def _list_like(task: RoomTask, group: FurnishedGroup, fewer: int = 0) -> Iterato
 def _holds(form: Group, now: Group, fewer: int = 0) -> bool:
     """Whether a form has all that a group has ``now``, a plant on it and so many chairs apart,
     hardly narrower, and no wider but for chairs on other sides of a table."""
-    if sorted([*_list_kinds(form), *[CHAIR] * fewer]) != _list_kinds(now):
+    less = _straighten(now) if form.function == SEATING and fewer else _list_kinds(now)
+    chairs = [CHAIR] * fewer if form.function in SEATED else []
+    if sorted([*_list_kinds(form), *chairs]) != less:
         return False
     share = 1.0 if form.function in KEPT else HALF if form.function == "shoes" else CUT
     least = share * now.width
     return form.width > least - HAIR and (form.function in SEATED or form.width < now.width + HAIR)
+
+
+def _straighten(form: Group) -> list[str]:
+    """What a form is of, a straight sofa instead of one round a corner."""
+    return sorted(STRAIGHT.get(kind, kind) for kind in _list_kinds(form))
 
 
 def _list_kinds(form: Group) -> list[str]:

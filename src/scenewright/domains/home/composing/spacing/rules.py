@@ -20,7 +20,7 @@ from scenewright.domains.home.composing.case_faults import RUN
 from scenewright.domains.home.composing.fronts import MOVED, ON_FLOOR
 from scenewright.domains.home.composing.spacing.askew import COST as ASKEW
 from scenewright.domains.home.composing.spacing.askew import is_askew
-from scenewright.domains.home.composing.spacing.cut_off import cost_of_cut_off
+from scenewright.domains.home.composing.spacing.cut_off import cost_of_cut_off, cost_of_shut_off
 from scenewright.domains.home.composing.spacing.shut_in import list_shut_in
 from scenewright.domains.home.composing.spacing.walled import BACK, FRONT, list_walled
 from scenewright.domains.home.furnishing.bed_rugs import BEDS
@@ -48,6 +48,8 @@ CUPBOARDS = frozenset(
 """What is not to stand across the end of a worktop."""
 EATEN_AT = frozenset(("dining_table", "round_table", "dining_chair", "stool"))
 """What coats are not to hang over."""
+CHESTS = frozenset(("chest_of_drawers", "console_table", "sideboard", "vanity"))
+"""What is not to stand before open shelves."""
 HAIR = 0.02  # so much floor is not seen, square metres
 
 
@@ -75,6 +77,7 @@ DISTANCES = (
         frozenset(("chest_of_drawers", "sideboard", "tv_stand")), FRONT, 0.5, frozenset(), 6.0
     ),
     Distance(frozenset(("shoe_cabinet", "bookcase")), FRONT, 0.4, frozenset(), 5.0),
+    Distance(frozenset(("storage_shelf",)), FRONT, 0.3, CHESTS, 6.0),
     Distance(frozenset(("dining_table", "round_table")), ROUND, 0.3, BEDS, 5.0),
     Distance(frozenset(("dining_table", "round_table")), ROUND, 0.3, RUN, 4.0),
     Distance(frozenset(("coat_rack",)), ROUND, 0.3, EATEN_AT, 5.0),
@@ -122,19 +125,24 @@ def _list_close(
 
 
 def _list_cut_off(low: Sequence[tuple[str, Piece]], ground: Ground) -> Iterator[Close]:
-    """That floor is cut off, as the fault of the group without which least of it is; what stands
-    already may cut off some by itself."""
+    """That floor or a door is cut off, as the fault of the group without which least is; what
+    stands already may cut off some by itself."""
     solid = [(name, p) for name, p in low if p.category not in MOVED]
-    cost = cost_of_cut_off([p for _, p in solid], ground)
+    cost = _measure_cut([p for _, p in solid], ground)
     if not cost:
         return
     less = {
-        n: cost_of_cut_off([p for name, p in solid if name != n], ground)
+        n: _measure_cut([p for name, p in solid if name != n], ground)
         for n in dict.fromkeys(name for name, _ in solid if name)
     }
     worst = min(less, key=lambda name: less[name], default="")
     if less.get(worst, cost) < cost:
         yield Close(worst, "", cost)
+
+
+def _measure_cut(pieces: Sequence[Piece], ground: Ground) -> float:
+    """What it costs that pieces cut off floor, and doors."""
+    return cost_of_cut_off(pieces, ground) + cost_of_shut_off(pieces, ground)
 
 
 @lru_cache(maxsize=1024)
