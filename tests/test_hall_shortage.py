@@ -270,6 +270,6 @@ def test_what_is_left_out_is_exit_code_1(
 
 def test_what_would_narrow_a_passage_is_left_out_for_that_reason() -> None:
     tables = [{"id": z, "category": "display_table", "count": 10, "zone": z} for z in ("a", "b")]
-    room = hall(zones=TWO, demands=tables, links=[{"between": ["a", "b"], "width": 5.0}])
+    room = hall(zones=TWO, demands=tables, links=[{"between": ["a", "b"], "width": 6.0}])
     reasons = {entry.reason for entry in answer(room).left_out}
     assert reasons == {"no layout was found where passages are as wide as asked for with it"}

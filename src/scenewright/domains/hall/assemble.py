@@ -18,7 +18,7 @@ from scenewright.engine.energy import Part
 
 class Laid(NamedTuple):
     """One hall laid out; ``zones`` as they lie now and how far borders have moved (empty: as
-    before)."""
+    before); whether something was ``given_up`` though there is floor for it, for want of a way."""
 
     pieces: tuple[Piece, ...]
     groups: tuple[PlacedGroup, ...]
@@ -30,6 +30,7 @@ class Laid(NamedTuple):
     tour: Tour | None
     zones: tuple[Zone, ...] = ()
     shifts: tuple[tuple[str, float], ...] = ()
+    given_up: bool = False
 
 
 def assemble_solution(

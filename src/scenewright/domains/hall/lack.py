@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from scenewright.core.brief.zones import Demand
+from scenewright.core.space import Space
 from scenewright.domains.hall.assemble import Laid
 from scenewright.domains.hall.counter_forms import COUNTER
+from scenewright.domains.hall.unserved import count_unserved
 from scenewright.domains.hall.visitor_plan import ROPES
 
 NOTHING = 1e-6
@@ -29,3 +31,9 @@ def measure_lack(laid: Laid) -> tuple[float, int, int]:
     stand = {name for group in laid.groups for name in group.objects}
     kinds = [piece.category in ROPES for piece in laid.pieces if piece.id in stand]
     return (missed if missed > NOTHING else 0.0), sum(kinds) - len(kinds), -sum(kinds)
+
+
+def measure_unserved(space: Space, laid: Laid) -> tuple[float, int, int]:
+    """:func:`measure_lack`, where a desk at which nobody can serve is as good as none."""
+    missed, count, ropes = measure_lack(laid)
+    return missed, count + count_unserved(space, laid.pieces), ropes

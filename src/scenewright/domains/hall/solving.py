@@ -24,7 +24,7 @@ from scenewright.core.catalog import Catalog
 from scenewright.core.layout import Watch
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
-from scenewright.core.solution import Solution
+from scenewright.core.solution import LeftOut, Solution
 from scenewright.core.space import Space
 from scenewright.domains.hall.accessories import count_groups
 from scenewright.domains.hall.assemble import Laid, assemble_solution
@@ -37,8 +37,8 @@ from scenewright.domains.hall.furnish import kept_groups
 from scenewright.domains.hall.furnish_layout import furnish_guided
 from scenewright.domains.hall.gate_leaves import with_leaves
 from scenewright.domains.hall.hall_layout import HallLayout
-from scenewright.domains.hall.holdings import collect_demands, restrict_patterns
-from scenewright.domains.hall.lack import lacks, leaves_open, measure_lack
+from scenewright.domains.hall.holdings import HallDemand, collect_demands, restrict_patterns
+from scenewright.domains.hall.lack import lacks, leaves_open, measure_lack, measure_unserved
 from scenewright.domains.hall.move_borders import move_borders, read_slack, search_with_borders
 from scenewright.domains.hall.on_stage import put_on_stage
 from scenewright.domains.hall.presets import PRESETS, HallPreset, count_steps
@@ -50,11 +50,15 @@ from scenewright.domains.hall.split_demands import find_locked, split_demands
 from scenewright.domains.hall.staff_room import fit_with_staff
 from scenewright.domains.hall.tour import tour
 from scenewright.domains.hall.unreached import drop_unreached
+from scenewright.domains.hall.unserved import count_unserved
 from scenewright.domains.hall.zones import HallPlan, borders_of, zones_of
 from scenewright.engine.rows import preset_named
 from scenewright.engine.shared_progress import SharedProgress
 from scenewright.engine.solve import Budget
 
+AFRESH, AGAIN = 3, 104_729
+"""How often a hall is laid out again where nobody can serve at some of its desks, once where
+something was given up for want of a way to it, and the distance of the seeds."""
 Progress = Callable[[float, str], None]
 Cancel = Callable[[], bool]
 
@@ -179,6 +183,11 @@ def _hall(
     return hall_of(space, plan, borders, fixed, brief.route_width, beside, passage)
 
 
+def may_lay_again(task: HallTask) -> bool:
+    """Whether a hall may be laid out once more: not as printed, nor where time is measured."""
+    return not task.preset.settings.whole and task.budget.seconds is None
+
+
 def _run(
     brief: Brief,
     tasks: dict[int, HallTask],
@@ -193,21 +202,16 @@ def _run(
     shared = None if progress is None else SharedProgress(progress, work)
     alone = len(tasks) == 1
 
+    def lay_once(on_progress: Progress | None, task: HallTask) -> Laid:
+        return _lay(brief, task, catalog, on_progress, cancel, watch)
+
     def lay(task: HallTask) -> Laid | None:
         if cancel is not None and cancel():
             return None
         on_progress = progress
         if shared is not None and not alone:
             on_progress = partial(shared.hear, task.number)
-        laid = _lay(brief, task, catalog, on_progress, cancel, watch)
-        settings, timed = task.preset.settings, task.budget.seconds is not None
-        again = lacks(laid) and not (settings.whole or timed)
-        if again and leaves_open(brief.rooms[task.number].demands):
-            free = task.preset._replace(settings=settings._replace(lined=False))
-            task = task._replace(preset=free)
-            other = _lay(brief, task, catalog, on_progress, cancel, watch)
-            return min((laid, other), key=measure_lack)
-        return laid
+        return _lay_best(brief, task, partial(lay_once, on_progress))
 
     answers: dict[int, Laid] = {}
     with ThreadPoolExecutor(max(min(threads, len(tasks)), 1)) as pool:
@@ -221,6 +225,29 @@ def _run(
     if progress and tasks:
         progress(1.0, tasks[number].hall.space.name)
     return answers
+
+
+def _lay_best(brief: Brief, task: HallTask, lay: Callable[[HallTask], Laid]) -> Laid:
+    """A hall laid out, again where nobody can serve at some of its desks or something was given
+    up."""
+    laid = _lay_free(brief, task, lay)
+    for number in range(1, AFRESH + 1):
+        unserved = count_unserved(task.hall.space, laid.pieces) > 0
+        if not (unserved or (number == 1 and laid.given_up)) or not may_lay_again(task):
+            break
+        other = _lay_free(brief, task._replace(seed=task.seed + AGAIN * number), lay)
+        laid = min((laid, other), key=partial(measure_unserved, task.hall.space))
+    return laid
+
+
+def _lay_free(brief: Brief, task: HallTask, lay: Callable[[HallTask], Laid]) -> Laid:
+    """A hall laid out, with its counters in other forms where it lacks something."""
+    laid = lay(task)
+    open_ = leaves_open(brief.rooms[task.number].demands)
+    if not (open_ and lacks(laid) and may_lay_again(task)):
+        return laid
+    free = task.preset._replace(settings=task.preset.settings._replace(lined=False))
+    return min((laid, lay(task._replace(preset=free))), key=measure_lack)
 
 
 def _lay(
@@ -241,12 +268,8 @@ def _lay(
     wishes, carried, small = split_demands(hall, asked, catalog, together)
     wishes, fitted = fit_with_staff(hall, wishes, weights, catalog, seed, cancel, small)
     if not fitted.units:
-        missing = left_out(hall, wishes, fitted.units)
-        on, groups, out = put_on_stage(hall, carried, hall.fixed, catalog)
-        kept = (*kept_groups(hall, locked), *groups)
-        layout = HallLayout(hall.plan.zones, hall.plan.links, kept)
-        way = tour(hall.space, hall.fixed, layout, catalog, hall.route) if kept else None
-        return Laid((*boarding, *on), kept, (), (), (*missing, *out), 0.0, 0, way)
+        laid = _keep(hall, locked, carried, left_out(hall, wishes, []), catalog)
+        return laid._replace(pieces=(*boarding, *laid.pieces))
     budget = task.budget
     if budget.steps is None and budget.seconds is None and task.solver == preset.solver:
         budget = budget._replace(steps=count_steps(preset, len(fitted.units) + count_groups(small)))
@@ -283,4 +306,20 @@ def _lay(
         left_out=(*laid.left_out, *out),
         zones=hall.plan.zones,
         shifts=shifts,
+        given_up=bool(given_up or crowding),
     )
+
+
+def _keep(
+    hall: HallContext,
+    locked: tuple[Piece, ...],
+    carried: list[HallDemand],
+    missing: tuple[LeftOut, ...],
+    catalog: Catalog,
+) -> Laid:
+    """A hall in which nothing is laid out beside what is locked and stands on its stage."""
+    on, groups, out = put_on_stage(hall, carried, hall.fixed, catalog)
+    kept = (*kept_groups(hall, locked), *groups)
+    layout = HallLayout(hall.plan.zones, hall.plan.links, kept)
+    way = tour(hall.space, hall.fixed, layout, catalog, hall.route) if kept else None
+    return Laid(on, kept, (), (), (*missing, *out), 0.0, 0, way)
