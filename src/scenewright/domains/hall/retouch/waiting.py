@@ -37,10 +37,10 @@ def measure_waiting(problem: HallProblem, kept: Kept, boxes: Floats) -> float:
     desks = _find_desks(problem, boxes)
     waiting = _find_waiting(problem, kept) if len(desks) else []
     mine = {unit: boxes[slice(*problem.units.spans[unit])] for unit in waiting}
-    return sum(_measure(desks, own) + _is_loose(problem, own) for own in mine.values())
+    return sum(_measure(desks, own) + _measure_loose(problem, own) for own in mine.values())
 
 
-def _is_loose(problem: HallProblem, seats: Floats) -> float:
+def _measure_loose(problem: HallProblem, seats: Floats) -> float:
     """What the distance from a wall counts of one seat (1, 5) by itself."""
     if len(seats) > 1:
         return 0.0
@@ -54,6 +54,8 @@ def _find_waiting(problem: HallProblem, kept: Kept) -> list[int]:
     """The units of seats to wait on at walls or one by itself: lounges stand where they have room
     for their company."""
     waits = problem.visitors.roles.astype(int) & WAITING > 0
+    if not waits.any():
+        return []
     alone = (kept.rows[:, 0] == SINGLE) & (np.diff(problem.units.spans, axis=1)[:, 0] == 1)
     return np.flatnonzero(waits & (alone | (kept.rows[:, 0] == WALL))).tolist()
 
@@ -107,7 +109,7 @@ def propose_waiting(problem: HallProblem, kept: Kept, boxes: Floats) -> Iterator
     desks = _find_desks(problem, boxes)
     for unit in _find_waiting(problem, kept) if len(desks) else []:
         mine = boxes[slice(*problem.units.spans[unit])]
-        if _measure(desks, mine) + _is_loose(problem, mine) <= 0.0:
+        if _measure(desks, mine) + _measure_loose(problem, mine) <= 0.0:
             continue
         if int(kept.rows[unit, 0]) == WALL:
             poses = _slide(problem, unit, kept.pose[unit])
