@@ -130,7 +130,8 @@ def _missed_pieces(
         if not rows:
             continue
         within = _with_doorways(rooms, ground, room)
-        shapes = [_used_from(bodies, rooms, i, walk.radius + REACH) for i in rows]
+        deep = walk.radius + REACH
+        shapes = [_used_from(bodies, rooms, i, deep, i in grouped) for i in rows]
         clipped: Shapes = shapely.intersection(np.array(shapes, object), within)
         far = ~shapely.intersects(walk.reached, clipped)
         names = {group.id for group in groups}
@@ -179,10 +180,11 @@ def _all_of(group: Members, shapes: dict[int, Shape]) -> Shape:
     return shapely.union_all([shapes[int(row)] for row in group.rows])
 
 
-def _used_from(bodies: Bodies, rooms: Rooms, i: int, depth: float) -> Shape:
+def _used_from(bodies: Bodies, rooms: Rooms, i: int, depth: float, grouped: bool) -> Shape:
     """The boxes before the using sides of a piece, ``depth`` metres deep; each deeper if one has
-    to bend down there."""
-    corners, sides = bodies.corners[i], bodies.kinds[i].reached_from or _ROUND
+    to bend down there. Chairs of a group may stand at a wall, where one comes to their front."""
+    corners, kind = bodies.corners[i], bodies.kinds[i]
+    sides = (kind.reached_from if grouped else kind.access) or _ROUND
     space = rooms.spaces[bodies.room[i]]
     return shapely.multipolygons([_before(corners, side, depth, space) for side in sides])
 

@@ -211,7 +211,8 @@ def _run(
         on_progress = progress
         if shared is not None and not alone:
             on_progress = partial(shared.hear, task.number)
-        return _lay_best(brief, task, partial(lay_once, on_progress))
+        cancelled = cancel or (lambda: False)
+        return _lay_best(brief, task, partial(lay_once, on_progress), cancelled)
 
     answers: dict[int, Laid] = {}
     with ThreadPoolExecutor(max(min(threads, len(tasks)), 1)) as pool:
@@ -227,13 +228,16 @@ def _run(
     return answers
 
 
-def _lay_best(brief: Brief, task: HallTask, lay: Callable[[HallTask], Laid]) -> Laid:
+def _lay_best(
+    brief: Brief, task: HallTask, lay: Callable[[HallTask], Laid], cancelled: Cancel
+) -> Laid:
     """A hall laid out, again where nobody can serve at some of its desks or something was given
-    up."""
+    up, until it is ``cancelled``."""
     laid = _lay_free(brief, task, lay)
     for number in range(1, AFRESH + 1):
         unserved = count_unserved(task.hall.space, laid.pieces) > 0
-        if not (unserved or (number == 1 and laid.given_up)) or not may_lay_again(task):
+        wanted = unserved or (number == 1 and laid.given_up)
+        if not wanted or not may_lay_again(task) or cancelled():
             break
         other = _lay_free(brief, task._replace(seed=task.seed + AGAIN * number), lay)
         laid = min((laid, other), key=partial(measure_unserved, task.hall.space))
