@@ -295,10 +295,10 @@ def _access(wishes: list[HallDemand], units: list[Unit], catalog: Catalog) -> Fl
             sides = ("left", "right")
         elif wishes[unit.demand].double:
             sides = ("front", "back")
-        elif wishes[unit.demand].at_wall:
-            sides = tuple(side for side in kind.reached_from if side != "back")
         elif wishes[unit.demand].turned:
             sides = tuple(side for k, side in enumerate(SIDES) if SIDES[k - 2] in sides)
+        elif wishes[unit.demand].at_wall and kind.reached_from != sides:
+            sides = tuple(side for side in kind.reached_from if side != "back")
         each = EACH if wishes[unit.demand].double else 1.0
         rows += [[each * (side in sides) for side in SIDES]] * (unit.last - unit.first)
     return _rows(rows, 4)

@@ -237,7 +237,8 @@ def _lay_best(
     for number in range(1, AFRESH + 1):
         unserved = count_unserved(task.hall.space, laid.pieces) > 0
         wanted = unserved or (number == 1 and laid.given_up)
-        if not wanted or not may_lay_again(task) or cancelled():
+        may = may_lay_again(task) and task.solver == task.preset.solver
+        if not wanted or not may or cancelled():
             break
         other = _lay_free(brief, task._replace(seed=task.seed + AGAIN * number), lay)
         laid = min((laid, other), key=partial(measure_unserved, task.hall.space))
