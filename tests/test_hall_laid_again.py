@@ -18,7 +18,7 @@ from scenewright.domains.hall.assemble import Laid
 from scenewright.domains.hall.hall_layout import PlacedGroup
 from scenewright.domains.hall.lack import measure_unserved
 from scenewright.domains.hall.presets import PRESETS
-from scenewright.domains.hall.unserved import ROOM, count_unserved
+from scenewright.domains.hall.unserved import ROOM, WITHIN, count_unserved
 from scenewright.engine.solve import Budget
 
 HALL = Space("hall", "Hall", (), "ground", np.array([[0.0, 0], [8, 0], [8, 6], [0, 6]]))
@@ -32,7 +32,7 @@ def put(name: str, category: str, x: float, y: float, turn: float = pi / 2) -> P
 def test_a_wall_right_behind_a_desk_leaves_nobody_room_to_serve(turn: float) -> None:
     away = {0.0: (0, 3), pi / 2: (4, 0), pi: (8, 3), -pi / 2: (4, 6)}[turn]
     ahead = np.array([np.cos(turn), np.sin(turn)])
-    for gap, count in ((0.0, 1), (0.5 * ROOM, 1), (ROOM - 0.02, 1), (ROOM + 0.02, 0)):
+    for gap, count in ((0.0, 1), (0.5 * ROOM, 1), (ROOM - WITHIN - 0.02, 1), (ROOM + 0.02, 0)):
         x, y = np.array(away) + (gap + 0.3) * ahead
         assert count_unserved(HALL, [put("desk", "counter", x, y, turn)]) == count
         assert count_unserved(HALL, [put("desk", "sideboard", x, y, turn)]) == 0

@@ -14,9 +14,9 @@ from scenewright.core.space import Space
 from scenewright.domains.hall.desks import SERVING
 from scenewright.domains.hall.problem import Floats
 
-ROOM, WITHIN, MIDDLE = 0.7, 0.05, 0.8
-"""Metres behind a desk in which no wall is, from so far within it (a back may be at the wall), over
-so much of its width."""
+ROOM, WITHIN, MIDDLE = 0.75, 0.025, 0.8
+"""Metres of floor behind a desk on which those stand who serve, so far of them within it (a back
+may be at the wall), over so much of its width."""
 
 
 def count_unserved(space: Space, pieces: Iterable[Piece]) -> int:
@@ -38,14 +38,14 @@ def count_unserved(space: Space, pieces: Iterable[Piece]) -> int:
     built = [box for piece in held if piece.category == "partition" for box in boxes_of(piece)]
     rings = [space.outline, *space.holes, *corners(np.array(built).reshape(-1, 5))]
     walls = shapely.union_all([shapely.LinearRing(ring) for ring in rings])
-    strips = shapely.polygons(corners(_find_behind(np.array(desks))))
+    strips = shapely.polygons(corners(find_staff_floor(np.array(desks))))
     return int(shapely.intersects(strips, walls).sum())
 
 
-def _find_behind(desks: Floats) -> Floats:
+def find_staff_floor(desks: Floats) -> Floats:
     """Boxes (n, 5) of the floor on which those stand who serve at desks (n, 5)."""
     front = np.stack([np.cos(desks[:, 2]), np.sin(desks[:, 2])], axis=1)
     boxes = desks.copy()
-    boxes[:, :2] -= 0.5 * (desks[:, 4:] + ROOM - WITHIN) * front
-    boxes[:, 3], boxes[:, 4] = MIDDLE * desks[:, 3], ROOM + WITHIN
+    boxes[:, :2] -= (0.5 * (desks[:, 4:] + ROOM) - WITHIN) * front
+    boxes[:, 3], boxes[:, 4] = MIDDLE * desks[:, 3], ROOM
     return boxes

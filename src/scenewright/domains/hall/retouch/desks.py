@@ -18,6 +18,7 @@ from scenewright.domains.hall.retouch.lines import forgive_space, line_up
 from scenewright.domains.hall.terms.state import Kept, PreparedHall, State
 from scenewright.domains.hall.terms.table import ORDER
 from scenewright.domains.hall.terms.visitors import FIRST, LANE, LOUNGE, MACHINE, RECEPTION, TILL
+from scenewright.domains.hall.unserved import find_staff_floor
 
 STEP, PROPOSED, APART = 0.4, 120, 0.9
 """Metres between two places that are tried along a wall, how many of the best of them, and the
@@ -38,9 +39,8 @@ WAITING = 0.3
 """What a square metre of queue on the way in counts, of desk one metre."""
 BACK_TO = 6.0
 """What a back turned to who comes in counts, in metres."""
-ROOM, CRAMPED = 0.75, 2.0
-"""Metres behind a desk in which no wall is, else who serves cannot stand there, and what one counts
-that lacks them, in metres."""
+CRAMPED = 2.0
+"""What a desk counts behind which a wall leaves nobody room to stand, in metres."""
 FIRST_OF_ALL = 12.0
 """What it costs beside the energy that others lie a metre nearer to the entrance."""
 LONGEST, LINES, SHORT = 4.0, 24, 6.5
@@ -179,8 +179,8 @@ def measure_desks(problem: HallProblem, boxes: Floats, row: int, rates: Rates) -
     staff = max(float(problem.units.clear[row, 2]), STAFF)
     side = 0.5 * width * np.stack([front[:, 1], -front[:, 0]], axis=1)
     edges = _find_edges(problem, row, float(boxes[:, 3].max(initial=0.0)))
-    adrift = _far(edges, middles - 0.5 * depth * front) - staff
-    aside = np.minimum(_far(edges, middles - side), _far(edges, middles + side))
+    adrift = far_from(edges, middles - 0.5 * depth * front) - staff
+    aside = np.minimum(far_from(edges, middles - side), far_from(edges, middles + side))
     adrift = np.where(boxes[:, 3] <= SHORT, np.minimum(adrift, aside), adrift)
     far = np.hypot(*(middles - door).T)
     turned = BACK_TO * _turn_back(problem, boxes)
@@ -203,10 +203,7 @@ def _turn_back(problem: HallProblem, boxes: Floats) -> NDArray[np.bool_]:
 
 def _is_cramped(problem: HallProblem, boxes: Floats) -> NDArray[np.bool_]:
     """Which of some desks (n, 5) have a wall so near behind that nobody can stand there."""
-    front = np.stack([np.cos(boxes[:, 2]), np.sin(boxes[:, 2])], axis=1)
-    strips = boxes.copy()
-    strips[:, :2] -= 0.5 * (boxes[:, 4:] + ROOM - NEXT) * front
-    strips[:, 3], strips[:, 4] = 0.8 * boxes[:, 3], ROOM  # from within: a back may be at the wall
+    strips = find_staff_floor(boxes)
     walls = shapely.linestrings(problem.ground.edges[:, :4].reshape(-1, 2, 2))
     cramped = np.zeros(len(boxes), np.bool_)
     cramped[shapely.STRtree(walls).query(shapely.polygons(corners(strips)), "intersects")[0]] = True
@@ -233,7 +230,7 @@ def _lengths(edges: Floats) -> Floats:
     return np.hypot(edges[:, 2] - edges[:, 0], edges[:, 3] - edges[:, 1])
 
 
-def _far(edges: Floats, points: Floats) -> Floats:
+def far_from(edges: Floats, points: Floats) -> Floats:
     """Metres (n,) from points (n, 2) to the nearest of some edges (e, 4)."""
     start, way = edges[:, :2], edges[:, 2:4] - edges[:, :2]
     off = points[:, None] - start

@@ -6,12 +6,11 @@ from collections.abc import Iterator
 from itertools import product
 
 import numpy as np
-import shapely
 
 from scenewright.domains.hall.patterns import SINGLE, WALL
 from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.retouch.arrivals import box_round
-from scenewright.domains.hall.retouch.desks import BACK
+from scenewright.domains.hall.retouch.desks import BACK, far_from
 from scenewright.domains.hall.retouch.lines import forgive_space
 from scenewright.domains.hall.terms.state import Kept, PreparedHall, State
 from scenewright.domains.hall.terms.visitors import FIRST, MACHINE, TILL, WAITING
@@ -45,9 +44,9 @@ def _measure_loose(problem: HallProblem, seats: Floats) -> float:
     if len(seats) > 1:
         return 0.0
     x, y, heading, _, depth = seats[0]
-    back = shapely.Point(x - 0.5 * depth * np.cos(heading), y - 0.5 * depth * np.sin(heading))
-    walls = shapely.multilinestrings(problem.ground.edges[:, :4].reshape(-1, 2, 2))
-    return LOOSE * min(max(float(walls.distance(back)) - 2.0 * CLOSE, 0.0), ADRIFT)
+    back = np.array([[x - 0.5 * depth * np.cos(heading), y - 0.5 * depth * np.sin(heading)]])
+    far = float(far_from(problem.ground.edges, back)[0])
+    return LOOSE * min(max(far - 2.0 * CLOSE, 0.0), ADRIFT)
 
 
 def _find_waiting(problem: HallProblem, kept: Kept) -> list[int]:
