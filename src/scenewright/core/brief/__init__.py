@@ -40,6 +40,7 @@ from scenewright.core.brief.fields import (
     Words,
     is_left_out,
 )
+from scenewright.core.brief.input_report import InputReport
 from scenewright.core.brief.scaling import LEAST, MOST, scale_plan, scale_widths
 from scenewright.core.brief.services import OutletBrief, RadiatorBrief
 from scenewright.core.brief.slope import SlopeBrief
@@ -211,6 +212,7 @@ class Brief(StrictModel):
     repeats them. ``sheet`` is the number of the plan's sheet, ``date`` its day (2026-11-22): as
     they are printed. ``residents`` is how many live in a home (left out: as many as its bedrooms
     are for). ``accepted`` are findings of the referee that are meant to be so, with reasons.
+    ``input_report`` is written by readers of other files: what became of each of their features.
     """
 
     format: Literal["scenewright/brief"] = "scenewright/brief"
@@ -237,6 +239,7 @@ class Brief(StrictModel):
     date: Annotated[Day, Field(exclude_if=not_)] = ""
     residents: Annotated[Whole | None, Field(ge=1, le=20, exclude_if=is_left_out)] = None
     accepted: Annotated[list[AcceptedFinding], Field(max_length=1000, exclude_if=not_)] = []
+    input_report: Annotated[InputReport | None, Field(exclude_if=is_left_out)] = None
     part: Any = Field(default=None, validate_default=True)
 
     @model_validator(mode="before")
