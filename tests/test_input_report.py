@@ -5,13 +5,7 @@ from __future__ import annotations
 from hypothesis import given
 from hypothesis import strategies as st
 
-from scenewright.core.brief.input_report import (
-    MOST_ROWS,
-    OUTCOMES,
-    Fate,
-    InputReport,
-    report_input,
-)
+from scenewright.core.brief.input_report import MOST_ROWS, OUTCOMES, Fate, InputReport, report_input
 
 FATES = st.builds(
     Fate,
@@ -29,9 +23,7 @@ def test_no_feature_is_lost_in_the_sums(fates: list[Fate]) -> None:
     assert found.features == len(fates) and len(found.rows) <= MOST_ROWS
     for outcome in OUTCOMES:
         for stands in (True, False):
-            counted = sum(
-                r.count for r in found.rows if (r.outcome, r.stands) == (outcome, stands)
-            )
+            counted = sum(r.count for r in found.rows if (r.outcome, r.stands) == (outcome, stands))
             assert counted == sum((f.outcome, f.stands) == (outcome, stands) for f in fates)
 
 

@@ -3,9 +3,6 @@
 from __future__ import annotations
 
 import importlib.util
-import statistics
-import time
-from functools import partial
 from pathlib import Path
 from threading import Event
 
@@ -27,17 +24,29 @@ SAMPLES = {
     "village": "village-hamlet",
     "extend": "extend-terrace",
 }
-WARM, STEPS = {"village": 1, "extend": 1}, {"village": 2, "extend": 2}
-"""Steps of a first run that compiles what there is to compile (else 50), and of a whole one (else
-300): where one makes a whole layout."""
+STEPS = {"village": 2, "extend": 2}
+"""Steps of a whole run (else 300): where one makes a whole layout."""
 EVERY = [(domain, name) for domain in SAMPLES for name in solvers(domain)]
 STOOD = {"source"}
 """Where pieces stand that no solver places."""
-AT_ONCE = 0.2
-"""Seconds within which a cancelled run returns, on a machine that does nothing else."""
+ASKED_AGAIN = 64
+"""Times a run may ask once more whether it is to stop after it was told so: each of its threads,
+and each stage on the way out, asks once or a few times."""
 
-HALF = 0.5
-"""Share of a processor below which a second says nothing: others had it."""
+
+class Stop:
+    """Answers true from its ``first``-th call on, and counts the calls after that."""
+
+    def __init__(self, first: int) -> None:
+        self.first, self.calls = first, 0
+
+    def __call__(self) -> bool:
+        self.calls += 1
+        return self.calls >= self.first
+
+    @property
+    def after(self) -> int:
+        return max(self.calls - self.first, 0)
 
 
 @pytest.fixture(scope="module")
@@ -54,44 +63,23 @@ def case(request: pytest.FixtureRequest) -> tuple[str, str]:
     return found
 
 
-def test_shares_rise_to_one(
-    case: tuple[str, str], planned: dict[str, tuple[sw.Brief, Plan]]
-) -> None:
-    (domain, name), shares = case, list[float]()
-    brief, plan = planned[domain]
-    sw.solve(brief, plan=plan, solver=name, steps=WARM.get(domain, 50))
-    begun, used = time.perf_counter(), time.process_time()
-    sw.solve(
-        brief, plan=plan, solver=name, seconds=1.0, progress=lambda share, _: shares.append(share)
-    )
-    given = (time.process_time() - used) / (time.perf_counter() - begun)
-    assert shares == sorted(shares)
-    assert shares[-1] == 1.0
-    if given > HALF:
-        assert 0.0 <= shares[0] < 0.6
-        assert len(shares) >= 4
-
-
 def test_cancelled_at_the_first_report_it_answers_at_once(
     case: tuple[str, str], planned: dict[str, tuple[sw.Brief, Plan]], tmp_path: Path
 ) -> None:
+    """It reports no further progress of the search, and what it returns can be kept."""
     domain, name = case
     brief, plan = planned[domain]
-    sw.solve(brief, plan=plan, solver=name, steps=WARM.get(domain, 50))
-    took = []
-    for seed in range(3):
-        told: list[float] = []
-        found = sw.solve(
-            brief,
-            plan=plan,
-            solver=name,
-            seconds=60.0,
-            seed=seed,
-            progress=lambda _share, _what, told=told: told.append(time.perf_counter()),  # type: ignore[misc]
-            cancel=lambda told=told: bool(told),  # type: ignore[misc]
-        )
-        took.append(time.perf_counter() - told[0])
-    assert statistics.median(took) < 3.0 * AT_ONCE, "three times for a busy machine"
+    told: list[float] = []
+    found = sw.solve(
+        brief,
+        plan=plan,
+        solver=name,
+        seconds=60.0,
+        progress=lambda share, _what: told.append(share),
+        cancel=lambda: bool(told),
+    )
+    assert told[0] < 1.0
+    assert len(told) < ASKED_AGAIN
     assert found.evaluations > 0
     path = tmp_path / "found.json"
     solution_json.write(found, path)
@@ -107,14 +95,24 @@ def test_the_best_layout_so_far_is_streamed_and_makes_a_solution(
     domain, name = case
     brief, plan = planned[domain]
     heard: list[tuple[str, float]] = []
+    shares: list[float] = []
     rows: dict[str, tuple[NamedBox, ...]] = {}
 
     def watch(best: BestLayout) -> None:
         heard.append((best.space, best.energy))
         rows[best.space] = best.rows()
 
-    steps = STEPS.get(domain, 300)
-    found = sw.solve(brief, plan=plan, solver=name, steps=steps, threads=1, watch=watch)
+    found = sw.solve(
+        brief,
+        plan=plan,
+        solver=name,
+        steps=STEPS.get(domain, 300),
+        threads=1,
+        watch=watch,
+        progress=lambda share, _: shares.append(share),
+    )
+    assert shares == sorted(shares)
+    assert shares[-1] == 1.0
     assert {piece.space for piece in found.pieces} - STOOD <= set(rows)
     assert len(heard) > len(rows), "heard of more than once"
     drawn = sw.solution_of(brief, rows, plan=plan)
@@ -122,27 +120,24 @@ def test_the_best_layout_so_far_is_streamed_and_makes_a_solution(
     assert not any(
         "the layout has no place" in out.reason for out in drawn.left_out if domain == "hall"
     )
-    again = sw.solve(brief, plan=plan, solver=name, steps=steps, threads=1)
+    again = sw.solve(brief, plan=plan, solver=name, steps=STEPS.get(domain, 300), threads=1)
     assert again.pieces == found.pieces, "who watches changes nothing"
 
 
 def test_cancelled_in_the_middle_of_a_search_it_answers_at_once(
     case: tuple[str, str], planned: dict[str, tuple[sw.Brief, Plan]]
 ) -> None:
-    """Whatever it is at: also within one call of another program's solver."""
+    """Whatever it is at, it hardly asks again."""
     domain, name = case
     brief, plan = planned[domain]
-    took = []
-    for wait in (0.4, 0.7):
-        end = time.perf_counter() + wait
-        late = partial(lambda end: time.perf_counter() > end, end)
-        sw.solve(brief, plan=plan, solver=name, seconds=60.0, cancel=late)
-        took.append(time.perf_counter() - end)
-    assert min(took) < 3.0 * AT_ONCE, "three times for a busy machine"
+    stop = Stop(12)
+    sw.solve(brief, plan=plan, solver=name, seconds=60.0, cancel=stop)
+    assert stop.after < ASKED_AGAIN
 
 
 def test_one_long_call_of_cp_sat_is_cancelled() -> None:
-    """Twenty-six groups in one zone: one model, worked on until its seconds are spent."""
+    """Twenty-six groups in one zone: one model, worked on until its seconds are spent. Told to
+    stop while it works, the program returns with what it has."""
     pytest.importorskip("ortools")
     outline = [[0, 0], [40, 0], [40, 22], [30, 22], [30, 30], [0, 30]]
     demands = [
@@ -152,10 +147,9 @@ def test_one_long_call_of_cp_sat_is_cancelled() -> None:
     doors = [{"at": [20, 0], "width": 2, "use": "both"}]
     hall = {"id": "h", "function": "hall", "outline": outline, "doors": doors, "demands": demands}
     brief = sw.Brief.model_validate({"domain": "hall", "rooms": [hall]})
-    sw.solve(brief, solver="miqp", steps=50, seconds=0.2)
-    end = time.perf_counter() + 2.0
-    sw.solve(brief, solver="miqp", seconds=20.0, cancel=lambda: time.perf_counter() > end)
-    assert time.perf_counter() - end < 5.0 * AT_ONCE, "it took 16 s; five times for a busy machine"
+    stop = Stop(20)
+    sw.solve(brief, solver="miqp", seconds=60.0, cancel=stop)
+    assert 0 < stop.after < ASKED_AGAIN
 
 
 def test_a_search_that_asks_nobody_is_stopped_from_beside() -> None:
@@ -167,10 +161,8 @@ def test_a_search_that_asks_nobody_is_stopped_from_beside() -> None:
         if waited[0] > 2:
             stopped.set()
 
-    begun = time.perf_counter()
-    with stop_when(lambda: time.perf_counter() - begun > 0.05, stop, 0.01):
+    with stop_when(Stop(5), stop, 0.01):
         assert stopped.wait(10.0)
-    assert 0.05 <= time.perf_counter() - begun < 3.0
     with stop_when(lambda: False, stop, 0.01):
         pass
     assert waited[0] == 3
