@@ -25,7 +25,7 @@ class ResultRow(NamedTuple):
     """What became of one file.
 
     ``status`` is ``complete`` (all that is essential or asked for stands, and valid), ``left
-    out`` (valid, but something of that is not there), ``not valid`` (a rule is broken) or
+    out`` (valid, but something of that or of the file is not there), ``not valid`` (a rule is broken) or
     ``failed`` (nothing was written); ``message`` says why. ``left_out`` counts what is essential
     or asked for and not there, ``violations`` broken rules.
     """

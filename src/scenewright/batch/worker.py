@@ -106,9 +106,13 @@ def _done(source: str, outputs: list[Path], options: BatchOptions, parts: Path) 
     solution, _, report = run_to_end(arrange_file(request, threads=1, parts=parts))
     missing = [out for out in solution.left_out if out.required]
     broken = sum(found.is_blamed for found in report.findings)
-    status = NOT_VALID if not report.valid else LEFT_OUT if missing else COMPLETE
+    read = solution.brief.input_report
+    unread = list(read.warnings) if read else []
+    status = NOT_VALID if not report.valid else LEFT_OUT if missing or unread else COMPLETE
     first = next((f.message for f in report.findings if f.is_blamed), "")
-    reason = first or "; ".join(f"{out.space}: {out.what}: {out.reason}" for out in missing)
+    reason = first or "; ".join(
+        [*unread, *(f"{out.space}: {out.what}: {out.reason}" for out in missing)]
+    )
     reason = reason or "; ".join(note.message for note in report.notes if note.function == "plan")
     names = tuple(str(path) for path in outputs)
     return ResultRow(source, status, 0.0, len(solution.pieces), len(missing), broken, reason, names)

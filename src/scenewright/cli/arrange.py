@@ -9,6 +9,7 @@ from typing import NamedTuple, TypeVar
 from rich.console import Console
 
 from scenewright.cli.progress import SolverWatch, watching
+from scenewright.cli.show_input import print_input
 from scenewright.cli.tables import print_line
 from scenewright.workflow.arrange import Arranged, arrange_file
 from scenewright.workflow.events import Event, Notice, Planned, Progress, run_to_end
@@ -50,6 +51,7 @@ def follow(
 
         def hear(event: Event) -> None:
             if isinstance(event, Planned):
+                print_input(console, event.brief.input_report)
                 watches.append(stack.enter_context(watching(console, console.quiet, stoppable)))
             elif isinstance(event, Progress):
                 watches[-1].progress(*event)

@@ -34,6 +34,7 @@ from scenewright.cli.reading import (
     ScaleOption,
     StyleOption,
 )
+from scenewright.cli.show_input import input_document, print_input, print_warnings
 from scenewright.cli.termination import Terminated, orderly_termination
 from scenewright.core.atomic_file import recorded_run
 from scenewright.core.errors import CancelledError, InputError
@@ -237,11 +238,15 @@ def check(
     solution, plan = solution_json.read_planned(file)
     show.print_scale(terminal.console(stderr=True, quiet=quiet), file, solution.brief, plan)
     report = judge(solution, plan=plan)
+    read = solution.brief.input_report
     if as_json:
-        tables.print_json({"file": str(file), **report.to_dict()})
+        tables.print_json({"file": str(file), **report.to_dict(), **input_document(read)})
     elif not quiet:
-        show.print_report(tables.output_console(), report, show.SCALE)
-    return 0 if report.valid else 1
+        console = tables.output_console()
+        print_input(console, read)
+        show.print_report(console, report, show.SCALE)
+        print_warnings(console, read)
+    return 0 if report.valid and solution.brief.is_read_whole else 1
 
 
 @app.command()

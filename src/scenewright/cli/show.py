@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from rich.console import Console
 
+from scenewright.cli.show_input import input_document, print_input, print_warnings
 from scenewright.cli.tables import print_line, table
 from scenewright.core.registry import domain_of
 
@@ -50,6 +51,7 @@ def print_arranged(
     if appearance := _appearance(solution):
         print_line(console, appearance, "dim")
     print_report(console, report, SCALE)
+    print_warnings(console, solution.brief.input_report)
     for path in outputs:
         print_line(console, f"wrote {path}", "dim", whole=True)
 
@@ -68,6 +70,7 @@ def print_adjusted(
     _left_out(console, solution, plan.names)
     print_line(console, _work(solution, len(plan.names)))
     print_report(console, report)
+    print_warnings(console, solution.brief.input_report)
     for path in outputs:
         print_line(console, f"wrote {path}", "dim", whole=True)
 
@@ -248,6 +251,8 @@ def print_explanation(console: Console, solution: Solution, plan: Plan | None = 
     for name, meaning in _meanings({term.term for term in (*felt, *figures)}, domain).items():
         print_line(console, f"{name}: {meaning}", "dim")
     _left_out(console, solution, rooms)
+    print_input(console, solution.brief.input_report)
+    print_warnings(console, solution.brief.input_report)
 
 
 def _programme(solution: Solution, plan: Plan | None) -> str:
@@ -296,6 +301,7 @@ def explained_document(solution: Solution, plan: Plan | None = None) -> dict[str
         "left_out": [entry._asdict() for entry in solution.left_out],
         "wishes": figures.get("wishes", []),
         "outlets": figures.get("outlets", []),
+        **input_document(solution.brief.input_report),
     }
 
 
@@ -327,6 +333,7 @@ def arranged_document(
         "rooms": rooms,
         "left_out": [entry._asdict() for entry in solution.left_out],
         "check": report.to_dict(),
+        **input_document(solution.brief.input_report),
     }
 
 

@@ -56,7 +56,9 @@ class _Wrapped:
 
 
 def _on_one_line(text: Text) -> Text:
-    line = printable(text.plain)
+    """A text without line feeds; the blanks it begins with stay."""
+    indent = len(text.plain) - len(text.plain.lstrip(" "))
+    line = " " * indent + printable(text.plain)
     if line == text.plain:
         return text
     return Text(line, style=text.style, end=text.end, no_wrap=text.no_wrap, overflow=text.overflow)

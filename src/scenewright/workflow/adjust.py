@@ -34,8 +34,8 @@ class AdjustRequest(NamedTuple):
 
 
 class AdjustedFile(NamedTuple):
-    """What came of it, with every change; ``complete`` if no rule is broken and nothing that had
-    a place has lost it."""
+    """What came of it, with every change; ``complete`` if no rule is broken, nothing that had
+    a place has lost it, and the file was read whole."""
 
     solution: Solution
     plan: Plan
@@ -73,4 +73,5 @@ def adjust_file(request: AdjustRequest) -> Generator[Event, None, AdjustedFile]:
     yield Judged(report)
     yield from write_all([(solution, path) for path in request.outputs], plan)
     lost = any(out.required for out in set(solution.left_out) - set(before.left_out))
-    return AdjustedFile(solution, plan, report, tuple(changes), report.valid and not lost)
+    complete = report.valid and not lost and solution.brief.is_read_whole
+    return AdjustedFile(solution, plan, report, tuple(changes), complete)

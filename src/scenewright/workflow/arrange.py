@@ -34,8 +34,9 @@ class Arranged(NamedTuple):
 
     @property
     def complete(self) -> bool:
-        """Whether all that was asked for stands and no rule is broken."""
-        return self.report.valid and not any(out.required for out in self.solution.left_out)
+        """Whether all that was asked for stands, no rule is broken, and the file was read whole."""
+        missing = any(out.required for out in self.solution.left_out)
+        return self.report.valid and not missing and self.solution.brief.is_read_whole
 
 
 def arrange_file(

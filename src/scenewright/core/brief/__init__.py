@@ -299,6 +299,11 @@ class Brief(StrictModel):
             self.__dict__.update(scale_plan(self, self.scale), scale=1.0)
         return self
 
+    @property
+    def is_read_whole(self) -> bool:
+        """Whether nothing that stands in the file this brief was read from is missing here."""
+        return self.input_report is None or self.input_report.complete
+
     @model_serializer(mode="wrap")
     def _flat(self, plain: SerializerFunctionWrapHandler) -> dict[str, Any]:
         """The part's keys stand among the others, as in the file."""

@@ -50,6 +50,19 @@ class InputRow(StrictModel):
     examples: Annotated[list[_Text], Field(max_length=MOST_EXAMPLES)] = []
     stands: Switch = False
 
+    def describe(self) -> str:
+        """The row in words, without its kind.
+
+        >>> InputRow(kind="tree", outcome="left out", count=4, reason="planted anew",
+        ...     examples=["node/7", "node/8", "node/9"]).describe()
+        '4 left out: planted anew (node/7, node/8, node/9 …)'
+        """
+        more = " …" * (self.count > len(self.examples))
+        named = f" ({', '.join(self.examples)}{more})" if self.examples else ""
+        return (
+            f"{self.count:,} {self.outcome}" + (f": {self.reason}" if self.reason else "") + named
+        )
+
 
 class InputReport(StrictModel):
     """What was read of a file: its ``format``, reference ``system`` and ``unit`` in words, rows of
@@ -82,8 +95,31 @@ class InputReport(StrictModel):
     @property
     def complete(self) -> bool:
         """Whether nothing that stands is lost and enough of the drawn floor was read."""
+        return not self.warnings
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """A line for each thing lost: rows of what stands and was left out, then the floor of a
+        plan of which less than :data:`LEAST_FLOOR_READ` was read."""
+        lost = tuple(f"{row.kind}: {row.describe()}" for row in self.lost)
         share = self.floor_share
-        return not self.lost and (share is None or share >= LEAST_FLOOR_READ)
+        if share is None or share >= LEAST_FLOOR_READ:
+            return lost
+        return (*lost, f"only {self.describe_floor()}")
+
+    def describe_floor(self) -> str:
+        """The floor read of the floor drawn in words; empty where none was measured.
+
+        >>> InputReport(drawn_floor=40.0, read_floor=37.0).describe_floor()
+        '37.0 of 40.0 m² of drawn floor were read (92 %)'
+        """
+        if self.floor_share is None:
+            return ""
+        share = 100 * self.floor_share
+        return (
+            f"{self.read_floor:.1f} of {self.drawn_floor:.1f} m² of drawn floor were read "
+            f"({share:.0f} %)"
+        )
 
 
 def report_input(
