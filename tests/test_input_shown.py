@@ -69,7 +69,8 @@ def test_the_report_is_an_object_in_json(capsys: Captured) -> None:
     report = report_input([SCHOOL], format="GeoJSON")
     arrange(report, "--json")
     shown = json.loads(capsys.readouterr().out)
-    assert shown["exit"] == 1 and shown["input_report"]["complete"] is False
+    assert shown["exit"] == 1
+    assert shown["input_report"]["complete"] is False
     expected = [{"kind": "building", "outcome": "left out", "count": 1}]
     rows = shown["input_report"]["rows"]
     assert [{key: row[key] for key in expected[0]} for row in rows] == expected
@@ -81,9 +82,11 @@ def test_the_report_is_an_object_in_json(capsys: Captured) -> None:
 def test_it_is_read_from_python_and_kept_in_the_solution() -> None:
     report = report_input([SCHOOL], format="GeoJSON")
     brief = sw.read(save_room(report))
-    assert brief.input_report == report and not brief.is_read_whole
+    assert brief.input_report == report
+    assert not brief.is_read_whole
     arranged = sw.arrange("room.json", ["out.json"], steps=50)
-    assert not arranged.complete and arranged.report.valid
+    assert not arranged.complete
+    assert arranged.report.valid
     assert sw.read_solution("out.json").brief.input_report == report
 
 
@@ -98,4 +101,5 @@ def test_a_plan_of_which_little_floor_was_read_says_so(capsys: Captured) -> None
 def test_many_kinds_are_summed_up() -> None:
     fates = [Fate("", f"kind {k}", "used") for k in range(MOST_KINDS + 3)]
     lines = describe_input(report_input(fates))
-    assert len(lines) == MOST_KINDS + 2 and lines[-1] == "  3 other kinds: 3"
+    assert len(lines) == MOST_KINDS + 2
+    assert lines[-1] == "  3 other kinds: 3"

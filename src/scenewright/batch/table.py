@@ -24,10 +24,10 @@ CSV, JSON = "summary.csv", "summary.json"
 class ResultRow(NamedTuple):
     """What became of one file.
 
-    ``status`` is ``complete`` (all that is essential or asked for stands, and valid), ``left
-    out`` (valid, but something of that or of the file is not there), ``not valid`` (a rule is broken) or
-    ``failed`` (nothing was written); ``message`` says why. ``left_out`` counts what is essential
-    or asked for and not there, ``violations`` broken rules.
+    ``status`` is ``complete`` (all that is essential or asked for stands, and valid), ``left out``
+    (valid, but something of that or of the file is not there), ``not valid`` (a rule is broken) or
+    ``failed`` (nothing was written); ``message`` says why. ``left_out`` counts what is essential or
+    asked for and not there, ``violations`` broken rules.
     """
 
     file: str
