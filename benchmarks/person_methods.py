@@ -12,7 +12,14 @@ from benchmarks.person_raters import SimulatedPerson
 from benchmarks.person_world import World, breeding_of
 from scenewright.core.breeding import Genome
 from scenewright.engine.preference import taste as tastes
-from scenewright.engine.preference.events import Event, Pick, Reason, Worst
+from scenewright.engine.preference.events import (
+    Event,
+    Pick,
+    Reason,
+    Worst,
+    champion_of,
+    favourites_of,
+)
 from scenewright.engine.preference.kernel import Kernel
 from scenewright.engine.preference.screens import ScreenMix, choose_screen
 from scenewright.engine.preference.trust import TrustRecord, count_hit
@@ -64,7 +71,6 @@ def _learn(
     numbers: list[Genome] = []
     events: list[Event] = []
     shown: set[Genome] = set()
-    champion: Genome | None = None
     actions, best, trust = 0, -np.inf, TrustRecord()
     taste = tastes.PersonTaste(world.scale, None, np.zeros(len(world.scale.names)))
     rule = tastes.TasteRule() if ours_ else LINEAR
@@ -75,9 +81,10 @@ def _learn(
         rows = [g for g in numbers if known[g].lacking == 0]
         values = np.array([known[g].values for g in rows])
         seen = np.array([g in shown for g in rows])
-        place = None if champion is None else rows.index(champion)
+        kept = [g for g in _kept(events, numbers) if g in rows][: 1 + mix.favourites]
+        places = [rows.index(g) for g in kept]
         rng = np.random.default_rng([seed, 1, screen])
-        chosen = [rows[k] for k in choose_screen(taste, values, seen, place, rng, mix)]
+        chosen = [rows[k] for k in choose_screen(taste, values, seen, places, rng, mix)]
         shown |= set(chosen)
         best = max(best, *(person.truth(g) for g in chosen))
         told = _mark(person, chosen, numbers, ours_)
@@ -91,6 +98,13 @@ def _learn(
         by_number = {k: known[g].values for k, g in enumerate(numbers)}
         taste = tastes.learn_taste(world.scale, events, by_number, world.reasons, rule=rule)
         yield SearchStep(actions, len(shown), champion, best, trust)
+
+
+def _kept(events: list[Event], numbers: list[Genome]) -> list[Genome]:
+    """The champion and favourites, as the product keeps them on the sheet."""
+    champion = champion_of(events)
+    first = [] if champion is None else [champion]
+    return [numbers[number] for number in (*first, *favourites_of(events))]
 
 
 def _breed(world, taste, known, numbers, screen, rng, how, wide) -> None:  # type: ignore[no-untyped-def]

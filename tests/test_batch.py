@@ -196,7 +196,7 @@ def test_a_batch_killed_five_times_loses_and_doubles_nothing(tmp_path: Path) -> 
     assert [row.status for row in rows] == [COMPLETE] * 24
     assert len({row.file for row in rows}) == 24
     assert read(out) == read(whole)
-    assert not (out / PARTS).exists()
+    assert not [path for path in out.iterdir() if PARTS.fullmatch(path.name)]
 
 
 @pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="finds workers by /proc")
@@ -267,6 +267,84 @@ def test_a_line_cut_off_in_the_ledger_is_passed_over(tmp_path: Path) -> None:
     with Ledger(tmp_path) as ledger:
         assert ledger.find(order._replace(name="b")) == row
         assert ledger.find(order._replace(key="other")) is None
+
+
+def test_results_that_were_emptied_or_changed_are_done_again(tmp_path: Path) -> None:
+    folder, out, before = briefs(tmp_path / "in", 4), tmp_path / "out", list[bool]()
+    rows = sw.batch(folder, out, jobs=1, steps=200)
+    whole = read(out)
+    (out / "wc-00.json").write_bytes(b"")
+    text = (out / "wc-01.json").read_text()
+    (out / "wc-01.json").write_text(text.replace("2", "3", 1))
+    (out / "wc-02.json").unlink()
+    (out / "wc-02.json").mkdir()
+    (out / "wc-02.json").rmdir()
+    again = sw.batch(
+        folder, out, jobs=1, steps=200, progress=lambda *heard: before.append(heard[3])
+    )
+    assert sorted(before) == [False, False, False, True]
+    assert read(out) == whole
+    assert [row.status for row in again] == [row.status for row in rows]
+
+
+def test_folders_and_files_of_others_stay(tmp_path: Path) -> None:
+    """A folder of the user's is never removed, whatever it is called; what a killed batch has left
+    is."""
+    folder, out = briefs(tmp_path / "in", 1), tmp_path / "out"
+    for name in (".parts", ".scenewright-parts-" + "0" * 16, ".scenewright-parts-" + "1" * 16):
+        (out / name).mkdir(parents=True)
+    (out / ".parts" / "mine.txt").write_text("mine")
+    left, shared = (out / f".scenewright-parts-{digit * 16}" for digit in "01")
+    for place in (left, shared):
+        (place / (".scenewright-" + "a" * 16 + ".json")).write_text("half")
+    (shared / "mine.txt").write_text("mine")
+    sw.batch(folder, out, jobs=1, steps=200)
+    assert (out / ".parts" / "mine.txt").read_text() == "mine"
+    assert not left.exists()
+    assert [path.name for path in shared.iterdir()] == ["mine.txt"]
+
+
+@pytest.mark.parametrize("kind", ["link", "text", "pipe", "folder"])
+def test_a_ledger_that_is_none_is_left_alone(kind: str, tmp_path: Path) -> None:
+    folder, out = briefs(tmp_path / "in", 1), tmp_path / "out"
+    out.mkdir()
+    mine = tmp_path / "mine.txt"
+    mine.write_text("my own notes\n")
+    if kind == "link":
+        (out / NAME).symlink_to(mine)
+    elif kind == "text":
+        (out / NAME).write_text("my own notes\n")
+    elif kind == "folder":
+        (out / NAME).mkdir()
+    else:
+        os.mkfifo(out / NAME)
+    with pytest.raises(InputError) as caught:
+        sw.batch(folder, out, jobs=1, steps=200)
+    assert "\n" not in str(caught.value)
+    assert mine.read_text() == "my own notes\n"
+    assert {path.name for path in out.iterdir()} == {NAME}
+
+
+DAMAGED = (
+    b"[1]", b"null", b"{}", b"[" * 100_000, b"\x00" * 90, b"\xff\xfe", b'"' + b"x" * 300_000,
+    b'{"name": 1}', b'{"name": "a", "key": "key", "outputs": 5}',
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("number", range(len(DAMAGED)))
+def test_damaged_lines_of_a_ledger_are_passed_over(number: int, tmp_path: Path) -> None:
+    order = Job("a.json", "a", (), "key")
+    row = ResultRow("a.json", COMPLETE, 1.0, 2, 0, 0, "", ())
+    with Ledger(tmp_path) as ledger:
+        ledger.write(order, row)
+    with (tmp_path / NAME).open("ab") as file:
+        file.write(DAMAGED[number] + b"\n")
+    for key, value in (("status", "done"), ("seconds", "x"), ("outputs", [1, 2]), ("pieces", -1)):
+        with (tmp_path / NAME).open("ab") as file:
+            known = {"name": "a", "key": "key", **row._asdict(), "files": [], key: value}
+            file.write(json.dumps(known).encode() + b"\n")
+    with Ledger(tmp_path) as ledger:
+        assert ledger.find(order) == row
 
 
 @pytest.mark.parametrize(

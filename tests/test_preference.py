@@ -22,6 +22,7 @@ from scenewright.engine.preference.events import (
     champion_of,
     counting,
     event_of,
+    favourites_of,
     record_of,
 )
 from scenewright.engine.preference.kernel import Kernel, kernel_diagonal, kernel_matrix
@@ -176,9 +177,32 @@ def test_only_the_person_changes_the_champion() -> None:
     assert champion_of([]) is None
     assert champion_of([Stars(2, 5, 0), Prefer(2, 1), Reason(2, "x")]) is None
     assert champion_of([Pick(2, (1, 2)), Pick(4, (2, 4))]) == 4
-    assert champion_of([Pick(2, (1, 2)), Keep(2), Pick(4, (2, 4))]) == 2
+    assert champion_of([Pick(2, (1, 2)), Keep(2), Pick(4, (2, 4))]) == 4, "a later pick counts"
     assert champion_of([Pick(2, (1, 2)), Keep(2), Edit(2, 9), Pick(4, (2, 4))]) == 9
     assert champion_of([Pick(2, (1, 2)), Pick(4, (2, 4)), Undo()]) == 2
+    assert champion_of([Pick(9, (5, 9, 1)), Pick(5, (5, 1))]) == 9, "the best, not the last said"
+    assert champion_of([Keep(2), Prefer(4, 2)]) == 4
+    assert champion_of([Keep(2), Worst(2, (1, 2, 4)), Pick(4, (1, 4))]) == 4
+
+
+def test_what_was_liked_besides_the_champion_is_a_favourite_until_it_is_the_worst() -> None:
+    said = [Pick(9, (5, 9, 1)), Pick(5, (5, 1)), Stars(1, 5, 0), Stars(7, 4, 0)]
+    assert favourites_of(said) == (1, 5)
+    assert favourites_of([*said, Pick(8, (8, 9, 5))]) == (9, 1, 5)
+    assert favourites_of([*said, Worst(5, (1, 5))]) == (1,)
+    assert favourites_of([*said, Edit(5, 12), Undo()]) == (1, 5)
+    assert favourites_of([*said, Edit(5, 12)]) == (12, 1)
+
+
+def test_a_screen_begins_with_what_is_kept_even_where_nothing_is_learned() -> None:
+    values = np.random.default_rng(5).standard_normal((40, 3))
+    scale = measure_scale("abc", values)
+    rng, shown = np.random.default_rng(0), np.zeros(40, bool)
+    for said in ([], [Pick(0, (0, 1, 2))]):
+        taste = learn_taste(scale, said, dict(enumerate(values)), {})
+        screen = choose_screen(taste, values, shown, [7, 3], rng, ScreenMix())
+        assert screen[:2] == [7, 3]
+        assert len(set(screen)) == 12
 
 
 def test_events_read_back() -> None:
@@ -199,7 +223,9 @@ def test_a_taste_learns_what_is_hidden() -> None:
     shown, champion, said = np.zeros(400, bool), None, []
     taste = learn_taste(scale, [], {}, {})
     for _ in range(8):
-        screen = choose_screen(taste, values, shown, champion, rng, ScreenMix())
+        screen = choose_screen(
+            taste, values, shown, [] if champion is None else [champion], rng, ScreenMix()
+        )
         assert len(set(screen)) == 12
         assert champion is None or screen[0] == champion
         assert shown[screen].sum() == (champion is not None)
@@ -217,7 +243,7 @@ def test_a_screen_from_few_candidates_shows_all() -> None:
     said = [Pick(0, (0, 1, 2))]
     taste = learn_taste(scale, said, dict(enumerate(values)), {})
     rng = np.random.default_rng(0)
-    assert sorted(choose_screen(taste, values, np.zeros(5, bool), 0, rng, ScreenMix())) == [
+    assert sorted(choose_screen(taste, values, np.zeros(5, bool), [0], rng, ScreenMix())) == [
         0, 1, 2, 3, 4,
     ]  # fmt: skip
     assert sorted(spread_over(values, 12, 2)) == [0, 1, 2, 3, 4]
@@ -245,7 +271,7 @@ def test_no_screen_shows_the_same_twice() -> None:
     for learning in (2, 45):
         for screen in range(5):
             mix = ScreenMix(learning=learning)
-            chosen = choose_screen(taste, values, shown, 0, np.random.default_rng(screen), mix)
+            chosen = choose_screen(taste, values, shown, [0], np.random.default_rng(screen), mix)
             assert len(np.unique(values[chosen], axis=0)) == len(chosen) == 12
 
 

@@ -258,4 +258,4 @@ def test_a_region_has_its_own_houses_and_one_that_is_not_known_is_one_line(
 
 def test_a_style_that_is_not_there_is_one_line(capsys: pytest.CaptureFixture[str]) -> None:
     assert run(["arrange", "sample:village-hamlet", "--style", "none.npz", "-o", "x.json"]) == 2
-    assert "no such style file" in capsys.readouterr().err
+    assert "no such file" in capsys.readouterr().err

@@ -42,7 +42,7 @@ def look(path: str) -> tuple[Stamp, ...]:
 
 
 def _named_in(source: Path) -> Iterator[str]:
-    if source.suffix.lower() != ".json" or source.stat().st_size > _MOST:
+    if source.suffix.lower() != ".json" or not source.is_file() or source.stat().st_size > _MOST:
         return
     content = source.read_bytes()
     if not any(f'"{key}"'.encode() in content for key in NAMED):

@@ -109,7 +109,7 @@ def _files(path: Path, out: Path, suffixes: set[str]) -> Iterator[tuple[Path, Pu
         )
         for name in sorted(names):
             file = Path(top, name)
-            if file.suffix.lower() in suffixes and not name.startswith("."):
+            if file.suffix.lower() in suffixes and not name.startswith(".") and file.is_file():
                 yield file, PurePosixPath(file.relative_to(path).as_posix())
 
 
@@ -151,7 +151,7 @@ def _key(source: str, options: BatchOptions, stamps: Look) -> str:
     ]
     digest = hashlib.blake2b(repr((__version__, options, beside)).encode(), digest_size=16)
     try:
-        if not source.startswith(SAMPLE):
+        if not source.startswith(SAMPLE) and os.path.isfile(source):
             note_read(source)
             with open(source, "rb") as file:
                 digest.update(hashlib.file_digest(file, "blake2b").digest())

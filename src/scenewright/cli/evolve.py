@@ -92,13 +92,17 @@ def _read_request(
 
 def _run(request: EvolveRequest, as_json: bool, quiet: bool) -> int:
     from scenewright.cli import tables, terminal
-    from scenewright.core.atomic_file import check_targets
+    from scenewright.cli.evolve_best import name_picture
+    from scenewright.core.atomic_file import check_distinct, check_targets
     from scenewright.workflow.evolve import evolve as begin
     from scenewright.workflow.evolve import resume_evolution
-    from scenewright.workflow.request import check_outputs
+    from scenewright.workflow.request import check_outputs, keep_briefs
 
+    pictures = (request.sheet, name_picture(request.sheet))
     check_outputs(request.outputs)
-    check_targets([request.sheet])
+    keep_briefs(request.outputs)
+    check_targets(pictures)
+    check_distinct([request.log, *request.outputs, *pictures])
     console = terminal.console(stderr=True, quiet=quiet or as_json)
     if request.resumed:
         evolution = resume_evolution(request.log)
@@ -295,7 +299,7 @@ def describe_event(event: Event, shown: list[int]) -> str:
         case said.Lock(name):
             return f"{name} stays as in the champion"
         case said.Keep(candidate):
-            return f"{place(candidate)} is the champion until another is kept"
+            return f"{place(candidate)} is the champion until another is better"
         case _:
             return "changed by hand"
 

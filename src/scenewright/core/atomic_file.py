@@ -1,17 +1,19 @@
 """Files that appear whole or not at all, and never in the place of a file that the run reads.
 
-Everything is written to a temporary file and renamed. Temporary names are random, made so that
-they cannot exist (``O_EXCL``: no link is followed), short whatever the target is called, and
-removed however the writing ends. A run (one command, one worker of a batch) records what it reads
-with :func:`note_read` inside :func:`recorded_run`; whatever is written meanwhile is compared with
-that record by device and file number, so symbolic links, hard links and names in other letter
-case are the same file.
+Everything is written to a temporary file, brought to the disk and renamed. Temporary names are
+random, made so that they cannot exist (``O_EXCL``: no link is followed), short whatever the target
+is called, and removed however the writing ends. A run (one command, one worker of a batch) records
+what it reads with :func:`note_read` inside :func:`recorded_run`; whatever is written meanwhile is
+compared with that record by device and file number, so symbolic links, hard links and names in
+other letter case are the same file.
 """
 
 from __future__ import annotations
 
 import os
+import re
 import secrets
+import stat
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from contextvars import ContextVar
@@ -24,6 +26,10 @@ Name = str | os.PathLike[str]
 Identity = tuple[int, int]
 LONGEST_SUFFIX = 100
 """Bytes of a target's suffixes that its temporary name keeps; file systems allow 255 in all."""
+TEMPORARY = re.compile(r"\.scenewright-[0-9a-f]{16}(\..*)?")
+"""What the temporary names of :func:`whole_together` and :func:`atomic_write` look like."""
+DATABASE = b"SQLite format 3\0"
+"""How an SQLite database begins."""
 _EXCLUSIVE = os.O_WRONLY | os.O_CREAT | os.O_EXCL
 
 
@@ -75,18 +81,28 @@ def allow_replacing(path: Name) -> None:
 def check_targets(paths: Sequence[Name]) -> None:
     """Raise InputError unless every path can be a new file or replace a plain one that the run
     does not read, and no two are the same."""
-    seen: set[Path | Identity] = set()
     for path in paths:
         _check_target(Path(path))
+    check_distinct(paths)
+
+
+def check_distinct(paths: Sequence[Name]) -> None:
+    """Raise InputError unless no two of the files a run writes are the same, by whatever name."""
+    seen: set[Path | Identity] = set()
+    for path in paths:
         same: set[Path | Identity] = {Path(path).resolve()}
         if (identity := identity_of(path)) is not None:
             same.add(identity)
         if same & seen:
-            raise InputError("is given twice", "give each -o another name", file=str(path))
+            raise InputError(
+                "is given twice", "give each file that is written another name", file=str(path)
+            )
         seen |= same
 
 
 def _check_target(path: Path) -> None:
+    """Raise InputError for what no output may replace: a folder, a pipe or device, a database (an
+    evolution's log, or somebody's), a file that the run reads."""
     try:
         os.lstat(path)
     except FileNotFoundError:
@@ -98,11 +114,28 @@ def _check_target(path: Path) -> None:
         ) from None
     if os.path.isdir(path):
         raise InputError("is a folder", "give the name of a file", file=str(path))
+    if os.path.exists(path) and not os.path.isfile(path):
+        raise InputError("is not a plain file", "give the name of a file", file=str(path))
+    if holds_database(path):
+        raise InputError(
+            "is a database and would be replaced", "give -o another name", file=str(path)
+        )
     run, identity = _RUN.get(), identity_of(path)
     if run is not None and identity in run.read - run.replaceable:
         raise InputError(
             "is read by this run and would be replaced", "give -o another name", file=str(path)
         )
+
+
+def holds_database(path: Name) -> bool:
+    """Whether there is a plain file that begins as an SQLite database does."""
+    try:
+        handle = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0))
+    except (OSError, ValueError):
+        return False
+    with open(handle, "rb") as file:
+        plain = stat.S_ISREG(os.fstat(handle).st_mode)
+        return plain and file.read(len(DATABASE)) == DATABASE
 
 
 @contextmanager
@@ -131,7 +164,12 @@ def whole_together(paths: Sequence[Name], folder: Name | None = None) -> Iterato
         check_targets(finals)
         for partial, final in zip(partials, finals, strict=True):
             with _report_refusal(final):
+                _settle(partial, final)
+        for partial, final in zip(partials, finals, strict=True):
+            with _report_refusal(final):
                 os.replace(partial, final)
+        for place in {final.parent for final in finals}:
+            bring_to_disk(place)
     finally:
         _remove(partials)
 
@@ -158,6 +196,7 @@ def atomic_write(path: Name, *, own: bool = False) -> Iterator[Path]:
         yield partial
         if not own:
             _check_target(final)
+            _settle(partial, final)
         os.replace(partial, final)
     finally:
         _remove([partial])
@@ -167,6 +206,25 @@ def write_atomically(path: Name, text: str, *, own: bool = False) -> None:
     """Write a text as UTF-8."""
     with atomic_write(path, own=own) as partial:
         partial.write_text(text, encoding="utf-8")
+
+
+def _settle(partial: Path, final: Path) -> None:
+    """Bring what was written to the disk, so that no power cut leaves an empty file under its name;
+    RuntimeError where nothing was written."""
+    if partial.stat().st_size == 0:
+        raise RuntimeError(f"nothing was written to {final}")
+    bring_to_disk(partial)
+
+
+def bring_to_disk(path: Name) -> None:
+    """Have the system write to the disk what it holds of a file or of a folder's names, where it
+    can."""
+    with suppress(OSError):
+        handle = os.open(path, os.O_RDONLY)
+        try:
+            os.fsync(handle)
+        finally:
+            os.close(handle)
 
 
 def _temporary_name(final: Path, folder: Path) -> Path:

@@ -17,10 +17,13 @@ from pathlib import Path
 
 from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
+from scenewright.core.stored_file import report_damage
 from scenewright.engine.preference.events import Pick
 from scenewright.engine.preference.taste import PersonTaste
 from scenewright.formats import read
+from scenewright.formats.json_document import parse_document
 from scenewright.workflow.evolution.log import EvolutionLog
+from scenewright.workflow.evolution.log_records import AboutRecord, read_breeding
 from scenewright.workflow.evolution.population import BreedingPlan
 from scenewright.workflow.evolution.session import Evolution
 
@@ -44,32 +47,40 @@ def evolve(
     """
     brief = source if isinstance(source, Brief) else read(os.fspath(source))
     book = EvolutionLog(log)
-    about = book.about()
-    if not about:
-        name = "" if isinstance(source, Brief) else os.fspath(source)
-        header = {"brief": brief.model_dump_json(), "seed": str(seed), "source": name}
-        book.begin(header | {"breeding": json.dumps(breeding or BreedingPlan())})
-    elif about["brief"] != brief.model_dump_json():
+    try:
+        about = book.about()
+        if not about:
+            name = "" if isinstance(source, Brief) else os.fspath(source)
+            header = {"brief": brief.model_dump_json(), "seed": str(seed), "source": name}
+            book.begin(header | {"breeding": json.dumps(breeding or BreedingPlan())})
+        elif about.get("brief") != brief.model_dump_json():
+            raise InputError("is the log of another brief", "choose another name")
+        return _open(brief, book, start)
+    except InputError as error:
         book.close()
-        raise InputError("is the log of another brief", "choose another name", file=os.fspath(log))
-    return _open(brief, book, start)
+        raise error.located(file=os.fspath(log)) from None
 
 
 def resume_evolution(log: str | os.PathLike[str]) -> Evolution:
     """The evolution kept in a log, as it ended; the file it was read from is not needed."""
-    if not Path(log).is_file():
+    if not Path(log).exists():
         raise InputError("does not exist", "check the path", file=os.fspath(log))
+    if Path(log).is_file() and not Path(log).stat().st_size:
+        raise InputError("is empty", "check the path", file=os.fspath(log))
     book = EvolutionLog(log)
-    about = book.about()
-    if "brief" not in about:
+    try:
+        with report_damage(log, "the log of an evolution", "check the path"):
+            record = AboutRecord.model_validate(book.about())
+            brief = Brief.model_validate(parse_document(record.brief, "a brief"))
+            return _open(brief, book)
+    except InputError:
         book.close()
-        raise InputError("is not the log of an evolution", "check the path", file=os.fspath(log))
-    brief = Brief.model_validate_json(about["brief"])
-    return _open(brief, book)
+        raise
 
 
 def _open(brief: Brief, book: EvolutionLog, start: Sequence[PersonTaste] = ()) -> Evolution:
     """The evolution of a log with its own seed and ways of breeding."""
-    about = book.about()
-    breeding = BreedingPlan(*json.loads(about["breeding"]))
-    return Evolution(brief, book, seed=int(about["seed"]), start=start, breeding=breeding)
+    with report_damage(book.path, "the log of an evolution", "start a new one"):
+        about = AboutRecord.model_validate(book.about())
+        breeding = read_breeding(about.breeding)
+        return Evolution(brief, book, seed=int(about.seed), start=start, breeding=breeding)

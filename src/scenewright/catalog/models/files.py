@@ -7,15 +7,14 @@ A name must lead to a plain file in the model's own folder or below; names that 
 from __future__ import annotations
 
 import json
-import os
 import re
 from collections.abc import Callable
 from pathlib import Path, PurePosixPath
 from typing import Any
 
-from scenewright.core.atomic_file import note_read
 from scenewright.core.document_faults import check_characters
 from scenewright.core.errors import InputError
+from scenewright.core.stored_file import read_plain
 
 MEBIBYTE = 2**20
 COST = {b"[": 90, b"{": 240, b",": 64, b":": 120}
@@ -68,12 +67,7 @@ def beside(folder: Path) -> Beside:
 
 def whole(path: Path, limit: int) -> bytes:
     """The bytes of a plain file of at most ``limit`` bytes."""
-    if not path.is_file():
-        raise InputError("is not a plain file", "give the file itself")
-    note_read(path)
-    with path.open("rb") as stream:
-        content = stream.read(min(os.fstat(stream.fileno()).st_size, limit) + 1)
-    return check_size(content, limit)
+    return check_size(read_plain(path, limit), limit)
 
 
 def check_size(content: bytes, limit: int) -> bytes:

@@ -6,7 +6,7 @@ together.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import Any, NamedTuple
 
 from scenewright.core.errors import InputError
@@ -63,7 +63,7 @@ class Edit(NamedTuple):
 
 
 class Keep(NamedTuple):
-    """``candidate`` is the champion until another is kept, whatever is picked meanwhile."""
+    """``candidate`` is the champion, until another is said to be better than it."""
 
     candidate: int
 
@@ -97,22 +97,64 @@ def counting(events: Iterable[Event]) -> tuple[Event, ...]:
 
 
 def champion_of(events: Iterable[Event]) -> int | None:
-    """The candidate a person has chosen: the last kept; while none is, the last picked. Only what
-    she says changes it.
+    """The candidate a person likes best by what she said: the first picked or the last kept, until
+    another is picked from a choice that holds it, preferred to it, or made of it by hand. A pick
+    from the others, the second best of a screen, does not change it, unless it was called the
+    worst before. Only what she says changes it.
 
-    >>> champion_of([Pick(3, (1, 3)), Keep(1), Pick(2, (2, 4))])
-    1
+    >>> champion_of([Pick(3, (1, 2, 3)), Pick(2, (1, 2))])
+    3
+    >>> champion_of([Keep(1), Pick(2, (1, 2, 4))])
+    2
     """
-    picked: int | None = None
-    kept: int | None = None
+    return _rank(events)[0]
+
+
+def favourites_of(events: Iterable[Event]) -> tuple[int, ...]:
+    """The candidates a person liked besides the champion, the last liked first: picked, kept, given
+    the most stars, changed by hand or champions before, and not called the worst since.
+
+    >>> favourites_of([Pick(3, (1, 2, 3)), Pick(2, (1, 2)), Stars(1, 5, 0), Worst(1, (1, 4))])
+    (2,)
+    """
+    champion, liked = _rank(events)
+    return tuple(number for number in reversed(liked) if number != champion)
+
+
+def _rank(events: Iterable[Event]) -> tuple[int | None, list[int]]:
+    """The champion, and all that is liked, the last last."""
+    champion: int | None = None
+    liked: list[int] = []
     for event in counting(events):
-        if isinstance(event, Pick):
-            picked = event.best
-        elif isinstance(event, Keep):
-            kept = event.candidate
-        elif isinstance(event, Edit) and event.before == (picked if kept is None else kept):
-            picked, kept = event.after, None if kept is None else event.after
-    return picked if kept is None else kept
+        before, champion = champion, _follow(champion, liked, event)
+        new: list[int] = []
+        gone: list[int] = []
+        match event:
+            case Keep(one) | Pick(one, _):
+                new = [one]
+            case Stars(one, stars, _) if stars == MOST_STARS:
+                new = [one]
+            case Edit(old, one):
+                new, gone = [one], [old]
+            case Worst(one, _):
+                gone = [one]
+        if before is not None and before != champion and before in liked:
+            new.append(before)
+        liked = [n for n in liked if n not in (*new, *gone)] + [n for n in new if n not in gone]
+    return champion, liked
+
+
+def _follow(champion: int | None, liked: Sequence[int], event: Event) -> int | None:
+    """The champion after an event; one that is not ``liked`` any more was called the worst."""
+    match event:
+        case Keep(candidate):
+            return candidate
+        case Pick(best, among) if champion not in liked or champion in among:
+            return best
+        case Prefer(one, other) | Edit(other, one) if other == champion:
+            return one
+        case _:
+            return champion
 
 
 def record_of(event: Event) -> dict[str, Any]:

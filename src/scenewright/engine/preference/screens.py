@@ -1,13 +1,14 @@
 """Which candidates to show next: few enough to look at, and worth the look.
 
-A screen holds the champion, those predicted best, some drawn by Thompson sampling (each is the
-best under one draw of what the person may like; Thompson 1933) and some to learn from: those whose
-worth is least known, each after the others. Screens begin with the latter and end with the
-former. The first screen spreads over sane layouts.
+A screen holds the champion and a few favourites, those predicted best, some drawn by Thompson
+sampling (each is the best under one draw of what the person may like; Thompson 1933) and some to
+learn from: those whose worth is least known, each after the others. Screens begin with the latter
+and end with the former. The first screen spreads over sane layouts.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -28,13 +29,14 @@ class ScreenMix(NamedTuple):
     takes until no more than ``least`` of a screen are there to learn from, ``greedy`` the share of
     the others that are the predicted best; the rest is drawn by Thompson sampling. ``apart`` is
     how much more two of a screen differ at least, as a share of the mean distance of the
-    archive."""
+    archive; ``favourites`` how many of those liked besides the champion stay on it."""
 
     size: int = 12
     learning: int = 45
     least: int = 4
     greedy: float = 0.8
     apart: float = 0.35
+    favourites: int = 3
 
     def wide(self, statements: int) -> int:
         """How many of a screen are there to learn from, after so many statements.
@@ -74,18 +76,19 @@ def choose_screen(
     taste: PersonTaste,
     values: Floats,
     shown: Flags,
-    champion: int | None,
+    kept: Sequence[int],
     rng: np.random.Generator,
     mix: ScreenMix,
 ) -> list[int]:
-    """Rows of ``values`` (n, D) for the next screen, the champion first; ``shown`` (n,) were seen
-    before and, but for the champion, are not shown again while there are others."""
+    """Rows of ``values`` (n, D) for the next screen, those ``kept`` on it first: the champion and
+    favourites; ``shown`` (n,) were seen before and, but for these, are not shown again while there
+    are others."""
     if taste.posterior is None and not taste.start.any():
-        return first_screen(taste, values, mix)
+        return list(dict.fromkeys([*kept, *first_screen(taste, values, mix)]))[: mix.size]
     points = standardise(taste.scale, values)
     far = _distances(points, points)
     least = mix.apart * float(np.median(far)) if len(points) > 1 else 0.0
-    taken = [] if champion is None else [champion]
+    taken = list(kept)
     open_ = ~shown
     open_[taken] = False
     liked = mix.size - len(taken) - mix.wide(taste.statements)

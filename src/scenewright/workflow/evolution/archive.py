@@ -8,9 +8,11 @@ import numpy as np
 
 from scenewright.core.errors import InputError
 from scenewright.core.solution import Solution
+from scenewright.core.stored_file import report_damage
 from scenewright.engine.preference.taste import FeatureScale, Floats, measure_scale
 from scenewright.formats import solution_json
 from scenewright.workflow.evolution.log import EvolutionLog, NewCandidates
+from scenewright.workflow.evolution.log_records import check_epochs
 from scenewright.workflow.evolution.population import BredLayout, bred_of, is_sane
 
 
@@ -29,6 +31,16 @@ class CandidateArchive:
         self._documents: set[int] = set()
         for number, epoch, body in log.read_candidates():
             self.bred[number], self.epochs[number] = bred_of(body), epoch
+        check_epochs(set(self.epochs.values()), len(self.bred))
+        if self.bred:
+            self.check_features(len(self.bred[0].values))
+
+    def check_features(self, count: int) -> None:
+        """InputError unless every candidate has so many features."""
+        if any(len(one.values) != count for one in self.bred.values()):
+            raise InputError(
+                "is damaged, or of another version: features do not fit", "start a new one"
+            )
 
     def add(self, found: Sequence[tuple[BredLayout, Solution]], epoch: str) -> list[int]:
         """Number candidates; their numbers. They are written down with the next entry."""
@@ -55,10 +67,13 @@ class CandidateArchive:
             raise InputError(f"there is no candidate {number}", "name one that was shown")
         if number not in self._solutions:
             document = self._log.solution(number)
-            self._solutions[number] = (
-                develop(number) if document is None else solution_json.loads(document)
-            )
+            self._solutions[number] = develop(number) if document is None else self._read(document)
         return self._solutions[number]
+
+    def _read(self, document: str) -> Solution:
+        """The solution written down, of the same kind of scene as the others."""
+        with report_damage(self._log.path, "the log of an evolution", "start a new one"):
+            return solution_json.loads(document)
 
     def of_epoch(self, epoch: str) -> list[int]:
         """The candidates bred in an epoch, in order."""

@@ -8,6 +8,8 @@ from typing import Any, NamedTuple
 from scenewright.engine.preference.events import Edit, Event, Pick, counting, event_of
 from scenewright.engine.preference.trust import TrustRecord, count_hit
 from scenewright.workflow.evolution.log import Entry
+from scenewright.workflow.evolution.log_records import check_known
+from scenewright.workflow.evolution.said import candidates_in
 
 
 class ShownScreen(NamedTuple):
@@ -72,15 +74,18 @@ def _first_pick(events: Sequence[Event], shown: Sequence[int]) -> Pick | None:
     return next((pick for pick in picks if set(pick.among) == set(shown)), None)
 
 
-def read_history(entries: Sequence[Entry]) -> History:
-    """The history of all entries of a log.
+def read_history(entries: Sequence[Entry], candidates: int) -> History:
+    """The history of all entries of a log that holds so many ``candidates``; InputError where they
+    speak of others.
 
     >>> shown = {"screen": 0, "shown": [0, 1], "predicted": [None, None]}
     >>> said = {"event": "pick", "best": 1, "among": [0, 1]}
-    >>> read_history([Entry(0, "screen", shown), Entry(1, "event", said)]).events
+    >>> read_history([Entry(0, "screen", shown), Entry(1, "event", said)], 2).events
     (Pick(best=1, among=(0, 1)),)
     """
     history = History()
     for entry in entries:
         history = history.after(entry.kind, entry.body)
+    check_known(history.shown, candidates)
+    check_known({n for event in history.events for n in candidates_in(event)}, candidates)
     return history

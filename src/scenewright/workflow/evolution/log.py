@@ -16,18 +16,19 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from scenewright.core.atomic_file import bring_to_disk, check_targets, note_read
 from scenewright.core.errors import InputError
+from scenewright.core.stored_file import report_damage
+from scenewright.workflow.evolution.log_file import MARK, TABLES, bound, check_content, check_log
+from scenewright.workflow.evolution.log_records import (
+    check_order,
+    read_body,
+    read_bred,
+    unpack_document,
+)
 
 FORM = 1
 """The form of the file; raised when one that was written before cannot be read any more."""
-_TABLES = """
-CREATE TABLE IF NOT EXISTS about (name TEXT PRIMARY KEY, value TEXT NOT NULL);
-CREATE TABLE IF NOT EXISTS entry (
-  number INTEGER PRIMARY KEY, kind TEXT NOT NULL, body TEXT NOT NULL);
-CREATE TABLE IF NOT EXISTS bred (
-  number INTEGER PRIMARY KEY, epoch TEXT NOT NULL, body TEXT NOT NULL);
-CREATE TABLE IF NOT EXISTS solution (number INTEGER PRIMARY KEY, document BLOB NOT NULL);
-"""
 
 
 class Entry(NamedTuple):
@@ -50,21 +51,23 @@ NONE_NEW = NewCandidates()
 
 
 class EvolutionLog:
-    """A log on disk, or in memory if ``path`` is empty."""
+    """A log on disk, or in memory if ``path`` is empty. A file that is there must be a log, or
+    empty; it is looked at read-only before it is opened to be written."""
 
     def __init__(self, path: str | os.PathLike[str] = "") -> None:
         self.path = str(path)
         with self._report_faults():
-            if self.path:
-                Path(self.path).parent.mkdir(parents=True, exist_ok=True)
-            self._base = sqlite3.connect(self.path or ":memory:", timeout=10.0)
-            self._base.execute("PRAGMA journal_mode=WAL")
+            self._base = _open(Path(self.path)) if self.path else sqlite3.connect(":memory:")
+            if not self.path:
+                _create(self._base)
             self._base.execute("PRAGMA synchronous=FULL")
-            self._base.executescript(_TABLES)
         form = self.about().get("form")
         if form not in (None, str(FORM)):
+            self.close()
             raise InputError(
-                f"is the log of another version (form {form})", "start a new one", file=self.path
+                f"is the log of another version (form {form[:20]})",
+                "start a new one",
+                file=self.path,
             )
 
     def about(self) -> dict[str, str]:
@@ -95,13 +98,17 @@ class EvolutionLog:
         """All entries in order."""
         with self._report_faults():
             rows = self._base.execute("SELECT number, kind, body FROM entry ORDER BY number")
-            return [Entry(number, kind, json.loads(body)) for number, kind, body in rows]
+            found = [Entry(number, kind, read_body(kind, body)) for number, kind, body in rows]
+            check_order([entry.number for entry in found], "entries")
+            return found
 
     def read_candidates(self) -> list[tuple[int, str, dict[str, Any]]]:
         """All candidates in order."""
         with self._report_faults():
             rows = self._base.execute("SELECT number, epoch, body FROM bred ORDER BY number")
-            return [(number, epoch, json.loads(body)) for number, epoch, body in rows]
+            found = [(number, epoch, read_bred(body)) for number, epoch, body in rows]
+            check_order([number for number, _, _ in found], "candidates")
+            return found
 
     def solution(self, number: int) -> str | None:
         """The document of a candidate's solution, if it was added."""
@@ -109,7 +116,7 @@ class EvolutionLog:
             found = self._base.execute(
                 "SELECT document FROM solution WHERE number = ?", (number,)
             ).fetchone()
-        return zlib.decompress(found[0]).decode() if found else None
+            return unpack_document(found[0]) if found else None
 
     def close(self) -> None:
         """Close the file; nothing can be added any more."""
@@ -117,14 +124,46 @@ class EvolutionLog:
 
     @contextmanager
     def _report_faults(self) -> Iterator[None]:
-        """What SQLite or the system refuses, as one InputError that names the file."""
-        try:
-            yield
-        except sqlite3.IntegrityError:
-            raise InputError(
-                "is being written by another run", "close that one first", file=self.path
-            ) from None
-        except (sqlite3.Error, OSError, zlib.error, ValueError) as error:
-            raise InputError(
-                f"is not a log that can be used: {error}", "choose another name", file=self.path
-            ) from None
+        """Whatever SQLite, the system or damaged content leads to, as one InputError that names
+        the file."""
+        with report_damage(self.path, "a log that can be used", "choose another name"):
+            try:
+                yield
+            except sqlite3.IntegrityError:
+                raise InputError(
+                    "is being written by another run", "close that one first"
+                ) from None
+
+
+def _open(path: Path) -> sqlite3.Connection:
+    """The database of a log that was checked, or of a new one."""
+    if path.exists() and path.stat().st_size:
+        check_log(path)
+        base = _connect(path)
+        check_content(base)
+        base.execute(f"PRAGMA application_id={MARK}")
+    else:
+        check_targets([path])
+        path.parent.mkdir(parents=True, exist_ok=True)
+        base = _connect(path)
+        _create(base)
+        bring_to_disk(path.parent)
+    base.execute("PRAGMA journal_mode=WAL")
+    base.set_progress_handler(None, 0)
+    note_read(path)
+    return base
+
+
+def _connect(path: Path) -> sqlite3.Connection:
+    return bound(sqlite3.connect(path, timeout=10.0))
+
+
+def _create(base: sqlite3.Connection) -> None:
+    """Make the tables of a log, all or none, unless another run just has."""
+    base.execute("BEGIN IMMEDIATE")
+    (there,) = base.execute("SELECT count(*) FROM sqlite_master").fetchone()
+    if not there:
+        base.execute(f"PRAGMA application_id={MARK}")
+        for table in TABLES:
+            base.execute(table)
+    base.execute("COMMIT")

@@ -25,6 +25,7 @@ from scenewright.engine.preference.events import (
     Undo,
     champion_of,
     counting,
+    favourites_of,
     record_of,
 )
 from scenewright.engine.preference.screens import ScreenMix, choose_screen
@@ -41,6 +42,7 @@ from scenewright.workflow.evolution.candidate import Screen, ShownCandidate, pre
 from scenewright.workflow.evolution.history import read_history
 from scenewright.workflow.evolution.locking import lock_brief, name_epoch
 from scenewright.workflow.evolution.log import EvolutionLog
+from scenewright.workflow.evolution.log_records import check_genome
 from scenewright.workflow.evolution.nursery import Nursery, OnProgress
 from scenewright.workflow.evolution.population import (
     BreedingPlan,
@@ -76,7 +78,7 @@ class Evolution:
         self._names: tuple[str, ...] = ()
         self._learned: tuple[tuple[Event, ...], PersonTaste] | None = None
         self._archive = CandidateArchive(log, self._breeding.first)
-        self._history = read_history(log.entries())
+        self._history = read_history(log.entries(), len(self._archive.bred))
         self._nursery = Nursery(
             brief, self.plan, seed, lambda epoch: lock_brief(epoch, self.solution_of)
         )
@@ -153,8 +155,8 @@ class Evolution:
         return ShownCandidate(number, found[best][2], plan.plan, *predicted)
 
     def ask(self, progress: OnProgress | None = None) -> Screen:
-        """The next screen: the champion, the predicted best, draws and the farthest. ``progress``
-        gets the share bred and what is done, where the screen has to wait for it."""
+        """The next screen: the champion, favourites, the predicted best, draws and the farthest.
+        ``progress`` gets the share bred and what is done, where the screen has to wait for it."""
         epoch, number = name_epoch(self.events), len(self._history.screens)
         self._adopt(epoch, number, progress)
         taste = self.taste
@@ -216,7 +218,9 @@ class Evolution:
 
     def _develop(self, number: int) -> Solution:
         ground = self._nursery.ground(self._archive.epochs[number])
-        return ground.breeder.develop(self._archive.bred[number].genome)
+        genome = self._archive.bred[number].genome
+        check_genome(genome, ground.breeder.genes)
+        return ground.breeder.develop(genome)
 
     def _choose(self, taste: PersonTaste, epoch: str, screen: int) -> list[int]:
         """The numbers of the candidates of a screen."""
@@ -226,9 +230,11 @@ class Evolution:
             rows = [*rows, champion]
         values = np.array([self._archive.bred[n].values for n in rows])
         seen = np.array([n in self._history.shown for n in rows])
-        place = None if champion is None else rows.index(champion)
+        liked = [n for n in favourites_of(self._history.events) if n in rows]
+        kept = [n for n in (champion,) if n is not None] + liked[: self._mix.favourites]
+        places = [rows.index(number) for number in kept]
         rng = np.random.default_rng([self.seed, 1, screen])
-        chosen = choose_screen(taste, values, seen, place, rng, self._mix)
+        chosen = choose_screen(taste, values, seen, places, rng, self._mix)
         return [rows[k] for k in chosen]
 
     def _adopt(self, epoch: str, screen: int, progress: OnProgress | None) -> None:
@@ -246,7 +252,9 @@ class Evolution:
         autos = self._history.autos
         rng = np.random.default_rng([self.seed, 2, screen, autos, epoch.count(":")])
         breeder, how = self._nursery.ground(epoch).breeder, self._breeding
-        known = {one.genome for one in rows}
+        known = {one.genome for one in rows if one.genome}
+        for genome in known:
+            check_genome(genome, breeder.genes)
         age = screen + autos if rows else 0
 
         def choose() -> list[Genome]:
@@ -265,6 +273,7 @@ class Evolution:
             return self._learned[1]
         if not self._names:
             self._names = tuple(domains.features_of(self.solution_of(0), self.plan))
+            self._archive.check_features(len(self._names))
         start = start_from(self._others, self._names) if self._others else None
         scale = self._archive.scale(self._names)
         taste = learn_taste(scale, events, self._archive.values(), self.reasons, start)

@@ -7,7 +7,6 @@ from. Of a file nothing is run: names and shapes must be those of the net, all n
 from __future__ import annotations
 
 import json
-import zipfile
 from collections.abc import Mapping
 from functools import lru_cache
 from pathlib import Path
@@ -16,7 +15,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from scenewright.core.array_archive import read_arrays
 from scenewright.core.errors import InputError
+from scenewright.core.stored_file import report_damage
 from scenewright.domains.village.learned.mix import EMPTY, HouseMix
 from scenewright.domains.village.learned.more import FIGURES, MoreLaw
 from scenewright.domains.village.learned.pose_net import Weights, shapes_of_net
@@ -131,23 +132,8 @@ def _arrays_of_manner(manner: Manner, at: str) -> dict[str, np.ndarray]:
 
 def read_style(path: Path) -> VillageStyle:
     """The style of a file; InputError, in one line, for anything that is none."""
-    try:
-        return style_of(_arrays(path))
-    except InputError as error:
-        raise error.located(file=str(path)) from None
-
-
-def _arrays(path: Path) -> Arrays:
-    try:
-        with zipfile.ZipFile(path) as archive:
-            if sum(row.file_size for row in archive.infolist()) > LARGEST:
-                raise InputError(f"is larger than {LARGEST / 1e6:.0f} MB unpacked", REMEDY)
-        with np.load(path, allow_pickle=False) as file:
-            return {name: file[name] for name in file.files}
-    except FileNotFoundError:
-        raise InputError("there is no such style file", "check the path") from None
-    except (OSError, EOFError, ValueError, zipfile.BadZipFile, KeyError, MemoryError):
-        raise InputError("is no style file: it cannot be read as .npz", REMEDY) from None
+    with report_damage(path, "a style file", REMEDY):
+        return style_of(read_arrays(path, LARGEST))
 
 
 def style_of(arrays: Arrays) -> VillageStyle:

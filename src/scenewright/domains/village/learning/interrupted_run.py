@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import json
-import zipfile
 from pathlib import Path
 
 import numpy as np
 
+from scenewright.core.array_archive import read_arrays
 from scenewright.core.atomic_file import atomic_write
 from scenewright.domains.village.learning.pose_training import TrainingState
 
 GROUPS = ("weights", "first", "second")
+LARGEST = 64_000_000
+"""Bytes of the state of a training at most."""
 
 
 def checkpoint_path(output: Path) -> Path:
@@ -47,15 +49,24 @@ def save_training(path: Path, key: str, state: TrainingState, seconds: float) ->
 def resume_training(path: Path, key: str, fresh: TrainingState) -> tuple[TrainingState, float]:
     """The state kept of this very training and the seconds it took; else a fresh one."""
     try:
-        with np.load(path, allow_pickle=False) as file:
-            record = json.loads(bytes(file["told"]).decode())
-            if record["key"] != key:
-                return fresh, 0.0
-            groups = [{name: file[f"{group}/{name}"] for name in fresh.weights} for group in GROUPS]
-    except (OSError, ValueError, KeyError, TypeError, EOFError, zipfile.BadZipFile):
+        arrays = read_arrays(path, LARGEST)
+        record = json.loads(bytes(arrays["told"]).decode())
+        if record["key"] != key:
+            return fresh, 0.0
+        groups = [
+            {name: _like(arrays[f"{group}/{name}"], value) for name, value in fresh.weights.items()}
+            for group in GROUPS
+        ]
+        losses = tuple(float(v) for v in record["losses"])
+        steps, rounds = int(record["steps"]), int(record["rounds"])
+        state = TrainingState(groups[0], groups[1], groups[2], steps, rounds, losses)
+        return state, float(record["seconds"])
+    except Exception:  # whatever was kept and is damaged is trained again
         return fresh, 0.0
-    losses = tuple(float(v) for v in record["losses"])
-    state = TrainingState(
-        groups[0], groups[1], groups[2], int(record["steps"]), int(record["rounds"]), losses
-    )
-    return state, float(record["seconds"])
+
+
+def _like(value: np.ndarray, fresh: np.ndarray) -> np.ndarray:
+    """An array that was kept, of the shape and kind of a ``fresh`` one and finite."""
+    if value.shape != fresh.shape or not np.isfinite(value).all():
+        raise ValueError("not of this training")
+    return value.astype(fresh.dtype)
