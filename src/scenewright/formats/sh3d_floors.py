@@ -10,33 +10,39 @@ from shapely.geometry.base import BaseGeometry
 
 from scenewright.core.errors import InputError
 from scenewright.core.space import Points
+from scenewright.formats.sh3d_gaps import MISSING, PASSAGE, find_gaps
 from scenewright.formats.sh3d_xml import Home, HomeRoom, HomeWall, middle_line
 
-LEAST_ROOM = 1.0
+LEAST_ROOM = 0.6
+"""A room that is drawn is one from here on, m²; less is a shaft or a slip of the pen."""
+LEAST_ENCLOSED = 1.0
+"""What walls enclose is a room from here on where none is drawn, m²."""
+LEAST_UNDRAWN = 2.0
+"""What walls enclose beside drawn rooms is a room from here on, m²: less is a shaft."""
 LEAST_WIDTH = 0.3
 FINEST = 0.002
 GAP = 0.15
 
 
 class DrawnFloor(NamedTuple):
-    """One room's floor: its name as drawn (or ''), its level and polygon."""
+    """One room's floor: its name as drawn (or ''), its level and polygon, and the number of the
+    element that draws it (-1: none does, walls enclose it)."""
 
     name: str
     level: str
     polygon: shapely.Polygon
+    number: int = -1
 
 
 def floors(home: Home, level: str) -> list[DrawnFloor]:
-    """Floors of a level, in the order drawn; if none is drawn, all that the walls enclose.
+    """Floors of a level: of the rooms in the order drawn, then all else that the walls enclose.
 
     Of rooms that overlap the smaller one keeps the floor. What walls or smaller rooms cut into
-    several parts keeps its largest; parts narrower than 0.3 m fall off; floors of less than 1 m²
-    are left out.
+    several parts keeps its largest; parts narrower than 0.3 m fall off; floors of less than 0.6 m²
+    are left out, and what walls enclose if it is less than 1 m², or 2 m² beside drawn rooms.
     """
     solid = walls_of(home, level)
     drawn = [room for room in home.rooms if room.level == level]
-    if not drawn:
-        return [DrawnFloor("", level, part) for part in _find_enclosed(solid)]
     shapes = [_shape(room) for room in drawn]
     order = sorted(range(len(drawn)), key=lambda i: shapes[i].area)
     taken: BaseGeometry = solid
@@ -46,7 +52,34 @@ def floors(home: Home, level: str) -> list[DrawnFloor]:
         if part.area >= LEAST_ROOM:
             found[i] = part
             taken = taken.union(part)
-    return [DrawnFloor(drawn[i].name, level, found[i]) for i in sorted(found)]
+    rooms = [DrawnFloor(drawn[i].name, level, found[i], drawn[i].number) for i in sorted(found)]
+    return rooms + [DrawnFloor("", level, part) for part in _undrawn(home, level, solid, shapes)]
+
+
+def drawn_area(home: Home, level: str) -> float:
+    """The floor drawn on a level, m²: under the rooms, and all else that walls enclose across gaps
+    of up to 4 m; without the floor under walls and in gaps."""
+    solid = walls_of(home, level)
+    shapes = [_shape(room) for room in home.rooms if room.level == level]
+    rooms = shapely.union_all(shapes).difference(solid)
+    rest = _undrawn(home, level, solid, shapes, MISSING)
+    return float(rooms.area + sum(part.area for part in rest))
+
+
+def _undrawn(
+    home: Home, level: str, solid: BaseGeometry, drawn: list[BaseGeometry], widest: float = PASSAGE
+) -> list[shapely.Polygon]:
+    """What walls enclose, across gaps no wider than ``widest``, and no room covers."""
+    walls = [wall for wall in home.walls if wall.level == level]
+    bands = [gap.band() for gap in find_gaps(walls, widest)]
+    rooms = shapely.union_all(drawn)
+    least = LEAST_UNDRAWN if drawn else LEAST_ENCLOSED
+    return [
+        part
+        for whole in _find_enclosed(shapely.union_all([solid, *bands]))
+        for part in shapely.get_parts(_remove_narrow_parts(whole.difference(rooms)))
+        if isinstance(part, shapely.Polygon) and part.area >= least
+    ]
 
 
 def walls_of(home: Home, level: str) -> BaseGeometry:
@@ -95,8 +128,13 @@ def _find_enclosed(solid: BaseGeometry) -> list[shapely.Polygon]:
     parts = getattr(closed, "geoms", [closed])
     holes = [shapely.Polygon(ring) for part in parts for ring in getattr(part, "interiors", ())]
     inside = [_largest(_remove_narrow_parts(hole.difference(solid))) for hole in holes]
-    inside = [part for part in inside if part.area >= LEAST_ROOM]
+    inside = [part for part in inside if part.area >= LEAST_ENCLOSED]
     return sorted(inside, key=lambda part: (-round(part.centroid.y), part.centroid.x))
+
+
+def area_of(room: HomeRoom) -> float:
+    """The floor inside the corners of a room, m²."""
+    return float(_shape(room).area)
 
 
 def _shape(room: HomeRoom) -> BaseGeometry:

@@ -101,7 +101,7 @@ def kind_of(piece: HomePiece) -> str:
     kinds = (SEVERAL.get(kind) or (kind,)) if kind else _by_name(piece.name)
     if len(kinds) < 2:
         return kinds[0] if kinds else "obstacle"
-    return nearest(kinds, Size(piece.width, piece.depth, piece.height))[0]
+    return nearest(kinds, Size(*piece.upright))[0]
 
 
 def _by_name(name: str) -> tuple[str, ...]:

@@ -40,13 +40,23 @@ class OpeningSpot(NamedTuple):
 
 
 class PlacedOpening(NamedTuple):
-    """A door or window of the brief, with the room it is listed in."""
+    """A door or window of the brief, with the room it is listed in and the number of its piece."""
 
     room: int
     opening: Door | Window
+    piece: int = -1
 
 
-def place_openings(pieces: list[HomePiece], outlines: list[Points]) -> list[PlacedOpening]:
+class Openings(NamedTuple):
+    """Doors and windows ``placed``, and the numbers of the pieces that are in the place of another
+    and of those that lie in no wall of a room."""
+
+    placed: list[PlacedOpening]
+    doubled: frozenset[int]
+    elsewhere: frozenset[int]
+
+
+def place_openings(pieces: list[HomePiece], outlines: list[Points]) -> Openings:
     """Every piece on the nearest wall along it, narrowed to fit; what finds none is left out.
 
     Of pieces at the same place (a frame and the door in it) the one with leaves is taken.
@@ -55,6 +65,7 @@ def place_openings(pieces: list[HomePiece], outlines: list[Points]) -> list[Plac
     tree = shapely.STRtree([shapely.LineString(run) for _, run in runs])
     found: list[PlacedOpening] = []
     taken: list[HomePiece] = []
+    doubled, elsewhere = set[int](), set[int]()
     reaches = np.zeros((len(pieces), 3))
     for piece in sorted(pieces, key=lambda piece: -len(piece.sashes)):
         reach = piece.width + piece.depth
@@ -62,13 +73,13 @@ def place_openings(pieces: list[HomePiece], outlines: list[Points]) -> list[Plac
         close = reaches[: len(taken)] - [piece.x, piece.y, 0.0]
         beside = np.flatnonzero(np.hypot(close[:, 0], close[:, 1]) < close[:, 2] + reach + 1.0)
         if spot is None or any(_collide(piece, taken[k]) for k in beside.tolist()):
+            (elsewhere if spot is None else doubled).add(piece.number)
             continue
-        found.append(
-            PlacedOpening(spot.room, _door(piece, spot) if is_door(piece) else _window(piece, spot))
-        )
+        opening = _door(piece, spot) if is_door(piece) else _window(piece, spot)
+        found.append(PlacedOpening(spot.room, opening, piece.number))
         reaches[len(taken)] = piece.x, piece.y, reach
         taken.append(piece)
-    return found
+    return Openings(found, frozenset(doubled), frozenset(elsewhere))
 
 
 def _walls_near(piece: HomePiece, tree: shapely.STRtree) -> list[int]:
@@ -122,6 +133,8 @@ def _on(piece: HomePiece, number: int, run: Points) -> OpeningSpot | None:
     at = np.array([piece.x, piece.y])
     s, away = project(run, at)
     lengths = run_lengths(run)
+    if piece.number < 0 and lengths[-1] > piece.width:  # a gap: no element of the file
+        s = float(np.clip(s, piece.width / 2, lengths[-1] - piece.width / 2))
     low = min(max(s - piece.width / 2, 0.0), lengths[-1])
     high = min(s + piece.width / 2, lengths[-1])
     if away > piece.depth / 2 + FARTHEST or high - low < 0.1:

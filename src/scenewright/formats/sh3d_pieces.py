@@ -1,4 +1,4 @@
-"""Furniture of a Sweet Home 3D level: what stays where it stands, and what it tells of a room."""
+"""Furniture of a Sweet Home 3D level: in which room it stands, and what stays where it stands."""
 
 from __future__ import annotations
 
@@ -13,18 +13,6 @@ from scenewright.core.brief.fields import FURNITURE
 from scenewright.core.errors import InputError
 from scenewright.formats.sh3d_kinds import LANDMARKS, kind_of
 from scenewright.formats.sh3d_xml import HomePiece, outline_of
-
-SIGNS = (
-    ("bathroom", ("bathtub", "shower")),
-    ("toilet", ("toilet",)),
-    ("kitchen", ("hob_cabinet", "sink_cabinet", "oven_cabinet", "fridge")),
-    ("living", ("sofa", "corner_sofa", "tv_stand")),
-    ("double_bedroom", ("double_bed",)),
-    ("bedroom", ("single_bed", "bunk_bed")),
-    ("dining", ("dining_table", "round_table")),
-    ("study", ("desk",)),
-    ("washroom", ("washing_machine",)),
-)
 
 KITCHEN = (
     "base_cabinet",
@@ -95,19 +83,6 @@ def fixed_item(piece: HomePiece) -> FixedItem:
         z=max(piece.z, 0.0),
         name=piece.name,
     )
-
-
-def function_from_pieces(pieces: Sequence[HomePiece]) -> tuple[str, ...]:
-    """What a room is for by what stands in it; empty if nothing tells.
-
-    A toilet with a bathtub or shower is a bathroom; living, dining and kitchen may go together.
-    """
-    kinds = {kind_of(piece) for piece in pieces}
-    found = [function for function, signs in SIGNS if kinds.intersection(signs)]
-    open_plan = [function for function in found if function in ("living", "dining", "kitchen")]
-    if not found or found[0] not in open_plan:
-        return tuple(found[:1])
-    return tuple(open_plan)
 
 
 def _home_of(

@@ -8,26 +8,34 @@ hostile file costs is bounded before it is held.
 from __future__ import annotations
 
 from collections import Counter
+from typing import NamedTuple
 from xml.etree.ElementTree import Element, TreeBuilder
 from xml.parsers import expat
 
 from scenewright.core.errors import InputError
 
 LINE = "#line"
+NUMBER = "#number"
+"""Keys added to every element that is read: the line it begins on, and how many began before."""
 PIECES = ("pieceOfFurniture", "doorOrWindow", "light", "shelfUnit", "furnitureGroup")
 _PIECE = frozenset(
     (
         "angle",
         "catalogId",
         "depth",
+        "depthInPlan",
         "elevation",
         "height",
+        "heightInPlan",
         "level",
         "modelMirrored",
         "movable",
         "name",
+        "pitch",
+        "roll",
         "visible",
         "width",
+        "widthInPlan",
         "x",
         "y",
     )
@@ -44,6 +52,7 @@ KEPT: dict[str, frozenset[str]] = {
             "xEnd",
             "yEnd",
             "height",
+            "heightAtEnd",
             "thickness",
             "arcExtent",
             "wallAtStart",
@@ -77,6 +86,17 @@ LONGEST_NAME = 1000
 """Letters of an attribute that is kept; longer ones are cut."""
 
 
+PICTURE = "backgroundImage"
+
+
+class Document(NamedTuple):
+    """The root element with what is read of it, and how many of its other elements were passed
+    over, by tag."""
+
+    root: Element
+    passed: Counter[str]
+
+
 class _Reading:
     """What has been parsed so far: the builder, counts by element, and how deep it stands."""
 
@@ -84,6 +104,7 @@ class _Reading:
         self.parser = expat.ParserCreate()
         self.builder = TreeBuilder()
         self.counts: Counter[str] = Counter()
+        self.others: Counter[str] = Counter()
         self.depth = self.elements = self.attributes = self.passed = 0
         self.parser.StartElementHandler = self.start
         self.parser.EndElementHandler = self.end
@@ -99,13 +120,15 @@ class _Reading:
         _check(self.elements, MOST_ELEMENTS, "elements")
         _check(self.attributes, MOST_ATTRIBUTES, "attributes")
         if self.passed or (tag not in KEPT and self.depth > 1):
+            if not self.passed and (self.depth == 2 or tag == PICTURE):
+                self.others[tag[:LONGEST_NAME]] += 1
             self.passed += 1
             return
         self.counts.update((tag, "piece") if tag in PIECES else (tag,))
         self._check_counts(tag)
         known = KEPT.get(tag, frozenset())
         kept = {key: text[:LONGEST_NAME] for key, text in attributes.items() if key in known}
-        self.builder.start(tag, kept | {LINE: str(self.parser.CurrentLineNumber)})
+        self.builder.start(tag, kept | self._place())
 
     def end(self, tag: str) -> None:
         """An element ends."""
@@ -115,6 +138,9 @@ class _Reading:
         else:
             self.builder.end(tag)
 
+    def _place(self) -> dict[str, str]:
+        return {LINE: str(self.parser.CurrentLineNumber), NUMBER: str(self.elements)}
+
     def _check_counts(self, tag: str) -> None:
         if tag in PIECES:
             _check(self.counts["piece"], MOST_PIECES, "pieces")
@@ -122,8 +148,8 @@ class _Reading:
             _check(self.counts[tag], MOST[tag], f"<{tag}> elements")
 
 
-def tree(content: bytes) -> Element:
-    """The root element of a ``Home.xml`` with what is read of it; InputError if it is broken."""
+def tree(content: bytes) -> Document:
+    """What is read of a ``Home.xml``; InputError if it is broken."""
     if not content.strip():
         raise InputError("is empty", "save the home again", place="Home.xml")
     reading = _Reading()
@@ -137,7 +163,7 @@ def tree(content: bytes) -> Element:
         if isinstance(error, InputError):
             raise error.located(place="Home.xml") from None
         raise InputError("has an unknown encoding", "save it as UTF-8", place="Home.xml") from None
-    return reading.builder.close()
+    return Document(reading.builder.close(), reading.others)
 
 
 def _feed(parser: expat.XMLParserType, content: bytes) -> None:
