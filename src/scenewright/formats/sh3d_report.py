@@ -10,10 +10,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from itertools import repeat
 
-from scenewright.core.brief.input_report import Fate
+from scenewright.core.brief.input_report import Fate, Outcome
 from scenewright.formats.sh3d_openings import is_door
 from scenewright.formats.sh3d_xml import Home, HomeLevel, HomePiece, HomeRoom, HomeWall, place_of
 
+Feature = HomeWall | HomeRoom | HomePiece
 Fates = dict[int, Fate]
 """Fates by the number of the feature's element."""
 
@@ -42,7 +43,8 @@ def list_fates(home: Home, hidden: Iterable[HomeLevel], used: set[str], found: F
     ``hidden``, ``used`` (its id) or without a room."""
     lost = {level.id for level in hidden}
     fates = [_of_level(level, lost, used) for level in home.levels if level.number >= 0]
-    for feature in (*home.walls, *home.rooms, *every_piece(home.pieces)):
+    features: list[Feature] = [*home.walls, *home.rooms, *every_piece(home.pieces)]
+    for feature in features:
         fates.append(found.get(feature.number) or _by_level(feature, lost, used))
     for tag, count in sorted(home.others.items()):
         kind, reason = OTHERS.get(tag, (tag, "it is not known what it means"))
@@ -58,7 +60,7 @@ def every_piece(pieces: Iterable[HomePiece], level: str = "") -> Iterator[HomePi
         yield from every_piece(here.members, here.level)
 
 
-def kind_in_words(feature: HomeLevel | HomeWall | HomeRoom | HomePiece) -> str:
+def kind_in_words(feature: HomeLevel | Feature) -> str:
     """What a user calls a feature."""
     if isinstance(feature, HomePiece):
         if feature.kind == "doorOrWindow":
@@ -68,14 +70,10 @@ def kind_in_words(feature: HomeLevel | HomeWall | HomeRoom | HomePiece) -> str:
 
 
 def fate_of(
-    feature: HomeLevel | HomeWall | HomeRoom | HomePiece,
-    why: str = "",
-    *,
-    kept: bool = False,
-    stands: bool = False,
+    feature: HomeLevel | Feature, why: str = "", *, kept: bool = False, stands: bool = False
 ) -> Fate:
     """The fate of a feature: used, or for a reason ``why`` left out, or with it ``kept``."""
-    outcome = ("changed" if kept else "left out") if why else "used"
+    outcome: Outcome = ("changed" if kept else "left out") if why else "used"
     return Fate(place_of(feature), kind_in_words(feature), outcome, why, stands and not kept)
 
 
@@ -85,7 +83,7 @@ def _of_level(level: HomeLevel, lost: set[str], used: set[str]) -> Fate:
     return fate_of(level, "" if level.id in used else "no room is on it")
 
 
-def _by_level(feature: HomeWall | HomeRoom | HomePiece, lost: set[str], used: set[str]) -> Fate:
+def _by_level(feature: Feature, lost: set[str], used: set[str]) -> Fate:
     """The fate of what no level that is read holds."""
     if feature.level in lost:
         return fate_of(feature, HIDDEN_LEVEL)

@@ -18,6 +18,7 @@ from scenewright.building.door_approach import (
     open_leaf,
     throat,
 )
+from scenewright.building.outlines import edges
 from scenewright.building.standing import RADIATED, is_radiator
 from scenewright.core.piece_outlines import boxes_of
 from scenewright.core.scene import Piece
@@ -25,6 +26,7 @@ from scenewright.core.space import Space
 from scenewright.domains.home.cupboards import list_cupboards
 from scenewright.domains.home.door_paths import door_paths
 from scenewright.domains.home.problem import Ground
+from scenewright.geometry.arcs import chords_of
 
 Floats = NDArray[np.float64]
 
@@ -50,7 +52,7 @@ def ground_of(
     solids = _rows([box for p in standing for box in boxes_of(p)], 5)
     return Ground(
         edges=np.ascontiguousarray(edges_of(space)),
-        walls=np.hstack([space.outline, np.roll(space.outline, -1, 0)]),
+        walls=np.vstack([edges(space.outline), chords_of(space.outline)]),
         keep_free=_rows(
             [
                 *(box for g in doors for box in door_zone(space, g)),

@@ -36,6 +36,7 @@ from scenewright.domains.home.furnishing.obstacles import (
 )
 from scenewright.domains.home.furnishing.pieces import Parts, as_laid, parts_of, posed_pieces
 from scenewright.domains.home.groups import GROUPS
+from scenewright.domains.home.hanging_walls import hanging_walls
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.solvers import SOLVERS
 from scenewright.engine.solve import Budget
@@ -110,7 +111,7 @@ def _furnish_part(
         code, offender = _fault(task, member.category, boxes[i], spans[i], flat[i], standing)
         held = code == 0 and (i in part.placed or stands[part.rides[i]])
         if task.catalog.kinds[member.category].support == "wall":
-            held = held and bool(is_backed(boxes[i], task.ground.walls, BACKED))
+            held = held and bool(is_backed(boxes[i], hanging_walls(task.ground), BACKED))
         stands[i] = held and (member.on < 0 or stands[member.on])
         if not stands[i] and member.category in GROUPS[part.wish.group].essential:
             return Refused(why_not(member, code, offender, standing))

@@ -25,20 +25,20 @@ class Ground(NamedTuple):
     """The space to fill.
 
     ``edges`` (e, 4): every directed edge x0, y0, x1, y1 of the outline (counter-clockwise) and of
-    the holes (clockwise): the inside is on the left. ``walls`` (w, 4): the edges a back may stand
-    against, same direction. ``keep_free`` (k, 5): boxes nothing may enter (door swings and
-    thresholds). ``use_space`` (c, 5): the floor before fixed pieces, better left free.
-    ``obstacles`` (o, 5): footprints of fixed pieces. ``windows`` (q, 6): box in front of the glass
-    and the sill height. ``doors`` (d, 5): box of each way in, from the outer face of the wall to a
-    little inside; routes start there. ``main_wall`` (m, 4) has one row or none. ``bounds`` (4,) is
-    x0, y0, x1, y1 and ``area`` the free area in square metres. ``slopes`` (k, 6) are what lowers
-    the ceiling, as in :mod:`scenewright.building.ceiling`. ``fronts`` (r, 5): boxes before
-    radiators in which nothing is put, though one may walk there. ``paths`` (m, 4): directed edges
-    of the united ways from door to door, better left free. ``strips`` (k, 6): the floor before
-    windows (1 in the last column) and before doors and passages without a leaf that are wider than
-    need stay free (0). ``hearths`` (h, 4): middle of the front and heading (cos, sin) of each
-    fireplace that stands. ``leaves`` (f, 6): each leaf that opens into the space, at a right angle,
-    and the number of its door.
+    the holes (clockwise): the inside is on the left. ``walls`` (w, 4): what a back may stand
+    against, same direction: the edges of the outline, then chords of its curves. ``keep_free`` (k,
+    5): boxes nothing may enter (door swings and thresholds). ``use_space`` (c, 5): the floor before
+    fixed pieces, better left free. ``obstacles`` (o, 5): footprints of fixed pieces. ``windows``
+    (q, 6): box in front of the glass and the sill height. ``doors`` (d, 5): box of each way in,
+    from the outer face of the wall to a little inside; routes start there. ``main_wall`` (m, 4) has
+    one row or none. ``bounds`` (4,) is x0, y0, x1, y1 and ``area`` the free area in square metres.
+    ``slopes`` (k, 6) are what lowers the ceiling, as in :mod:`scenewright.building.ceiling`.
+    ``fronts`` (r, 5): boxes before radiators in which nothing is put, though one may walk there.
+    ``paths`` (m, 4): directed edges of the united ways from door to door, better left free.
+    ``strips`` (k, 6): the floor before windows (1 in the last column) and before doors and passages
+    without a leaf that are wider than need stay free (0). ``hearths`` (h, 4): middle of the front
+    and heading (cos, sin) of each fireplace that stands. ``leaves`` (f, 6): each leaf that opens
+    into the space, at a right angle, and the number of its door.
     """
 
     edges: Floats

@@ -24,6 +24,7 @@ from scenewright.domains.home.furnishing.furnish import (
 )
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles, flat_kinds, standing_of
 from scenewright.domains.home.groups import GROUPS
+from scenewright.domains.home.hanging_walls import hanging_walls
 from scenewright.domains.home.programme import FALLBACK, Wish
 from scenewright.geometry.fit import OUTSIDE, faults, is_backed
 
@@ -130,7 +131,7 @@ def find_misplaced(
     for i, (piece, kind) in enumerate(zip(pieces, kinds, strict=True)):
         code = int(codes[i])
         hangs = kind.support == "wall" and piece.on is None
-        if code == 0 and hangs and not is_backed(boxes[i], ground.walls, BACKED):
+        if code == 0 and hangs and not is_backed(boxes[i], hanging_walls(ground), BACKED):
             code = OUTSIDE
         if code or piece.on in found:
             member = Member(piece.category, 0, 0, piece.pose.z, 0, piece.size)

@@ -26,6 +26,7 @@ from scenewright.domains.home.cases.library import SHIPPED, Library, cases, each
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles
 from scenewright.domains.home.furnishing.whole import below
 from scenewright.domains.home.groups import GROUPS
+from scenewright.domains.home.hanging_walls import hanging_walls
 from scenewright.domains.home.problem import Ground
 from scenewright.domains.home.wished.plugged import out_of_reach
 from scenewright.geometry.compiled import compiled
@@ -305,7 +306,7 @@ def _find_supported(
     for i, (on, hangs, _) in enumerate(held_by):
         held = fits[i] and (on < 0 or stands[on])
         if held and hangs:
-            held = bool(is_backed(boxes[i], ground.walls, BACKED))
+            held = bool(is_backed(boxes[i], hanging_walls(ground), BACKED))
         stands.append(held)
     return tuple(
         held and (under < 0 or stands[under])

@@ -28,6 +28,7 @@ from scenewright.domains.home.furnishing.obstacles import (
     flat_kinds,
     standing_of,
 )
+from scenewright.domains.home.hanging_walls import hanging_walls
 from scenewright.domains.home.problem import Ground
 from scenewright.geometry.fit import faults, is_backed
 
@@ -151,7 +152,7 @@ def find_stretches(
     ]
     outlines = [(p, outline_of(p)) for p in pieces]
     found: list[FreeStretch] = []
-    for wall in ground.walls:
+    for wall in hanging_walls(ground):
         start, end = wall[:2], wall[2:]
         length = float(np.hypot(*(end - start)))
         along = (end - start) / max(length, 1e-9)
@@ -211,7 +212,7 @@ def _first_free(
 def _is_free(piece: Piece, ground: Ground, standing: StandingObstacles) -> bool:
     """Whether a piece hangs on a wall and meets nothing."""
     box, _, codes = find_faults_of(piece, ground, standing)
-    return bool(codes[0] == 0) and bool(is_backed(box[0], ground.walls, BACKED))
+    return bool(codes[0] == 0) and bool(is_backed(box[0], hanging_walls(ground), BACKED))
 
 
 def _is_passed(
