@@ -305,8 +305,7 @@ def _find_supported(
     stands: list[bool] = []
     for i, (on, hangs, _) in enumerate(held_by):
         held = fits[i] and (on < 0 or stands[on])
-        if held and hangs:
-            held = bool(is_backed(boxes[i], hanging_walls(ground), BACKED))
+        held = held and (not hangs or bool(is_backed(boxes[i], hanging_walls(ground), BACKED)))
         stands.append(held)
     return tuple(
         held and (under < 0 or stands[under])
