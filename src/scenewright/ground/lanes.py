@@ -16,6 +16,8 @@ from numpy.typing import NDArray
 
 from scenewright.core.space import Points
 from scenewright.geometry.wavefront import find_quickest
+from scenewright.ground.border import find_exits, find_mouths, lead_out
+from scenewright.ground.outlines import way as cover
 from scenewright.ground.path_raster import PathRaster, is_drivable
 from scenewright.ground.path_tree import square_off, straighten, trace
 from scenewright.ground.plan import SitePlan
@@ -65,7 +67,9 @@ def lay_lanes(
     for slack in (0.0, 0.36 * raster.cell):
         if near.all():
             break
-        slow, starts = measure_ground(plan, raster, radius - slack, radius + 1.0, raster.driven)
+        slow, starts = measure_ground(
+            plan, raster, radius - slack, radius + 1.0, raster.driven, width
+        )
         tree = Tree(slow, *find_quickest(slow, raster.cell, starts))
         goals, far = _find_ends(raster, solids[:count], ahead, tree.times, offs)
         centres, used = find_centres(plan, built, radius), set[int]()
@@ -88,12 +92,15 @@ def corners_of_line(line: shapely.LineString) -> tuple[tuple[float, float], ...]
 def _find_near_start(plan: SitePlan, built: Shapes, width: float, reach: float) -> Flags:
     """Which buildings are near enough to a road, or to the border of a site without ways."""
     roads = [
-        shapely.Polygon(area.outline, area.holes)
+        shape
         for way in plan.roads
         if is_drivable(way, width)
-        for area in way.areas
+        for shape in (
+            *(shapely.Polygon(area.outline, area.holes) for area in way.areas),
+            *(cover(line, way.width)[1] for line in way.beside),
+        )
     ]
-    if not roads and plan.entrances:
+    if not roads and (plan.entrances or not find_mouths(plan).is_empty):
         return np.zeros(len(built), bool)
     start = shapely.union_all(roads) if roads else shapely.LinearRing(plan.outline)
     shapely.prepare(start)
@@ -102,19 +109,27 @@ def _find_near_start(plan: SitePlan, built: Shapes, width: float, reach: float) 
 
 
 def measure_ground(
-    plan: SitePlan, raster: PathRaster, least: float, comfort: float, streets: Flags
+    plan: SitePlan,
+    raster: PathRaster,
+    least: float,
+    comfort: float,
+    streets: Flags,
+    width: float = 0.0,
 ) -> tuple[Floats, Ints]:
     """What a metre costs at every cell (rows, columns): more up to ``comfort`` metres from what
-    stands, infinite within ``least`` of it or of the border; and the cells that ways start from:
-    ``streets``, or without any the entrances, or the border of a site without ways."""
+    stands, infinite within ``least`` of it or of the border; and the cells that ways of some
+    ``width`` start from: ``streets`` and the border that is open to those beside it, or without
+    any the entrances, or the border of a site without ways."""
     apart = np.minimum(raster.solid, raster.border)
     slow = 1.0 + TIGHT * np.clip((comfort - raster.solid) / max(comfort - least, 0.1), 0.0, 1.0)
     slow[apart < least] = np.inf
-    if streets.any():
-        starts = streets & (raster.solid >= least)
-    elif plan.entrances:
-        starts = _find_entrance_cells(plan, raster, least)
-    else:
+    starts, mouths = streets & (raster.solid >= least), find_mouths(plan, width)
+    if not mouths.is_empty:
+        starts |= _find_cells_near(raster, mouths, least + raster.cell, least)
+    elif not streets.any() and plan.entrances:
+        doors = shapely.multipoints([(e.x, e.y) for e in plan.entrances])
+        starts = _find_cells_near(raster, doors, 3.0 * max(least, raster.cell), least)
+    elif not streets.any():
         starts = (raster.border > 0.0) & (raster.border < least + raster.cell)
         starts &= raster.solid >= least
     slow[starts] = np.where(np.isfinite(slow[starts]), slow[starts], 1.0)
@@ -131,11 +146,13 @@ def _shrink(cells: Flags) -> Flags:
     return found
 
 
-def _find_entrance_cells(plan: SitePlan, raster: PathRaster, least: float) -> Flags:
-    """Cells about the points where ways come in, for sites without roads."""
+def _find_cells_near(
+    raster: PathRaster, shape: shapely.Geometry, distance: float, least: float
+) -> Flags:
+    """Cells of the site within a distance of where ways come in, ``least`` metres from what
+    stands."""
     places = raster.points_of(np.arange(raster.solid.size, dtype=np.int32))
-    doors = shapely.points([(e.x, e.y) for e in plan.entrances])
-    near = shapely.union_all(shapely.buffer(doors, 3.0 * max(least, raster.cell)))
+    near = shapely.buffer(shape, distance)
     shapely.prepare(near)
     close = shapely.contains_xy(near, places[:, 0], places[:, 1]).reshape(raster.solid.shape)
     found: Flags = close & (raster.border > 0.0) & (raster.solid >= least)
@@ -165,14 +182,6 @@ def _find_ends(
         best = int(np.argmin(own))
         goals[k], far[k] = cells[:, first:last].flat[best], own.flat[best]
     return goals, far
-
-
-def lead_out(plan: SitePlan, line: Floats, reach: float) -> Floats:
-    """A line (n, 2) led on to the outline of a site without ways if it ends within ``reach``."""
-    end, border = shapely.Point(line[-1]), shapely.LinearRing(plan.outline)
-    if border.distance(end) > reach:
-        return line
-    return np.vstack([line, shapely.get_coordinates(shapely.shortest_line(end, border))[1]])
 
 
 def find_centres(plan: SitePlan, built: Shapes, radius: float) -> shapely.Geometry:
@@ -209,7 +218,7 @@ def _lay_lane(
             moved = np.vstack([moved, shapely.get_coordinates(shapely.shortest_line(end, nearest))])
     else:
         moved[-2:] = dense[-2:]
-        moved = moved if plan.entrances else lead_out(plan, moved, 4.0 * raster.cell + radius)
+        moved = lead_out(moved, find_exits(plan, 2.0 * radius), 4.0 * raster.cell + radius)
     return round_bends(shapely.simplify(shapely.LineString(moved), 0.02), centres)
 
 

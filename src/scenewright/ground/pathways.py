@@ -15,6 +15,7 @@ import shapely
 from numpy.typing import NDArray
 
 from scenewright.core.space import Points
+from scenewright.ground.border import find_mouths, is_entered_anywhere
 from scenewright.ground.lanes import lay_lanes
 from scenewright.ground.path_raster import make_raster
 from scenewright.ground.plan import SitePlan
@@ -62,11 +63,12 @@ def find_joined_areas(plan: SitePlan) -> tuple[list[Points], Doors]:
     the second edge of each, which lies opposite what it is before. None on sites without ways,
     which are entered from anywhere on their border."""
     streets = [shapely.Polygon(a.outline, a.holes) for way in plan.roads for a in way.areas]
-    around = shapely.union_all(streets)
+    around = shapely.union_all([*streets, find_mouths(plan)])
+    anywhere = is_entered_anywhere(plan)
     joined, places, ways = [], np.zeros((0, 2)), np.zeros((0, 2))
     for area in plan.areas:
         ring = np.array(area.outline)
-        if plan.roads and area.kind in ("square", "forecourt"):
+        if not anywhere and area.kind in ("square", "forecourt"):
             if shapely.dwithin(around, shapely.Polygon(ring), JOIN):
                 joined.append(ring)
             else:

@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 
 from scenewright.core.space import Points
 from scenewright.geometry.wavefront import find_quickest
-from scenewright.ground.lanes import corners_of_line, lead_out, measure_ground
+from scenewright.ground.border import Exits, find_exits, lead_out
+from scenewright.ground.lanes import corners_of_line, measure_ground
 from scenewright.ground.path_raster import PathRaster
 from scenewright.ground.path_tree import grow_paths, square_off, straighten
 from scenewright.ground.plan import SitePlan
@@ -69,13 +70,13 @@ def lay_walks(
     clear = 0.5 * WALK + KERB + 0.2 * raster.cell
     slow, starts = measure_ground(plan, raster, clear, COMFORT, streets)
     times, before = find_quickest(slow, raster.cell, starts)
-    outward = {} if plan.entrances else _find_ways_out(plan, doors)
+    exits = find_exits(plan)
+    outward = _find_ways_out(exits, doors)
     goals, served = _find_bends(raster, doors, times)
     served = served & ~np.isin(np.arange(len(served)), list(outward))
     pieces = grow_paths(slow, raster.cell, starts, goals[served], before)
     lines = _draw_lines(raster, slow, pieces, built)
-    if not plan.entrances:
-        lines = [lead_out(plan, line, 2.0 * (clear + raster.cell)) for line in lines]
+    lines = [lead_out(line, exits, 2.0 * (clear + raster.cell)) for line in lines]
     stubs = [
         np.stack([place, raster.points_of(goals[k : k + 1])[0]])
         for k, place in enumerate(doors.places)
@@ -88,14 +89,13 @@ def lay_walks(
     return tuple(walks), served
 
 
-def _find_ways_out(plan: SitePlan, doors: Doors) -> dict[int, Floats]:
+def _find_ways_out(exits: Exits, doors: Doors) -> dict[int, Floats]:
     """By the number of a door the walk (2, 2) straight out of the site, where it is that near."""
-    border = shapely.LinearRing(plan.outline)
     ahead = np.stack([doors.places, doors.places + STEPS[-1] * doors.ways], 1)
-    met = shapely.intersection(border, shapely.linestrings(ahead))
+    met = shapely.intersection(exits.border, shapely.linestrings(ahead))
     ends = shapely.shortest_line(shapely.points(doors.places), met)
     return {
-        k: shapely.get_coordinates(ends[k])
+        k: lead_out(shapely.get_coordinates(ends[k]), exits, KERB)
         for k in range(len(ahead))
         if not met[k].is_empty and shapely.length(ends[k]) > 1e-3
     }

@@ -14,6 +14,7 @@ import shapely
 from scenewright.core.footprint import place_outline
 from scenewright.core.layout import corners
 from scenewright.domains.site.problem import Flags, Floats
+from scenewright.ground.border import find_mouths
 from scenewright.ground.plan import SitePlan
 
 ARRIVE, SLACK, ROUND = 1.95, 0.008, 8
@@ -25,7 +26,8 @@ def find_reached_buildings(
     plan: SitePlan, boxes: Floats, width: float, outlines: Sequence[Floats] = ()
 ) -> Flags:
     """Which of the buildings (n, 5) the middle of a way of some width comes near to, from a road
-    or an entrance, or from anywhere on the outline of a site without either. ``outlines`` are
+    or an entrance or the border beside a street, or from anywhere on the outline of a site without
+    any. ``outlines`` are
     corners (k, 2) of what each covers in its own frame (left out: all are boxes)."""
     radius = 0.5 * width - SLACK
     footprints = shapely.polygons(corners(boxes))
@@ -47,14 +49,17 @@ def find_reached_buildings(
 
 
 def _start(plan: SitePlan, floor: shapely.Polygon, radius: float) -> shapely.Geometry:
-    """Where ways begin."""
+    """Where ways begin: on roads, at entrances, and along the border that is open to streets beside
+    it."""
     roads = [
         shapely.Polygon(area.outline, area.holes)
         for way in plan.roads
         if way.kind == "road"
         for area in way.areas
     ]
-    doors = [shapely.Point(e.x, e.y).buffer(1.5 * radius) for e in plan.entrances]
-    return (
-        shapely.union_all(roads + doors) if roads or doors else floor.exterior.buffer(1.5 * radius)
-    )
+    doors = [shapely.Point(e.x, e.y) for e in plan.entrances]
+    mouths = find_mouths(plan)
+    if not roads and not doors and mouths.is_empty:
+        return floor.exterior.buffer(1.5 * radius)
+    ways_in = [row.buffer(1.5 * radius) for row in (*doors, mouths)]
+    return shapely.union_all([*roads, *ways_in])

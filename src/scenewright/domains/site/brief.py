@@ -11,7 +11,7 @@ from math import pi
 from operator import not_
 from typing import Annotated, Literal
 
-from pydantic import Field
+from pydantic import AfterValidator, Field
 
 from scenewright.core.brief.fields import (
     BUILDING,
@@ -39,14 +39,25 @@ FormName = Literal[
 ]
 
 
+USUAL_WIDTH = 6.0
+"""Metres of a street whose width is not known."""
+
+
+def _known_width(width: float) -> float:
+    """A width in metres; the usual one for 0, by which maps say that it is not known."""
+    if 0.0 < width < 0.5:
+        raise ValueError("Input should be at least 0.5, or 0 where it is not known")
+    return width or USUAL_WIDTH
+
+
 class Road(StrictModel):
     """A road or path by its middle line. Roads divide the ground; paths are where people walk
-    and look. Nothing may stand on either."""
+    and look. Nothing may stand on either. A ``width`` of 0 is not known, and taken as 6 m."""
 
     id: str = ""
     name: str = ""
     line: Annotated[list[Point], Field(min_length=2, max_length=5000)]
-    width: Annotated[Number, Field(ge=0.5, le=100)] = 6.0
+    width: Annotated[Number, Field(ge=0, le=100), AfterValidator(_known_width)] = USUAL_WIDTH
     kind: Literal["road", "path"] = "road"
 
 
@@ -140,12 +151,21 @@ class LockedBuilding(StrictModel):
     footprint: Annotated[FootprintOutline | None, Field(exclude_if=is_left_out)] = None
 
 
+VERGE = 8.0
+"""Metres between the border of a site and a street that gives access to it, at most."""
+
+
+def _is_usual_verge(value: float) -> bool:
+    return value == VERGE
+
+
 class Site(StrictModel):
     """One site. Lengths in metres, y to the north.
 
     ``setback`` is kept from the outline, ``road_setback`` from roads and paths; ``spacing`` is
     the least distance of buildings to each other, ``sun_spacing`` the least distance behind a
     building to the south in heights of that building (0: by hours of sun alone).
+    A street on the border, or at most ``verge`` beside it, gives access as one inside does.
     ``facing`` is the preferred heading of fronts (south); ``fire_access`` the width of the way
     that must reach each building, of which a paved one must come within ``fire_reach``.
     ``door_distance`` is kept from the border ahead of a door, but where a way runs there.
@@ -185,6 +205,7 @@ class Site(StrictModel):
     height_limit: Length | None = None
     setback: Clearance = 3.0
     road_setback: Clearance = 3.0
+    verge: Annotated[Number, Field(ge=0, le=100, exclude_if=_is_usual_verge)] = VERGE
     spacing: Clearance = 6.0
     sun_spacing: Annotated[Number, Field(ge=0, le=5)] = 0.0
     facing: Heading = -pi / 2

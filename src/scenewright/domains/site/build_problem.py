@@ -43,7 +43,7 @@ def build_problem(
     quality, sides = qualities([*facts, *marks], looks.measure)
     count, least = len(buildings), float(sizes[:, :2].min(initial=np.inf))
     return SiteProblem(
-        ground=_ground(plan, least)._replace(
+        ground=_ground(plan, least, site.verge)._replace(
             landmark_quality=quality[count:], landmark_sides=sides[count:]
         ),
         buildings=Buildings(
@@ -73,13 +73,14 @@ def build_problem(
     )
 
 
-def _ground(plan: SitePlan, least: float) -> SiteGround:
-    """The ground, with the blocks that are at least ``least`` metres wide somewhere."""
+def _ground(plan: SitePlan, least: float, verge: float) -> SiteGround:
+    """The ground, with the blocks that are at least ``least`` metres wide somewhere; fronts look
+    over a ``verge`` at streets beside the border."""
     blocks = _wide_blocks(plan, least)
     rings = [_rings(block.outline, block.holes) for block in blocks]
     ends = np.cumsum([len(ring) for ring in rings])
     standing = (*plan.landmarks, *plan.fixed)
-    ways = [line for way in plan.roads for line in way.inside]
+    ways = [line for way in plan.roads for line in (*way.inside, *way.beside)]
     outline = _rings(plan.outline, plan.holes)
     low, high = plan.outline.min(0), plan.outline.max(0)
     return SiteGround(
@@ -93,6 +94,11 @@ def _ground(plan: SitePlan, least: float) -> SiteGround:
             [
                 np.zeros((0, 5)),
                 *(_pieces(line, way.width) for way in plan.roads for line in way.inside),
+                *(
+                    _pieces(line, way.width + 2.0 * verge)
+                    for way in plan.roads
+                    for line in way.beside
+                ),
             ]
         ),
         landmarks=np.array([row.box for row in standing]).reshape(-1, 5),

@@ -72,7 +72,7 @@ def _find_stretch(
     """The stretch of the street before a front from which it is to be seen."""
     ray = shapely.LineString([front, front + AHEAD * ahead])
     best, nearest = None, np.inf
-    for line in (shapely.LineString(line) for way in ways for line in way.inside):
+    for line in (shapely.LineString(line) for way in ways for line in way.inside or way.beside):
         met = shapely.intersection(line, ray)
         point = met if not met.is_empty else shapely.shortest_line(line, shapely.Point(front))
         at = shapely.get_coordinates(point)[0]

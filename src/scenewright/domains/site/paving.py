@@ -21,6 +21,7 @@ from scenewright.domains.site.brief import Landmark, Site
 from scenewright.domains.site.forecourts import find_sight, lay_forecourt
 from scenewright.domains.site.problem import Floats
 from scenewright.ground.bays import BAY_DEPTH, BAY_WIDTH, DRIVE
+from scenewright.ground.border import list_fronts
 from scenewright.ground.lots import keep_open_lots, list_frontages, list_lots
 from scenewright.ground.path_raster import is_drivable
 from scenewright.ground.plan import Standing, Way
@@ -142,8 +143,8 @@ def _open_ground(
     return OpenGround(
         shapely.difference(floor, shapely.union_all([*streets, *bodies])),
         shapely.union_all(np.array(list(blocks), object)),
-        list_frontages([(line, way.width) for way in ways for line in way.inside], outline),
-        list_frontages([(line, way.width) for way in driven for line in way.inside], outline),
+        list_frontages(list_fronts(ways), outline),
+        list_frontages(list_fronts(driven), outline),
         math.sqrt(floor.area),
     )
 

@@ -1,7 +1,7 @@
 """The plan of a site: from a brief to ground that can be built on, roads and landmarks.
 
 Everything the later stages rely on is checked here, once: an outline that is simple, a setback
-that leaves something, landmarks that stand inside and apart, roads that reach the site.
+that leaves something, landmarks that stand inside and apart, roads that have a length.
 """
 
 from __future__ import annotations
@@ -22,11 +22,14 @@ from scenewright.domains.site.brief import Site, rows_of
 from scenewright.domains.site.models import building_models, fixed_of, landmarks_of
 from scenewright.domains.site.paving import Reserved, reserve_areas
 from scenewright.ground import outlines as shapes
+from scenewright.ground.border import open_border
 from scenewright.ground.fit import main_direction
 from scenewright.ground.names import assign_ids
 from scenewright.ground.plan import Area, Block, Entrance, SitePlan, Standing, Way
 
 LEVEL = Level("0", "", 0.0, 2.6)
+ACROSS = 4.0
+"""Metres of a street by which it is seen whether it crosses the border or runs along it."""
 SKY = 600.0
 """What may be built up to on a site that states no limit, in metres."""
 
@@ -185,27 +188,37 @@ def _roads(site: Site, floor: shapely.Polygon, place: str) -> tuple[Way, ...]:
             line, area = shapes.way(road.line, road.width)
         except InputError as error:
             raise error.located(place=where) from None
-        away = shapely.distance(floor, area)
-        if away > shapes.TOUCH:
-            raise InputError(f"lies {away:.2f} m outside the site", "leave it out", place=where)
         inside = shapes.lines(shapely.intersection(shapely.LineString(line), floor))
         covered = shapes.polygons(shapely.intersection(area, floor, grid_size=shapes.GRID))
         parts = tuple(_area(part) for part in covered)
-        found.append(Way(name, road.name, road.kind, road.width, line, inside, parts))
+        way = Way(name, road.name, road.kind, road.width, line, inside, parts)
+        found.append(open_border(floor, way, site.verge, site.fire_access))
     return tuple(found)
 
 
 def _entrances(floor: shapely.Polygon, roads: Sequence[Way]) -> Iterator[Entrance]:
     """Where middle lines cross the outline, and their ends that stop short of it by less than
-    half of their width and half a metre."""
+    half of their width and half a metre; not where streets beside the border run along it."""
     border = floor.exterior
     for number, road in enumerate(roads):
         line = shapely.LineString(road.line)
-        met = shapely.get_coordinates(shapely.intersection(line, border))
+        parts = shapely.get_parts(shapely.intersection(line, border))
+        met = shapely.get_coordinates(
+            [part for part in parts if not road.mouths or part.geom_type == "Point"]
+        )
         ends = road.line[[0, -1]]
         near = shapely.distance(shapely.points(ends), border) <= road.width / 2 + 0.5
         seen: list[Points] = []
+        if road.mouths:
+            near &= [_runs_across(line, point, border) for point in ends]
         for point in [*met, *ends[near]]:
             if all(np.hypot(*(point - other)) > road.width for other in seen):
                 seen.append(point)
                 yield Entrance(float(point[0]), float(point[1]), number)
+
+
+def _runs_across(line: shapely.LineString, point: Points, border: shapely.LinearRing) -> bool:
+    """Whether a line comes from farther off the border to a point of it."""
+    at = line.project(shapely.Point(point))
+    before, after = line.interpolate([max(at - ACROSS, 0.0), min(at + ACROSS, line.length)])
+    return max(border.distance(before), border.distance(after)) > 0.5 * ACROSS

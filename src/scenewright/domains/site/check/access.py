@@ -1,8 +1,9 @@
 """Ways for the fire brigade: can a way of the stated width be driven from a road to a building?
 
-The middle of the way may go where a disc of its width stays on the site and off every building.
-It starts on a road, or where a road or path crosses the outline; on sites without either,
-anywhere along the outline. A building is reached if the way comes within 2 m of it.
+The middle of the way may go where a disc of its width stays on the site, or on ground over which
+one crosses from a street beside it, and off every building. It starts on a road, or where the line
+of a road or path lies at the border or outside; on sites that no street serves, anywhere along the
+outline. A building is reached if the way comes within 2 m of it.
 """
 
 from __future__ import annotations
@@ -22,7 +23,8 @@ def find_reached_bodies(grounds: JudgedSite, bodies: SiteBodies) -> Flags:
     """Which bodies a way of the width of ``fire_access`` reaches."""
     radius = grounds.site.fire_access / 2 - TOLERANCE
     around = shapely.buffer(bodies.footprints, radius, quad_segs=_ROUND)
-    room = shapely.buffer(grounds.floor, -radius, quad_segs=_ROUND)
+    whole = shapely.union_all([grounds.floor, *grounds.streets.crossings])
+    room = shapely.buffer(whole, -radius, quad_segs=_ROUND)
     free = shapely.get_parts(shapely.difference(room, shapely.union_all(around)))
     start = _start(grounds, radius)
     shapely.prepare(start)
@@ -35,11 +37,11 @@ def find_reached_bodies(grounds: JudgedSite, bodies: SiteBodies) -> Flags:
 
 
 def _start(grounds: JudgedSite, radius: float) -> Shape:
-    roads = grounds.ways[grounds.drivable]
-    entrances = shapely.points([(e.x, e.y) for e in grounds.plan.entrances] or np.empty((0, 2)))
-    if not len(roads) and not len(entrances):
+    streets = grounds.streets
+    if not len(streets.surfaces):
         return shapely.buffer(grounds.border, 1.5 * radius)
-    return shapely.union_all([*roads, *shapely.buffer(entrances, 1.5 * radius)])
+    ends = shapely.buffer(streets.ends, 1.5 * radius)
+    return shapely.union_all([*streets.surfaces[streets.road], *ends])
 
 
 def find_unreachable(grounds: JudgedSite, bodies: SiteBodies, got: Flags) -> list[Finding]:

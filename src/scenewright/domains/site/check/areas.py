@@ -82,8 +82,10 @@ def _find_lack_of_parking(
 ) -> list[Finding]:
     """Fewer bays than asked for, in lots that a drive joins to a road."""
     asked = _bays_asked(grounds)
-    roads = grounds.ways[grounds.drivable] if grounds.drivable.any() else grounds.ways
-    streets = shapely.union_all([*roads] or [grounds.border])
+    there = grounds.streets
+    rows = there.road if there.road.any() else np.ones(len(there.road), bool)
+    roads = [*there.surfaces[rows], *there.crossings[rows]]
+    streets = shapely.union_all(roads or [grounds.border])
     lines = [row for row in works.pathways if row.kind == "drive"]
     drives = [
         shapely.LineString(row.line).buffer(0.5 * row.width, cap_style="flat") for row in lines
@@ -120,7 +122,9 @@ def _find_lack_of_squares(
         shapely.LineString(row.line).buffer(0.5 * row.width, cap_style="square")
         for row in works.pathways
     ]
-    around = shapely.union_all([*grounds.ways, *walks] if len(grounds.ways) else [grounds.border])
+    there = grounds.streets
+    streets = [*there.surfaces, *there.crossings]
+    around = shapely.union_all([*streets, *walks] if streets else [grounds.border])
     left = [
         shape
         for row, shape in laid
@@ -189,8 +193,11 @@ def _viewpoints(grounds: JudgedSite, box: Sequence[float], reach: float) -> Floa
     front, ahead, _ = _front(box)
     ray = shapely.LineString([front, front + AHEAD * ahead])
     nearest, points = math.inf, np.zeros((0, 2))
-    for way in grounds.plan.roads:
-        for line in map(shapely.LineString, way.inside):
+    wide = shapely.buffer(grounds.floor, grounds.site.verge)
+    for road in grounds.site.roads:
+        whole = shapely.LineString(road.line)
+        inside = _line_parts(shapely.intersection(whole, grounds.floor))
+        for line in inside or _line_parts(shapely.intersection(whole, wide)):
             met = shapely.intersection(line, ray)
             other = met if not met.is_empty else shapely.Point(front)
             at = np.array(shapely.shortest_line(line, other).coords[0])
@@ -203,6 +210,11 @@ def _viewpoints(grounds: JudgedSite, box: Sequence[float], reach: float) -> Floa
     away = points - front
     kept: Floats = points[away @ ahead > (ASIDE + 0.01) * np.hypot(*away.T)]
     return kept
+
+
+def _line_parts(shape: Shape) -> list[Shape]:
+    parts = shapely.get_parts(shapely.line_merge(shape) if not shape.is_empty else shape)
+    return [part for part in parts if part.geom_type == "LineString"]
 
 
 def _find_open_courts(grounds: JudgedSite, bodies: SiteBodies) -> list[Finding]:

@@ -15,6 +15,7 @@ from scenewright.check.bodies import Flags, Floats, Shape, Shapes, footprints_of
 from scenewright.core.report import Finding
 from scenewright.core.scene import Piece
 from scenewright.domains.site.brief import Site
+from scenewright.domains.site.check.streets import JudgedStreets, find_serving_streets
 from scenewright.ground.plan import SitePlan
 
 LARGEST = 1e5
@@ -38,7 +39,8 @@ class SiteBodies(NamedTuple):
 
 class JudgedSite(NamedTuple):
     """One site: what was asked for, its plan, its ground (outline less holes) and border, the
-    areas of its roads and paths with their ids, and whether each is a road."""
+    areas of its roads and paths with their ids, whether each is a road, and the streets that serve
+    it."""
 
     site: Site
     plan: SitePlan
@@ -47,6 +49,7 @@ class JudgedSite(NamedTuple):
     ways: Shapes
     way_ids: tuple[str, ...]
     drivable: Flags
+    streets: JudgedStreets
 
 
 def grounds_of(sites: Sequence[Site], plans: Sequence[SitePlan]) -> list[JudgedSite]:
@@ -61,7 +64,14 @@ def _grounds(site: Site, plan: SitePlan) -> JudgedSite:
     ways[:] = [area for _, area in rows]
     drivable = np.array([way.kind == "road" for way, _ in rows], bool)
     return JudgedSite(
-        site, plan, floor, shapely.boundary(floor), ways, tuple(way.id for way, _ in rows), drivable
+        site,
+        plan,
+        floor,
+        shapely.boundary(floor),
+        ways,
+        tuple(way.id for way, _ in rows),
+        drivable,
+        find_serving_streets(site, floor),
     )
 
 

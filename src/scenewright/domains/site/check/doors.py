@@ -1,8 +1,8 @@
 """Doors, walks and lanes: can people and fire engines reach every building on paved ground?
 
-Judged where the solution says what is laid out. A street is a road or path of the brief, or the
-border of a site without either. Paved ground that touches, directly or by other paved ground, a
-street belongs to it.
+Judged where the solution says what is laid out. A street is a road or path of the brief that serves
+the site, or the border of a site that none does. Paved ground that touches, directly or by other
+paved ground, a street or the ground over which one crosses from it, belongs to it.
 """
 
 from __future__ import annotations
@@ -55,8 +55,8 @@ def find_served(grounds: JudgedSite, bodies: SiteBodies, works: GroundWorks) -> 
     strong = [row for row in lanes if row.width >= wide]
     open_ = [shapely.Polygon(a.outline) for a in works.areas if a.kind in ("square", "forecourt")]
     paved = np.concatenate([_pave([*lanes, *walks]), np.array(open_, object)])
-    every = _join_paved(_streets(grounds, False), paved)
-    driven = _join_paved(_streets(grounds, True), _pave(strong))
+    every = _join_paved(*_streets(grounds, False), paved)
+    driven = _join_paved(*_streets(grounds, True), _pave(strong))
     doors = shapely.points(find_door_points(bodies)[0])
     return _within(every, doors, STEP), _within(
         driven, bodies.footprints, grounds.site.fire_reach + TOLERANCE
@@ -77,27 +77,29 @@ def find_door_points(bodies: SiteBodies) -> tuple[Floats, Floats]:
 def find_at_border(grounds: JudgedSite, bodies: SiteBodies) -> Flags:
     """Which doors look at the border from nearer than the least distance, no way between."""
     asked = grounds.site.door_distance - TOLERANCE
-    if not len(grounds.ways) or asked <= 0.0 or not len(bodies.ids):
+    streets = grounds.streets
+    if not len(streets.surfaces) or asked <= 0.0 or not len(bodies.ids):
         return np.zeros(len(bodies.ids), bool)
     points, ahead = find_door_points(bodies)
     lines = shapely.linestrings(np.stack([points, points + asked * ahead], 1))
     out = shapely.intersects(grounds.border, lines)
-    free = shapely.distance(shapely.union_all(grounds.ways), lines) > 0.0
+    ways = shapely.union_all([*streets.surfaces, *streets.crossings])
+    free = shapely.distance(ways, lines) > 0.0
     found: Flags = out & free & shapely.covers(grounds.floor, shapely.points(points))
     return found
 
 
-def _streets(grounds: JudgedSite, drivable: bool) -> Shapes:
-    """Where paved ground may begin: roads and paths, ``drivable`` paths if they are as wide as a
-    lane; else entrances; else the border."""
-    wide = {w.id for w in grounds.plan.roads if w.width >= grounds.site.fire_access - TOLERANCE}
-    strong = grounds.drivable | np.array([name in wide for name in grounds.way_ids], bool)
-    ways = grounds.ways[strong] if drivable else grounds.ways
-    if len(ways):
-        return ways
-    doors = [(e.x, e.y) for e in grounds.plan.entrances]
+def _streets(grounds: JudgedSite, drivable: bool) -> tuple[Shapes, Shapes]:
+    """Where paved ground may begin, and the ground over which it is reached from there: roads and
+    paths, ``drivable`` paths if they are as wide as a lane; else where paths come in; else the
+    border."""
+    streets, none = grounds.streets, np.empty(0, object)
+    rows = streets.driven if drivable else np.ones(len(streets.driven), bool)
+    if rows.any():
+        return streets.surfaces[rows], streets.crossings[rows]
+    ends = streets.ends[~shapely.is_empty(streets.ends)]
     reach = 2.0 * grounds.site.fire_access
-    return shapely.buffer(shapely.points(doors), reach) if doors else np.array([grounds.border])
+    return (shapely.buffer(ends, reach), none) if len(ends) else (np.array([grounds.border]), none)
 
 
 def _pave(rows: Sequence[Pathway]) -> Shapes:
@@ -105,10 +107,11 @@ def _pave(rows: Sequence[Pathway]) -> Shapes:
     return shapely.buffer(lines, np.array([row.width / 2 for row in rows]), cap_style="square")
 
 
-def _join_paved(streets: Shapes, paved: Shapes) -> Shapes:
-    """Streets and the paved areas that lead to them."""
+def _join_paved(streets: Shapes, crossings: Shapes, paved: Shapes) -> Shapes:
+    """Streets and the paved areas that lead to them, directly or over their crossings."""
     tree, reached = shapely.STRtree(paved), np.zeros(len(paved), bool)
-    fresh = np.unique(tree.query(streets, predicate="dwithin", distance=JOIN)[1])
+    starts = np.concatenate([streets, crossings])
+    fresh = np.unique(tree.query(starts, predicate="dwithin", distance=JOIN)[1])
     while len(fresh):
         reached[fresh] = True
         near = tree.query(paved[fresh], predicate="dwithin", distance=JOIN)[1]
@@ -143,7 +146,9 @@ def _find_built_over(
         )
         for way, row in zip(k.tolist(), i.tolist(), strict=True)
     ]
-    wider = shapely.buffer(grounds.floor, 0.5 + ROUGH)
+    wider = shapely.union_all(
+        [shapely.buffer(grounds.floor, 0.5 + ROUGH), *grounds.streets.crossings]
+    )
     out = np.flatnonzero(~shapely.covers(wider, lines)).tolist()
     message = "a {0} leaves the site at ({1:.1f}, {2:.1f})"
     words = [message.format(rows[n].kind, *rows[n].line[0]) for n in out]

@@ -8,7 +8,7 @@ from scenewright.core.plan import Plan
 from scenewright.core.report import Report
 from scenewright.core.solution import Solution
 from scenewright.domains.site.check.figures import judge_sites
-from scenewright.domains.site.check.notes import find_small
+from scenewright.domains.site.check.notes import find_far_streets, find_small
 
 
 def check(solution: Solution, plan: Plan, kinds: Catalog) -> Report:
@@ -18,4 +18,5 @@ def check(solution: Solution, plan: Plan, kinds: Catalog) -> Report:
     sites = solution.brief.part.sites
     findings, by_site = judge_sites(sites, solution.pieces, plan.detail, solution.detail or ())
     figures = {**count_findings(solution.pieces, findings), "sites": by_site}
-    return Report(tuple(findings), tuple(find_small(sites, plan.detail)), figures)
+    notes = (*find_small(sites, plan.detail), *find_far_streets(sites, plan.detail))
+    return Report(tuple(findings), notes, figures)

@@ -1,8 +1,11 @@
-"""What strikes the eye on a site and breaks no rule: models that are hardly of such a size."""
+"""What strikes the eye on a site and breaks no rule: models that are hardly of such a size, streets
+that lie too far off to serve it."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+
+import shapely
 
 from scenewright.core.catalog import OWN
 from scenewright.core.report import Note
@@ -25,3 +28,18 @@ def find_small(sites: Sequence[Site], plans: Sequence[SitePlan]) -> Iterator[Not
                 )
                 message += "file: give its size, or its catalogue a scale"
                 yield Note(plan.id, "landmark", "", message)
+
+
+def find_far_streets(sites: Sequence[Site], plans: Sequence[SitePlan]) -> Iterator[Note]:
+    """Streets of the brief farther from a site than the verge over which they would serve it."""
+    for site, plan in zip(sites, plans, strict=True):
+        floor = shapely.Polygon(plan.outline)
+        for row, way in zip(site.roads, plan.roads, strict=True):
+            surface = shapely.buffer(
+                shapely.LineString(row.line), row.width / 2, cap_style="flat", join_style="mitre"
+            )
+            away = float(surface.distance(floor))
+            if away > site.verge:
+                message = f"{way.name or way.id} lies {away:.1f} m from the border and gives no "
+                message += f"access: raise verge ({site.verge:g} m) if it does"
+                yield Note(plan.id, "street", "", message)

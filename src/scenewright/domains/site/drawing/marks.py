@@ -32,6 +32,7 @@ from scenewright.drawing.marks import (
     to_paper,
 )
 from scenewright.ground.bays import list_bay_lines
+from scenewright.ground.border import cover_beside
 from scenewright.ground.plan import SitePlan, Way
 from scenewright.ground.works import GroundWorks
 
@@ -95,7 +96,7 @@ def setback_mark(view: PaperView, plan: SitePlan, setback: float) -> Mark:
 
 
 def ways_mark(view: PaperView, ways: Sequence[Way]) -> Mark:
-    """Paths, then roads over them with their middle line."""
+    """Paths, then roads over them with their middle line, those beside the site included."""
     ordered = sorted(ways, key=lambda way: way.kind != "path")
     areas, middles = [], []
     for way in ordered:
@@ -103,8 +104,12 @@ def ways_mark(view: PaperView, ways: Sequence[Way]) -> Mark:
         for area in way.areas:
             rings = [to_paper(view, ring) for ring in (area.outline, *area.holes)]
             areas.append(shape(rings, fill=fill, fill_rule="evenodd"))
+        for part in shapely.get_parts(cover_beside(way)):
+            around = [shapely.get_coordinates(ring) for ring in (part.exterior, *part.interiors)]
+            rings = [to_paper(view, ring) for ring in around]
+            areas.append(shape(rings, fill=fill, fill_rule="evenodd"))
         if way.kind == "road" and way.width * view.scale > 2.0:
-            middles += [line(to_paper(view, part)) for part in way.inside]
+            middles += [line(to_paper(view, part)) for part in (*way.inside, *way.beside)]
     dashed = group(
         middles, fill="none", stroke="#ffffff", stroke_width=0.25, stroke_dasharray="2.4 1.6"
     )
@@ -117,8 +122,8 @@ def way_names_mark(view: PaperView, ways: Sequence[Way]) -> Mark:
 
 
 def _name(view: PaperView, way: Way) -> Mark:
-    """The name of a way on the longest straight piece inside the site, if it fits there."""
-    steps = [(a, b) for part in way.inside for a, b in pairwise(part)]
+    """The name of a way on its longest straight piece in the drawing, if it fits there."""
+    steps = [(a, b) for part in (*way.inside, *way.beside) for a, b in pairwise(part)]
     size = min(LABEL, 0.7 * way.width * view.scale)
     if not way.name or not steps or size < SMALLEST:
         return NOTHING

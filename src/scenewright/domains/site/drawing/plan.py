@@ -13,6 +13,7 @@ from string import ascii_uppercase
 from typing import Any, NamedTuple
 
 import numpy as np
+import shapely
 
 from scenewright.core.plan import Plan
 from scenewright.core.report import Finding, Report
@@ -28,6 +29,7 @@ from scenewright.drawing import sheet as sheets
 from scenewright.drawing.layers import PlanDrawing, PlanLayer, merge_layers
 from scenewright.drawing.legend import LegendRow, arrange, legend_mark
 from scenewright.drawing.marks import NOTHING, PaperView, clean, text
+from scenewright.ground.border import cover_beside
 from scenewright.ground.plan import SitePlan
 from scenewright.ground.works import GroundWorks
 
@@ -120,7 +122,8 @@ def _drawing(
     findings: tuple[Finding, ...],
     figures: dict[str, Any],
 ) -> SiteSheet:
-    """Bounds take in the site and what stands no farther outside than it is long."""
+    """Bounds take in the site, streets beside it and what stands no farther outside than it is
+    long."""
     low, high = plan.outline.min(0), plan.outline.max(0)
     reach = float((high - low).max()) / 2
     inside = [
@@ -130,7 +133,8 @@ def _drawing(
         and (row.footprint > low - reach).all()
         and (row.footprint < high + reach).all()
     ]
-    corners = np.vstack([plan.outline, *inside])
+    streets = [shapely.get_coordinates(cover_beside(way)) for way in plan.roads]
+    corners = np.vstack([plan.outline, *inside, *streets])
     (west, south), (east, north) = corners.min(0).tolist(), corners.max(0).tolist()
     drawn = tuple(row for row in rows if any(row.footprint is kept for kept in inside))
     return SiteSheet(site, plan, drawn, trees, works, findings, figures, (west, south, east, north))
