@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+import shapely
+
 from scenewright.core.footprint import Footprint
 from scenewright.core.space import Points
 from scenewright.domains.village.house import House
@@ -28,7 +30,8 @@ class StandingHouse(NamedTuple):
 class BlockPlan(NamedTuple):
     """A valid block: its ``outline`` (n, 2) counter-clockwise, square metres, street sides
     (s, 2, 2), the share of its outline that is street, houses that stay, and ``ground``: the same
-    with the lanes beside it, the verge included, as walks and pictures of streets take it."""
+    with the lanes beside it, the verge included, as walks and pictures of streets take it.
+    ``lanes`` is the ground of the block that lanes, drives and footways of the brief cover."""
 
     id: str
     name: str
@@ -38,6 +41,7 @@ class BlockPlan(NamedTuple):
     street_share: float
     fixed: tuple[StandingHouse, ...]
     ground: SitePlan
+    lanes: shapely.Geometry = shapely.Polygon()
 
 
 class VillagePlan(NamedTuple):

@@ -44,7 +44,7 @@ def build_problem(
         given,
         settings,
         style,
-        shapely.Polygon(square) if square is not None else shapely.Polygon(),
+        shapely.union(shapely.Polygon(square), plan.lanes) if square is not None else plan.lanes,
     )
 
 
@@ -59,7 +59,7 @@ def find_square(block: VillageBlock, plan: BlockPlan) -> Points | None:
         return None
     side = float(np.sqrt(block.square))
     floor = shapely.buffer(shapely.Polygon(plan.outline), 1e-3)
-    taken = shapely.union_all([shapely.Polygon(row.outline) for row in plan.fixed])
+    taken = shapely.union_all([*(shapely.Polygon(row.outline) for row in plan.fixed), plan.lanes])
     steps = plan.streets[:, 1] - plan.streets[:, 0]
     for k in np.argsort(-np.hypot(steps[:, 0], steps[:, 1]), kind="stable"):
         start, length = plan.streets[k, 0], float(np.hypot(*steps[k]))

@@ -77,10 +77,13 @@ def _of_block(
     strips = _cut(_only_areas(shapely.intersection(shapely.union_all(trod), floor)), squares)
     around = shapely.buffer(houses, YARD, join_style="mitre", mitre_limit=2.0)
     yards = _only_areas(shapely.intersection(around, floor, grid_size=GRID))
+    strips, yards = _cut(strips, block.lanes), _cut(yards, block.lanes)
     yards = _cut(_cut(yards, squares), strips)
     for kind, shape in (("square", squares), ("walk", strips), ("yard", yards)):
         yield from _surface(f"{kind} of {block.id}", block.id, kind, shape)
-    gates = shapely.buffer(shapely.union_all([squares, strips]), GATE, join_style="mitre")
+    gates = shapely.buffer(
+        shapely.union_all([squares, strips, block.lanes]), GATE, join_style="mitre"
+    )
     wall, cap = enclose_block(block, look, shapely.union_all([houses, gates]))
     one = LOOKS[look]
     yield from _surface(f"{one.kind} of {block.id}", block.id, one.kind, wall, one.high)

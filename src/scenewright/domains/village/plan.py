@@ -45,6 +45,8 @@ CRACKS = (0.0, 0.02, 0.1, 0.4)
 """Widths of cracks closed one after the other, in metres."""
 HOME = {"riviera": "monaco_hills"}
 """The region of the shipped style in which houses of a look stand."""
+SPECK = 0.01
+"""Square metres of the least ground of a block that a lane takes."""
 OVERLAP = 1.0
 """Square metres that two blocks may share."""
 
@@ -238,7 +240,17 @@ def _block(
         length / floor.exterior.length,
         fixed,
         _ground(name, label, floor, streets, lanes),
+        _covered(floor, lanes),
     )
+
+
+def _covered(floor: shapely.Polygon, lanes: Sequence[Way]) -> shapely.Geometry:
+    """The ground of a block that lanes cover, however narrow a strip."""
+    areas = [shapely.Polygon(a.outline, a.holes) for way in lanes for a in way.areas]
+    near = [area for area in areas if shapely.intersects(area, floor)]
+    shared = shapely.intersection(floor, shapely.union_all(near, grid_size=shapes.GRID))
+    parts = shapely.get_parts(shared)
+    return shapely.union_all([p for p in parts if p.geom_type == "Polygon" and p.area > SPECK])
 
 
 def _ground(

@@ -65,7 +65,12 @@ def _spots(plan: BlockPlan, houses: Sequence[Piece], rng: np.random.Generator) -
     floor = shapely.buffer(shapely.Polygon(plan.outline), -FROM_BORDER)
     grid = grid[shapely.contains_xy(floor, grid[:, 0], grid[:, 1])]
     lines = lay_block_walks(plan, houses)
-    for shapes, distance in ((polygons_of(houses), FROM_HOUSES), (np.array(lines), FROM_WALKS)):
+    lanes = shapely.get_parts(plan.lanes)
+    for shapes, distance in (
+        (polygons_of(houses), FROM_HOUSES),
+        (np.array(lines), FROM_WALKS),
+        (lanes, FROM_WALKS),
+    ):
         if len(shapes) and len(grid):
             near = shapely.STRtree(shapes).query(
                 shapely.points(grid), predicate="dwithin", distance=distance

@@ -19,7 +19,7 @@ class VillageProblem(NamedTuple):
     where people may walk, houses that stay, the library, how many houses are asked for
     (``asked``, or the share ``coverage`` of the ground, or neither), shares of classes of area
     (3,; None: as real blocks like it have), settings, the style its houses stand in, and
-    what is to stay free."""
+    what is to stay free: squares and lanes."""
 
     name: str
     floor: shapely.Polygon
@@ -33,7 +33,7 @@ class VillageProblem(NamedTuple):
     sizes: tuple[float, float, float] | None
     settings: VillageSettings
     style: VillageStyle
-    kept_free: shapely.Polygon
+    kept_free: shapely.Geometry
 
 
 class VillageLayout(NamedTuple):

@@ -29,6 +29,8 @@ def lay_block_walks(plan: BlockPlan, houses: Sequence[Piece]) -> tuple[Walk, ...
     if not standing:
         return ()
     streets = shapely.union_all(shapely.linestrings(plan.streets))
+    if not plan.lanes.is_empty:
+        streets = shapely.union(streets, shapely.boundary(plan.lanes))
     taken = shapely.STRtree(polygons_of(standing))
     floor = shapely.Polygon(plan.ground.outline, plan.ground.holes)
     shapely.prepare(floor)

@@ -87,7 +87,8 @@ def roads_of(feature: Feature, map_: Projection) -> Iterator[BuiltRoad]:
     if not kind:
         return
     path = kind in PATHS
-    width = number_of(feature.tags.get("width"), NARROW if path else WIDTHS.get(kind, USUAL))
+    usual = NARROW if path else WIDTHS.get(kind, USUAL)
+    width = number_of(feature.tags.get("width"), usual) or usual
     for line in feature.lines:
         points = metres(map_, line)
         if len(points) > 1 and np.ptp(points, axis=0).max() > 0.5:

@@ -22,6 +22,7 @@ from scenewright.catalog.models.model import SkippedModel, clean
 from scenewright.core.brief import Brief
 from scenewright.core.catalog import OWN, Part
 from scenewright.core.errors import InputError
+from scenewright.domains.site.brief import VERGE
 from scenewright.domains.site.reading.road_areas import pieces
 from scenewright.ground.outlines import GRID, polygons
 
@@ -111,8 +112,9 @@ def _site(
 ) -> dict[str, Any]:
     floor = _ground(ground, water)
     outline, holes = rings(floor)
-    ways = pieces(shapely.intersection(roads, ground, grid_size=GRID))
-    inside = [way for way in ways if shapely.LineString(way.line).intersects(floor)]
+    near = shapely.buffer(ground, VERGE, join_style="mitre")
+    ways = pieces(shapely.intersection(roads, near, grid_size=GRID))
+    inside = [way for way in ways if shapely.LineString(way.line).dwithin(floor, VERGE)]
     landmarks = list(_landmarks(floor, buildings, skipped))
     if len(landmarks) > MOST_LANDMARKS:
         raise InputError(

@@ -17,6 +17,7 @@ import shapely
 from scenewright.building.outlines import rings
 from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
+from scenewright.domains.site.brief import VERGE
 from scenewright.domains.site.reading.tags import OWN, height_of, is_water, number_of, width_of
 from scenewright.ground.map_features import Collection, Feature, SkippedFeature, load
 from scenewright.ground.projection import Projection, metres, projection
@@ -147,11 +148,13 @@ def _site(
     holes = [hole for hole in map(_largest, water) if not hole.is_empty and floor.contains(hole)]
     ground = _largest(shapely.difference(floor, shapely.union_all(holes))) if holes else floor
     outline, cut = rings(ground)
+    stated = number_of(feature.tags.get("verge", ""))
+    verge = VERGE if stated is None else stated
     document: dict[str, Any] = {
         "id": feature.id,
         "outline": outline.tolist(),
         "holes": [hole.tolist() for hole in cut],
-        "roads": _roads(found.features, floor, map_),
+        "roads": _roads(found.features, floor, map_, verge),
         "landmarks": _landmarks(drawn, ground, feature, skipped),
     }
     for key, field in OWN.items():
@@ -186,31 +189,41 @@ def _check(feature: Feature, floor: shapely.Polygon, map_: Projection) -> None:
 
 
 def _roads(
-    features: tuple[Feature, ...], floor: shapely.Polygon, map_: Projection
+    features: tuple[Feature, ...], floor: shapely.Polygon, map_: Projection, verge: float
 ) -> list[dict[str, Any]]:
-    """Roads and paths that reach the site, cut off a few metres outside it."""
-    near = shapely.buffer(floor, BEYOND)
+    """Roads and paths that reach the site or run beside it, cut off a few metres outside it."""
     found: list[dict[str, Any]] = []
     for feature in features:
         way = width_of(feature.tags)
         for line in (row for row in feature.lines if way and len(row) > 1):
             kind, width = way or ("", 0.0)
             whole = shapely.LineString(metres(map_, line))
-            parts = shapely.get_parts(shapely.line_merge(shapely.intersection(whole, near)))
-            for part in parts:
-                area = shapely.buffer(part, width / 2, cap_style="flat", join_style="mitre")
-                if part.geom_type != "LineString" or not shapely.intersects(area, floor):
-                    continue
-                found.append(
-                    {
-                        "id": feature.id,
-                        "name": feature.tags.get("name", ""),
-                        "line": shapely.get_coordinates(part).tolist(),
-                        "width": width,
-                        "kind": kind,
-                    }
-                )
+            found += [
+                {
+                    "id": feature.id,
+                    "name": feature.tags.get("name", ""),
+                    "line": shapely.get_coordinates(part).tolist(),
+                    "width": width,
+                    "kind": kind,
+                }
+                for part in _near_parts(whole, width, floor, verge)
+            ]
     return _unique(found)
+
+
+def _near_parts(
+    whole: shapely.LineString, width: float, floor: shapely.Polygon, verge: float
+) -> list[shapely.LineString]:
+    """The parts of a line whose surface comes within a verge of a floor: cut off :data:`BEYOND`
+    metres outside, or so much farther that the street beside the verge is whole."""
+    found = []
+    for far, least, most in ((BEYOND, 0.0, 0.0), (verge + width / 2 + BEYOND, 1e-9, verge)):
+        cut = shapely.intersection(whole, shapely.buffer(floor, far))
+        for part in shapely.get_parts(shapely.line_merge(cut)):
+            area = shapely.buffer(part, width / 2, cap_style="flat", join_style="mitre")
+            if part.geom_type == "LineString" and least <= shapely.distance(area, floor) <= most:
+                found.append(part)
+    return found
 
 
 def _landmarks(

@@ -42,6 +42,7 @@ NARROWEST, WIDEST, LOWEST, HIGHEST = 0.5, 100.0, 1.0, 1000.0
 OWN = {
     "setback": "setback",
     "road_setback": "road_setback",
+    "verge": "verge",
     "spacing": "spacing",
     "sun_spacing": "sun_spacing",
     "floor_area_ratio": "floor_area_ratio",
@@ -74,7 +75,7 @@ def number_of(text: str) -> float | None:
 def width_of(tags: dict[str, str]) -> tuple[str, float] | None:
     """Kind (road or path) and width of a line with ``highway``; ``None`` if it is no way.
 
-    ``width`` says it, else the number of ``lanes``, else the class.
+    ``width`` says it (0 does not), else the number of ``lanes``, else the class.
 
     >>> width_of({"highway": "residential", "width": "4.5 m"}), width_of({"highway": "footway"})
     (('road', 4.5), ('path', 2.0))
@@ -86,7 +87,7 @@ def width_of(tags: dict[str, str]) -> tuple[str, float] | None:
         return None
     lanes = number_of(tags.get("lanes", ""))
     width = number_of(tags.get("width", "") or tags.get("est_width", ""))
-    if width is None:
+    if not width:
         usual = ROADS.get(kind) or PATHS[kind]
         width = lanes * LANE if lanes and kind in ROADS else usual
     return "road" if kind in ROADS else "path", min(max(width, NARROWEST), WIDEST)

@@ -33,6 +33,7 @@ from scenewright.ground.works import Pathway, PavedArea
 FIELDS = (
     "setback",
     "road_setback",
+    "verge",
     "spacing",
     "sun_spacing",
     "floor_area_ratio",

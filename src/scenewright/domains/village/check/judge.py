@@ -1,4 +1,4 @@
-"""The referee of villages: overlaps beyond shared walls, outside, blocked doors, no way to a house.
+"""The referee of villages: overlaps beyond shared walls, outside, on lanes, blocked doors, no way.
 
 It sees the brief, the blocks and the pieces, uses exact polygons, and shares no code with what
 places houses.
@@ -30,6 +30,8 @@ from scenewright.core.report import Finding, Report
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Patch, Solution
 from scenewright.domains.village.blocks import BlockPlan
+from scenewright.domains.village.brief import Lane
+from scenewright.domains.village.check.lanes import find_on_lanes
 
 DOOR, COURT = 0.9, 1.0
 """Width of a door, and how deep the ground before it must be free, in metres."""
@@ -57,15 +59,21 @@ def check(solution: Solution, plan: Plan, kinds: Catalog) -> Report:
     """Judge the houses of every block; see :func:`scenewright.domains.check`. Houses have no
     ``kinds``."""
     del kinds
-    findings, figures = judge_blocks(solution.pieces, solution.patches, plan.detail.blocks)
+    findings, figures = judge_blocks(
+        solution.pieces, solution.patches, plan.detail.blocks, solution.brief.part.lanes
+    )
     totals = {**count_findings(solution.pieces, findings), "blocks": figures}
     return Report(tuple(findings), (), totals)
 
 
 def judge_blocks(
-    pieces: Sequence[Piece], patches: Sequence[Patch], blocks: Sequence[BlockPlan]
+    pieces: Sequence[Piece],
+    patches: Sequence[Patch],
+    blocks: Sequence[BlockPlan],
+    lanes: Sequence[Lane] = (),
 ) -> tuple[list[Finding], dict[str, dict[str, Any]]]:
-    """Every violation on some blocks, and their figures. Broken pieces become findings."""
+    """Every violation on some blocks and the ``lanes`` of their brief, and their figures. Broken
+    pieces become findings."""
     known = {block.id for block in blocks}
     findings, sound = split_sound(pieces, known, "a block")
     figures = {}
@@ -75,6 +83,7 @@ def judge_blocks(
         findings += [
             *find_overlaps(judged),
             *find_outside(judged),
+            *find_on_lanes(judged.houses, judged.shapes, lanes),
             *find_blocked_doors(judged),
             *_unreachable(judged, reached),
         ]
