@@ -38,10 +38,11 @@ def find_reached_bodies(grounds: JudgedSite, bodies: SiteBodies) -> Flags:
 
 def _start(grounds: JudgedSite, radius: float) -> Shape:
     streets = grounds.streets
-    if not len(streets.surfaces):
-        return shapely.buffer(grounds.border, 1.5 * radius)
-    ends = shapely.buffer(streets.ends, 1.5 * radius)
-    return shapely.union_all([*streets.surfaces[streets.road], *ends])
+    starts = [
+        *streets.surfaces[streets.road],
+        *shapely.buffer(streets.ends[~shapely.is_empty(streets.ends)], 1.5 * radius),
+    ]
+    return shapely.union_all(starts or [shapely.buffer(grounds.border, 1.5 * radius)])
 
 
 def find_unreachable(grounds: JudgedSite, bodies: SiteBodies, got: Flags) -> list[Finding]:
