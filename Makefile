@@ -1,5 +1,6 @@
 # make demo   a furnished flat in demo/ (installs into .venv first)
 # make test   the whole check
+# make test-all   the same with many more random cases, moments and repetitions
 # make test-learn   training with PyTorch (installs the extra learn), not part of the check
 # make install   installs into .venv and compiles for all kinds of scenes
 # Needs Python 3.11 or newer and make; nothing else.
@@ -7,7 +8,7 @@
 PYTHON ?= python3
 BIN := .venv/bin
 
-.PHONY: demo install test test-learn types tests clean
+.PHONY: demo install test test-all test-learn types tests clean
 
 demo: .venv/installed
 	$(BIN)/scenewright arrange sample:home-flat -o demo/home.glb -o demo/home.svg -o demo/home.png -o demo/home.json || [ $$? -eq 1 ]
@@ -20,6 +21,9 @@ test: .venv/checked
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	@$(MAKE) --no-print-directory -j2 types tests
+
+test-all: export SCENEWRIGHT_THOROUGH = 1
+test-all: test
 
 test-learn: .venv/checked
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[learn]'

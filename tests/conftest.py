@@ -14,12 +14,16 @@ from benchmarks.real_data import data_folder
 from flat import flat_solution
 from scenewright.core.solution import Solution
 from skip_summary import pytest_terminal_summary
+from thoroughness import few_or_many
 
 __all__ = ["pytest_terminal_summary"]
 
 # On a build server property tests try the same examples every time; at a desk they go on looking.
 hypothesis.settings.register_profile(
-    "scenewright", deadline=None, max_examples=60, derandomize=bool(os.environ.get("CI"))
+    "scenewright",
+    deadline=None,
+    max_examples=few_or_many(25, 300),
+    derandomize=bool(os.environ.get("CI")),
 )
 hypothesis.settings.load_profile("scenewright")
 

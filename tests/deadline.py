@@ -6,6 +6,9 @@ import signal
 from collections.abc import Iterator
 from contextlib import contextmanager
 
+HANGS = 60
+"""Seconds of the processor after which a loop without end is assumed; no measure of speed."""
+
 
 @contextmanager
 def within(seconds: int) -> Iterator[None]:

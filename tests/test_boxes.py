@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import shapely
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from rooms import ring
@@ -49,14 +49,12 @@ def polygon_of(box):
 
 
 @given(boxes, polygons())
-@settings(max_examples=300, deadline=None)
 def test_area_in_a_polygon_is_exact(box, shape):
     ours = area_in_polygon(make_frame(*box), np.ascontiguousarray(edges_of(shape)))
     assert ours == pytest.approx(polygon_of(box).intersection(shape).area, abs=1e-9)
 
 
 @given(boxes, boxes)
-@settings(max_examples=300, deadline=None)
 def test_area_of_two_boxes_is_exact_and_symmetric(a, b):
     exact = polygon_of(a).intersection(polygon_of(b)).area
     assert common_area(make_frame(*a), make_frame(*b)) == pytest.approx(exact, abs=1e-9)
@@ -64,7 +62,6 @@ def test_area_of_two_boxes_is_exact_and_symmetric(a, b):
 
 
 @given(boxes, coordinate, coordinate)
-@settings(max_examples=100, deadline=None)
 def test_distances_agree_with_shapely(box, x, y):
     point, sides = shapely.Point(x, y), corners(np.array(box, float))
     assert distance_to_box(x, y, make_frame(*box)) == pytest.approx(
@@ -77,7 +74,6 @@ def test_distances_agree_with_shapely(box, x, y):
 
 
 @given(boxes, st.integers(0, 3), length)
-@settings(max_examples=60, deadline=None)
 def test_zones_touch_their_side_from_outside(box, side, depth):
     frame = make_frame(*box)
     zone = beyond(frame, side, depth)
@@ -90,7 +86,6 @@ def test_zones_touch_their_side_from_outside(box, side, depth):
 
 
 @given(st.floats(-50, 50))
-@settings(deadline=None)
 def test_wrap_keeps_the_direction(angle):
     assert abs(wrap(angle)) <= np.pi + 1e-9
     assert np.cos(wrap(angle)) == pytest.approx(np.cos(angle), abs=1e-9)

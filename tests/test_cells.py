@@ -10,7 +10,7 @@ import shapely
 from benchmarks.shapely_hall import polygon
 from benchmarks.shapely_home import rectangle
 from benchmarks.site_instances import example_site
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from scenewright.core.errors import InputError
@@ -61,7 +61,6 @@ def assert_stands(problem: SiteProblem, boxes: np.ndarray, present: np.ndarray) 
 
 
 @given(st.integers(0, 2**32))
-@settings(max_examples=40, deadline=None)
 def test_round_trip(seed: int) -> None:
     genes = random_genes(CELLS, np.random.default_rng(seed))
     assert is_layout(CELLS, genes)
@@ -72,7 +71,6 @@ def test_round_trip(seed: int) -> None:
 
 
 @given(st.integers(0, 2**32))
-@settings(max_examples=40, deadline=None)
 def test_whatever_is_crossed_and_mutated_becomes_a_layout_again(seed: int) -> None:
     rng = np.random.default_rng(seed)
     for child in cross(random_genes(CELLS, rng), random_genes(CELLS, rng), rng):

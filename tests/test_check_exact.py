@@ -7,7 +7,7 @@ import math
 
 import numpy as np
 import shapely
-from hypothesis import assume, example, given, settings
+from hypothesis import assume, example, given
 from hypothesis import strategies as st
 from scipy import ndimage
 
@@ -45,7 +45,6 @@ def inside(points: np.ndarray, box) -> np.ndarray:
 
 
 @given(boxes, boxes)
-@settings(max_examples=150, deadline=None)
 def test_penetration_agrees_with_sampled_points(first, second):
     depth = float(penetration(corners(first)[None], corners(second)[None])[0])
     shared = shapely.Polygon(corners(first)).intersection(shapely.Polygon(corners(second)))
@@ -58,7 +57,6 @@ def test_penetration_agrees_with_sampled_points(first, second):
 
 
 @given(boxes, boxes)
-@settings(max_examples=100, deadline=None)
 def test_moving_by_the_depth_parts_and_by_less_does_not(first, second):
     a, b = corners(first), corners(second)
     depth = float(penetration(a[None], b[None])[0])
@@ -115,7 +113,6 @@ placed = st.tuples(
 
 
 @given(placed, st.lists(placed, max_size=4))
-@settings(max_examples=100, deadline=None)
 def test_routes_agree_with_a_raster(wardrobe, others):
     """Where a raster is sure (at 3 cm more and less of width and reach), the referee agrees."""
     report = judge(
@@ -138,7 +135,6 @@ def test_routes_agree_with_a_raster(wardrobe, others):
 
 
 @given(placed, st.lists(placed, max_size=4))
-@settings(max_examples=60, deadline=None)
 def test_what_blocks_truly_blocks(wardrobe, others):
     """Taking away any one of several named with *or*, all named with *and*, opens the way."""
     pieces = (
@@ -154,7 +150,6 @@ def test_what_blocks_truly_blocks(wardrobe, others):
 
 
 @given(placed)
-@settings(max_examples=60, deadline=None)
 def test_out_of_bounds_agrees_with_sampled_points(box):
     found = judge((stand("box", box, "b"),)).of("out_of_bounds")
     x, y, heading, width, depth = box
@@ -177,7 +172,6 @@ odd = st.one_of(st.floats(-5, 5), st.sampled_from([0.0, 1e-9, 1e-300, 1e4, -1e4]
 @example([(1.0, 4.0, 0.0, 0.0, 1e-300, 1e-300, 1.0)], False)
 @example([(0.0,) * 7, (0.0, 0.0, 0.0, 0.0, 1.0, 1e-300, 1.0)], False)
 @example([(0.0,) * 7, (0.0, 0.0, 0.0, 0.0, 1e-300, 1.0, 1.0)], False)
-@settings(max_examples=100, deadline=None)
 def test_nothing_a_piece_holds_raises(rows, named):
     """However odd poses and sizes are, there is a report that JSON can hold."""
     pieces = tuple(

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import shapely
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from tests.judged_halls import (
     answer,
@@ -118,7 +118,6 @@ def test_links_of_brief_and_graph_are_judged_together():
 
 
 @given(st.lists(st.tuples(st.floats(0, 8), st.floats(0, 3), st.floats(0.2, 1.5)), max_size=8))
-@settings(max_examples=30, deadline=None)
 def test_clear_width_agrees_with_a_raster(boxes):
     """The widest path over a fine raster: at each point twice the distance to what is nearest."""
     west, east = shapely.box(0, 0, 4, 3), shapely.box(4, 0, 8, 3)

@@ -8,7 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from tests.judged_halls import (
     EAST,
@@ -146,7 +146,6 @@ groups_ = st.lists(st.tuples(names, st.lists(names, max_size=3)), max_size=3)
 
 
 @given(zones_, links_, groups_, rings)
-@settings(max_examples=60, deadline=None)
 def test_nothing_a_graph_or_tour_holds_raises(zones, links, groups, points):
     """However odd the scene graph and the tour are, there is a report that JSON can hold."""
     pieces = (piece("case", 3, 3, 1, 1, id="a"), piece("partition", 6, 3, 1, 0.2, id="b"))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from scenewright.engine.diversity import choose_diverse
@@ -22,7 +22,6 @@ def plain(worth: np.ndarray, apart: np.ndarray, count: int, weight: float, again
     return taken
 
 
-@settings(max_examples=80, deadline=None)
 @given(st.integers(0, 10_000), st.integers(1, 12), st.integers(1, 8), st.booleans())
 def test_it_takes_what_the_definition_takes(seed: int, n: int, count: int, again: bool) -> None:
     rng = np.random.default_rng(seed)

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import shapely
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 import scenewright as sw
@@ -43,7 +43,6 @@ def rotated_ell(x: float, y: float, heading: float, **more) -> Piece:
 
 
 @given(st.integers(0, 10**6), st.integers(4, 12), st.floats(0.1, 60), st.floats(0.1, 60))
-@settings(max_examples=200, deadline=None)
 def test_a_footprint_fills_its_box_and_reads_as_itself(
     seed: int, corners: int, width: float, depth: float
 ) -> None:
@@ -75,7 +74,6 @@ def test_what_is_no_simple_polygon_is_refused(points: list[tuple[float, float]])
 
 
 @given(st.integers(0, 10**6), st.floats(-7, 7), st.floats(-7, 7), st.floats(-4, 4))
-@settings(max_examples=300, deadline=None)
 def test_areas_of_rings_agree_with_exact_polygons(
     seed: int, x: float, y: float, heading: float
 ) -> None:
@@ -100,7 +98,6 @@ def test_areas_of_rings_agree_with_exact_polygons(
 
 
 @given(st.integers(0, 10**6), st.floats(-4, 4))
-@settings(max_examples=100, deadline=None)
 def test_boxes_cover_a_footprint(seed: int, heading: float) -> None:
     ring = star(np.random.default_rng(seed), 8, 3.0)
     footprint = read_footprint(ring, 4.0, 2.0)

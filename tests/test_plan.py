@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 import shapely
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from scenewright.building.outlines import edges, polygon, ring, rings, shrink, signed_area
@@ -39,7 +39,6 @@ def stars(draw: st.DrawFn) -> Points:
 
 
 @given(stars(), st.data())
-@settings(max_examples=100, deadline=None)
 def test_rings_are_clean_and_keep_their_area(corners: Points, data: st.DataObject) -> None:
     clean = ring(corners)
     assert signed_area(clean) == pytest.approx(abs(signed_area(corners)), rel=1e-6)
@@ -65,7 +64,6 @@ def test_straight_points_go_and_curves_stay() -> None:
 
 
 @given(stars(), st.floats(0.02, 0.3))
-@settings(max_examples=100, deadline=None)
 def test_shrinking_keeps_half_a_wall_away(corners: Points, by: float) -> None:
     floor = polygon(corners.tolist())
     try:
@@ -204,7 +202,6 @@ def test_centre_lines_leave_a_wall_between_rooms() -> None:
 
 
 @given(st.floats(0, 2 * np.pi), st.floats(-50, 50), st.sampled_from(["left", "right"]))
-@settings(max_examples=50, deadline=None)
 def test_turning_the_plan_turns_the_openings(turn: float, shift: float, hinge: str) -> None:
     c, s = math.cos(turn), math.sin(turn)
 

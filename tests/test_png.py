@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 from PIL import Image
@@ -136,7 +136,6 @@ def test_light_becomes_srgb() -> None:
     assert coded[-1] == 255
 
 
-@settings(max_examples=40, deadline=None)
 @given(st.tuples(*[st.floats(0.5, 30.0)] * 3), st.tuples(*[st.floats(-50, 50)] * 3))
 def test_the_camera_sees_the_whole_home(
     size: tuple[float, float, float], at: tuple[float, float, float]

@@ -138,7 +138,7 @@ def piece(number: int, box: tuple[float, ...]) -> Piece:
     return Piece(f"r/{number}", kind, "", "r", pose, size, "", kind)
 
 
-@settings(max_examples=200, derandomize=True)
+@settings(derandomize=True)
 @given(st.lists(BOX, min_size=1, max_size=7))
 def test_wishes_and_outlets_are_met_as_the_referee_says(boxes: list[tuple[float, ...]]) -> None:
     brief, space = wished_room()

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 import shapely
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from shapely import Polygon
 
@@ -116,7 +116,6 @@ def test_columns_are_solid_and_named() -> None:
     assert Polygon(named.prisms[0].outline).area == pytest.approx(0.16)
 
 
-@settings(max_examples=60, deadline=None)
 @given(st.lists(st.floats(1.5, 6.0), min_size=4, max_size=14))
 def test_walls_of_any_room_are_disjoint_outside_it_and_without_gaps(radii: list[float]) -> None:
     brief = brief_of({"id": "a", "outline": star(radii)})
@@ -232,7 +231,6 @@ def test_what_fills_an_opening_stays_in_it_but_for_the_leaf() -> None:
             assert part.vertices[:, 2].max() <= opening.head + 1e-9
 
 
-@settings(max_examples=50, deadline=None)
 @given(st.lists(st.floats(1.0, 6.0), min_size=3, max_size=20), st.booleans())
 def test_triangles_cover_a_polygon_exactly(radii: list[float], pierced: bool) -> None:
     outline = np.array(star(radii))

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import shapely
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 import scenewright as sw
@@ -141,7 +141,6 @@ def test_nothing_is_set_apart_where_nothing_is_asked_for() -> None:
     assert plan.drives == ()
 
 
-@settings(max_examples=40, deadline=None)
 @given(st.integers(0, 10_000))
 def test_lots_lie_beside_streets_on_open_ground(seed: int) -> None:
     rng = np.random.default_rng(seed)

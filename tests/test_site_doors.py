@@ -179,7 +179,6 @@ def test_trees_of_ways_are_the_quickest_and_share_no_piece():
         assert total == pytest.approx(times[goal])
 
 
-@settings(max_examples=80, deadline=None)
 @given(st.integers(0, 10_000))
 def test_stretches_aslant_become_two_legs_over_free_ground(seed: int) -> None:
     rng = np.random.default_rng(seed)

@@ -12,7 +12,7 @@ from benchmarks.shapely_hall import polygon
 from benchmarks.shapely_home import rectangle
 from benchmarks.shapely_site import site_terms
 from benchmarks.site_instances import STYLES, example_site
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from deadline import within
@@ -261,7 +261,6 @@ def group(models: list[int]) -> Buildings:
     st.floats(0, 12),
     st.floats(0, 1.5),
 )
-@settings(max_examples=150, deadline=None)
 def test_forms_keep_their_rectangle_and_their_spacing(
     form: str, models: list[int], width: float, depth: float, spacing: float, behind: float
 ) -> None:

@@ -31,7 +31,6 @@ def edges_of(shape: shapely.Polygon) -> np.ndarray:
     return np.concatenate([edges(ring) for ring in (outline, *holes)])
 
 
-@settings(max_examples=60, deadline=None)
 @given(st.integers(0, 10_000), st.floats(-70, 60), st.floats(0.5, 30), st.floats(-3.1, 3.1))
 def test_free_spans_are_those_of_exact_polygons(
     seed: int, low: float, deep: float, heading: float

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from scenewright.geometry.travel import make_search, spread
 from scenewright.geometry.wavefront import find_quickest
 
 
-@settings(max_examples=60, deadline=None)
 @given(
     st.integers(0, 10_000), st.integers(1, 30), st.integers(1, 30), st.sampled_from((0.0, 0.3, 0.6))
 )

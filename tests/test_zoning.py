@@ -223,7 +223,6 @@ def test_any_floor_is_shared(space: Space, areas: list[float], seed: int) -> Non
 
 
 @given(floors(), st.floats(0.02, 0.98), st.sampled_from([0, 1]))
-@settings(max_examples=60, deadline=None)
 def test_a_cut_leaves_two_pieces_of_exact_area(space: Space, share: float, axis: int) -> None:
     floor = floor_of(space)
     made = cut(floor, axis, share * floor.area)
