@@ -7,7 +7,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from benchmarks.real_data import data_set
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -85,8 +84,8 @@ def test_what_is_no_expression_is_refused(text: str) -> None:
 
 
 @pytest.mark.realdata
-def test_a_real_model_grows_by_its_storeys() -> None:
-    path = data_set("kenney_city") / "starter_kit" / "building-small-c.glb"
+def test_a_real_model_grows_by_its_storeys(real_data: Path) -> None:
+    path = real_data / "kenney_city" / "starter_kit" / "building-small-c.glb"
     (one,) = read_entry(entry_of(str(path))).models
     mesh = merge([Mesh(part.vertices, part.faces) for part in one.model.parts])
     slabs = slabs_of(mesh)
@@ -100,7 +99,6 @@ def test_a_real_model_grows_by_its_storeys() -> None:
 
 
 @pytest.mark.realdata
-def test_rows_of_a_city_model_are_read_and_folded(tmp_path: Path) -> None:
-    path = data_set("citymodels_cityjson") / "delft.json"
+def test_rows_of_a_city_model_are_read_and_folded(real_data: Path) -> None:
+    path = real_data / "citymodels_cityjson" / "delft.json"
     assert cli.run(["fold", str(path), "--to", "30"]) == 0
-    del tmp_path

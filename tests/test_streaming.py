@@ -29,7 +29,7 @@ STEPS = {"village": 2, "extend": 2}
 EVERY = [(domain, name) for domain in SAMPLES for name in solvers(domain)]
 STOOD = {"source"}
 """Where pieces stand that no solver places."""
-ASKED_AGAIN = 64
+ASKED_AGAIN = 256
 """Times a run may ask once more whether it is to stop after it was told so: each of its threads,
 and each stage on the way out, asks once or a few times."""
 

@@ -46,6 +46,12 @@ FORMATS = (
     Format(".xml", "Home.xml of a Sweet Home 3D home", "scenewright.formats.sh3d"),
     Format(".geojson", "indoor map or site (OpenStreetMap, read)", "scenewright.formats.geojson"),
     Format(".glb", "3D scene, binary glTF 2.0", writer="scenewright.formats.glb"),
+    Format(
+        ".ifc",
+        "building model (IFC2x3 or IFC4, read; IFC4, written)",
+        "scenewright.formats.ifc",
+        "scenewright.formats.ifc",
+    ),
     Format(".svg", "plan drawing", writer="scenewright.formats.svg"),
     Format(
         ".credits.txt", "authors and licences of the models", writer="scenewright.formats.credits"

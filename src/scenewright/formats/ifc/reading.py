@@ -1,0 +1,419 @@
+"""A building model as a brief: IfcSpaces are rooms, else what the walls of a storey enclose.
+
+Doors and windows stand where their openings are; columns become holes of their room, sanitary ware
+and stairs stay where they stand, furniture is planned anew unless it is kept. What else a model
+holds (slabs, roofs, pipes …) is counted in the input report.
+"""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+import shapely
+from pydantic import ValidationError
+
+from scenewright.building.outlines import project, run_lengths, wall_runs
+from scenewright.building.outlines import rings as clean_rings
+from scenewright.building.room_names import functions_from_name
+from scenewright.core.brief import Brief
+from scenewright.core.brief.input_report import Fate, report_input
+from scenewright.core.document_faults import to_input_error
+from scenewright.core.errors import InputError
+from scenewright.formats.ifc.pieces import BUILT_IN, MOVABLE, fixed_item
+from scenewright.formats.sh3d_openings import open_sides
+
+GREATEST_FILE = 256 * 2**20
+LONGEST = 300
+"""Seconds of the processor that parsing may take."""
+MEMORY = 4 * 2**30
+FAR = 5000.0
+"""Coordinates beyond this, in metres, are brought near to the origin."""
+BEDROOM = 7.0
+LEAST_ROOM = 0.5
+"""Floor in m² below which a space is no room."""
+REACH = 0.35
+"""How far from a room's outline an opening may be beyond half its wall, in metres."""
+OUTSIDE = ("roof", "dach", "toit", "tejado", "cubierta", "屋根", "site", "plot")
+"""Words of spaces that are no rooms."""
+WALLS = ("IfcWall", "IfcWallStandardCase", "IfcWallElementedCase")
+DOORS = ("IfcDoor", "IfcDoorStandardCase")
+WINDOWS = ("IfcWindow", "IfcWindowStandardCase")
+OPENINGS = {
+    **dict.fromkeys(DOORS, "door"),
+    **dict.fromkeys(WINDOWS, "window"),
+    "IfcOpeningElement": "opening",
+    "IfcOpeningStandardCase": "opening",
+}
+"""What people call entities that pierce walls; openings are those that nothing fills."""
+STEP = 0.3
+"""Height of an opening's lower edge up to which one walks through it, in metres."""
+Row = dict[str, Any]
+
+
+class DrawnRoom(NamedTuple):
+    """A room with its floor in metres, the level it is on and the height of that floor."""
+
+    row: Row
+    floor: shapely.Polygon
+    level: int
+    low: float
+    height: float
+
+
+def read_brief(path: Path, keep: bool = False) -> Brief:
+    """The brief of an IFC file; ``keep`` leaves its furniture where it stands."""
+    return brief_of(parse(path, keep), path.stem, keep)
+
+
+def parse(path: Path, keep: bool = False) -> Row:
+    """The document of a file (:mod:`scenewright.formats.ifc.extract`), made by another process.
+    Raises :class:`InputError` for whatever cannot be parsed."""
+    import ifcopenshell  # noqa: F401 (a missing extra is named)
+
+    if path.stat().st_size > GREATEST_FILE:
+        fault = f"is larger than {GREATEST_FILE // 2**20} MiB"
+        raise InputError(fault, "export one building, or its plan alone")
+    if not path.read_bytes()[:4096].lstrip().startswith(b"ISO-10303-21"):
+        raise InputError("is no IFC text file (STEP)", "export it as .ifc, not zipped or XML")
+    command = [sys.executable, "-c", _PROGRAM, str(path.resolve()), *["keep"] * keep]
+    try:
+        done = subprocess.run(command, capture_output=True, check=False, timeout=2 * LONGEST)
+        document: Row = json.loads(done.stdout)
+    except (subprocess.TimeoutExpired, ValueError):
+        document = {"fault": "is damaged: the IFC parser gave up"}
+    if "fault" in document:
+        fault = f"cannot be read as IFC: {document['fault']}"
+        raise InputError(fault, "export it as IFC2x3 or IFC4 (STEP)")
+    return document
+
+
+_PROGRAM = (
+    "import resource as r, sys; "
+    f"r.setrlimit(r.RLIMIT_AS, ({MEMORY}, {MEMORY})); "
+    f"r.setrlimit(r.RLIMIT_CPU, ({LONGEST}, {LONGEST})); "
+    "from scenewright.formats.ifc.extract import main; sys.exit(main())"
+)
+
+
+def brief_of(document: Row, name: str, keep: bool = False) -> Brief:
+    """The brief of a parsed model."""
+    products = document["products"]
+    move = _offset(products)
+    rooms, fates = _rooms(document, move)
+    if not rooms:
+        raise InputError(
+            "holds no room: no IfcSpace with a floor, and no storey whose walls enclose one",
+            "export spaces (rooms) from the program it was drawn in",
+        )
+    made = [_room(k, room) for k, room in enumerate(rooms)]
+    fates += _openings(products, rooms, made, move)
+    _add_open_sides(rooms, made)
+    fates += _standing(products, rooms, made, move, keep)
+    fates += _others(products, has_spaces=bool(rooms[0].row))
+    levels = sorted({room.level for room in rooms})
+    floors = {n: min(r.low for r in rooms if r.level == n) for n in levels}
+    heights = {n: max(r.height for r in rooms if r.level == n) for n in levels}
+    spaces = [row for row in products if row["kind"] == "IfcSpace" and not _is_outside(row)]
+    drawn = sum(_floor(row, move).area for row in spaces)
+    read = sum(room.floor.area for room in rooms)
+    try:
+        brief = Brief.model_validate(
+            {
+                "name": name[:80],
+                "levels": [
+                    {
+                        "id": str(n),
+                        "name": document["storeys"][n]["name"] if n >= 0 else "",
+                        "elevation": round(floors[n], 4),
+                        "height": round(min(max(heights[n], 0.5), 100.0), 4),
+                    }
+                    for n in levels
+                ],
+                "rooms": made,
+            }
+        )
+    except ValidationError as error:
+        raise to_input_error(error) from None
+    report = report_input(
+        fates,
+        format=f"IFC ({document['schema']})",
+        system=f"moved by {-move[0]:.0f}, {-move[1]:.0f} m" if move.any() else "its own",
+        unit=document["unit"] or "metre",
+        drawn_floor=round(drawn or read, 3),
+        read_floor=round(read, 3),
+    )
+    return brief.model_copy(update={"input_report": report})
+
+
+def _offset(products: Sequence[Row]) -> np.ndarray:
+    """What is taken off all coordinates: nothing, unless they lie far from the origin."""
+    corners = [row["rings"][0] for row in products if row["rings"]]
+    if not corners:
+        return np.zeros(2)
+    low = np.floor(np.median(np.vstack(corners), axis=0))
+    return low if np.abs(low).max() > FAR else np.zeros(2)
+
+
+def _floor(row: Row, move: np.ndarray) -> shapely.Polygon:
+    """What a product covers in plan."""
+    if not row["rings"]:
+        return shapely.Polygon()
+    outline, *holes = (np.asarray(ring) - move for ring in row["rings"])
+    found = shapely.Polygon(outline, holes).buffer(0)
+    parts = [part for part in shapely.get_parts(found) if part.geom_type == "Polygon"]
+    return max(parts, key=lambda part: part.area, default=shapely.Polygon())
+
+
+def _rooms(document: Row, move: np.ndarray) -> tuple[list[DrawnRoom], list[Fate]]:
+    """The rooms of a model by its spaces, else by its walls, and what became of each space."""
+    spaces = [row for row in document["products"] if row["kind"] == "IfcSpace"]
+    rooms, fates = [], []
+    for row in spaces:
+        floor = _floor(row, move)
+        fault = _no_room(row, floor)
+        name = f"{row['name']} {row['long_name']}".strip() or row["id"]
+        if fault:
+            lost = floor.area >= LEAST_ROOM and not _is_outside(row)
+            fates.append(Fate(name, "room (IfcSpace)", "left out", fault, stands=lost))
+            continue
+        height = min(row["high"] - row["low"], 100.0)
+        rooms.append(DrawnRoom(row, floor, row["storey"], row["low"], height))
+        fates.append(Fate(name, "room (IfcSpace)", "used"))
+    if rooms:
+        return rooms, fates
+    return list(_enclosed(document, move)), fates
+
+
+def _no_room(row: Row, floor: shapely.Polygon) -> str:
+    """Why a space is no room; empty if it is one."""
+    if _is_outside(row):
+        return "by its name it is no room"
+    if floor.area < LEAST_ROOM:
+        return "it has no body, or less than half a square metre of floor"
+    return ""
+
+
+def _is_outside(row: Row) -> bool:
+    words = f"{row['name']} {row['long_name']} {row['use']}".casefold().split()
+    return any(word.strip(":,.") in OUTSIDE for word in words)
+
+
+def _enclosed(document: Row, move: np.ndarray) -> Iterator[DrawnRoom]:
+    """What the walls of each storey enclose."""
+    walls = [row for row in document["products"] if row["kind"] in WALLS and row["rings"]]
+    for number in sorted({row["storey"] for row in walls}):
+        mine = [row for row in walls if row["storey"] == number]
+        solid = shapely.union_all(
+            [_floor(row, move).buffer(0.02, join_style="mitre") for row in mine]
+        )
+        low = float(np.median([row["low"] for row in mine]))
+        height = float(np.median([row["high"] - row["low"] for row in mine]))
+        for part in shapely.get_parts(solid):
+            for ring in part.interiors if part.geom_type == "Polygon" else ():
+                floor = shapely.Polygon(ring).buffer(0.02, join_style="mitre")
+                if floor.area >= LEAST_ROOM:
+                    yield DrawnRoom({}, floor, number, low, min(max(height, 0.5), 100.0))
+
+
+def _room(number: int, room: DrawnRoom) -> Row:
+    """A room as keys of the brief."""
+    outline, holes = clean_rings(room.floor)
+    row = room.row
+    name = (row.get("long_name") or row.get("name") or f"Room {number + 1}")[:80]
+    functions = _functions(room, name)
+    return {
+        "name": name,
+        **({"function": list(functions)} if functions else {}),
+        "level": str(room.level),
+        "outline": outline.tolist(),
+        "holes": [hole.tolist() for hole in holes],
+        "height": round(max(room.height, 0.5), 4),
+        "doors": [],
+        "windows": [],
+        "fixed": [],
+    }
+
+
+def _functions(room: DrawnRoom, name: str) -> tuple[str, ...]:
+    """What a room is for by its long name, name, stated use, and last, without any, by size."""
+    row = room.row
+    for text in (name, row.get("name", ""), row.get("use", "")):
+        if found := functions_from_name(text):
+            return tuple(found)
+    if row:
+        return ()
+    return (
+        ("living",)
+        if room.floor.area > 3 * BEDROOM
+        else ("bedroom",)
+        if room.floor.area > BEDROOM
+        else ()
+    )
+
+
+def _openings(
+    products: Sequence[Row], rooms: Sequence[DrawnRoom], made: list[Row], move: np.ndarray
+) -> list[Fate]:
+    """Doors and windows put into the nearest room of their height."""
+    fates = []
+    for row in products:
+        kind, name = OPENINGS.get(row["kind"], ""), row["name"] or row["id"]
+        if not kind:
+            continue
+        door = kind == "door"
+        box = _floor(row, move)
+        number = _room_at(box, row, rooms) if box.area > 0 else None
+        if number is None:
+            fates.append(Fate(name, kind, "left out", "it is at no wall of a room", stands=door))
+            continue
+        opening = _opening(row, box, rooms[number])
+        if opening is None:
+            fates.append(Fate(name, kind, "left out", "it is narrower or lower than an opening"))
+            continue
+        if kind == "opening" and opening["low"] > STEP:
+            fates.append(Fate(name, kind, "left out", "it is a niche or hole above the floor"))
+            continue
+        opening.pop("low", None)
+        made[number]["windows" if kind == "window" else "doors"].append(opening)
+        fates.append(Fate(name, kind, "used"))
+    return fates
+
+
+def _add_open_sides(rooms: Sequence[DrawnRoom], made: list[Row]) -> None:
+    """Open passages where two rooms of a level touch without a wall between them."""
+    for level in sorted({room.level for room in rooms}):
+        numbers = [k for k, room in enumerate(rooms) if room.level == level]
+        floors = [rooms[k].floor for k in numbers]
+        height = max(rooms[k].height for k in numbers)
+        for entry in open_sides(floors, [], height):
+            made[numbers[entry.room]]["doors"].append(entry.opening.model_dump())
+
+
+def _room_at(box: shapely.Polygon, row: Row, rooms: Sequence[DrawnRoom]) -> int | None:
+    """The nearest room whose height holds the middle of an opening."""
+    middle = (row["low"] + row["high"]) / 2
+    near = [
+        (room.floor.exterior.distance(box), -room.floor.area, k)
+        for k, room in enumerate(rooms)
+        if room.low - 0.3 <= middle <= room.low + max(room.height, 2.2) + 0.3
+    ]
+    distance, _, number = min(near, default=(np.inf, 0.0, 0))
+    return number if distance <= REACH else None
+
+
+def _opening(row: Row, box: shapely.Polygon, room: DrawnRoom) -> Row | None:
+    """An opening as a door or window of the brief; ``None`` where it is too small for one."""
+    spot = _on_wall(box, room.floor)
+    sill, head = max(row["low"] - room.low, 0.0), row["high"] - room.low
+    if spot is None or head - sill < 0.3:
+        return None
+    at, width = spot
+    common: Row = {"at": [round(float(v), 5) for v in at], "width": round(min(width, 20.0), 4)}
+    if row["kind"] in WINDOWS:
+        return common | {"sill": round(sill, 4), "height": round(head - sill, 4)}
+    common["height"] = round(min(head, max(room.height, 0.5)), 4)
+    if row["kind"] not in DOORS:
+        return common | {"low": sill, "swing": "none"}
+    sliding = "SLIDING" in row["operation"] or "FOLDING" in row["operation"]
+    return common | {
+        "swing": "slide" if sliding else "in",
+        "hinge": "right" if "RIGHT" in row["operation"] else "left",
+    }
+
+
+def _on_wall(box: shapely.Polygon, floor: shapely.Polygon) -> tuple[np.ndarray, float] | None:
+    """The middle and width of an opening on the stretch of outline it takes most of; ``None``
+    where it takes less than 0.3 m of any."""
+    corners, middle = shapely.get_coordinates(box), shapely.get_coordinates(box.centroid)[0]
+    best: tuple[float, np.ndarray] | None = None
+    for run in wall_runs(clean_rings(floor)[0]):
+        place, away = project(run, middle)
+        lengths = run_lengths(run)
+        ahead = np.array(
+            [[np.interp(place + t, lengths, run[:, k]) for k in (0, 1)] for t in (-0.1, 0.1)]
+        )
+        along = ahead[1] - ahead[0]
+        if away > REACH + np.sqrt(box.area) or not along.any():
+            continue
+        spread = (corners - middle) @ (along / np.hypot(*along))
+        low, high = np.clip((place + spread.min(), place + spread.max()), 0.0, lengths[-1])
+        across = float(
+            np.ptp((corners - middle) @ (np.array([-along[1], along[0]]) / np.hypot(*along)))
+        )
+        if away <= across / 2 + REACH and (best is None or high - low > best[0]):
+            at = [np.interp((low + high) / 2, lengths, run[:, k]) for k in (0, 1)]
+            best = (float(high - low), np.array(at))
+    return (best[1], best[0]) if best is not None and best[0] >= 0.3 else None
+
+
+def _standing(
+    products: Sequence[Row],
+    rooms: Sequence[DrawnRoom],
+    made: list[Row],
+    move: np.ndarray,
+    keep: bool,
+) -> list[Fate]:
+    """What stands in rooms: built in or kept, else planned anew."""
+    fates = []
+    for row in products:
+        kind = row["kind"]
+        if kind not in BUILT_IN and kind not in MOVABLE:
+            continue
+        word, name = _word(kind), row["name"] or row["id"]
+        if kind in MOVABLE and not keep:
+            fates.append(
+                Fate(name, word, "left out", "furniture is planned anew (--keep keeps it)")
+            )
+            continue
+        box = _floor(row, move)
+        number = _room_around(box, row, rooms) if box.area > 0 else None
+        item = fixed_item(row, box, rooms[number].low) if number is not None else None
+        if item is None or number is None:
+            fates.append(Fate(name, word, "left out", "it stands in no room, or has no body"))
+            continue
+        made[number]["fixed"].append(item)
+        fates.append(Fate(name, word, "used"))
+    return fates
+
+
+def _room_around(box: shapely.Polygon, row: Row, rooms: Sequence[DrawnRoom]) -> int | None:
+    """The room most of a thing stands in."""
+    shares = [
+        (room.floor.intersection(box).area, k)
+        for k, room in enumerate(rooms)
+        if room.low - 0.5 <= row["low"] <= room.low + max(room.height, 2.2)
+    ]
+    share, number = max(shares, default=(0.0, 0))
+    return number if share > 0.25 * box.area else None
+
+
+def _others(products: Sequence[Row], *, has_spaces: bool) -> list[Fate]:
+    """Walls, and what furnishing has no use for."""
+    known = {"IfcSpace", *OPENINGS, *BUILT_IN, *MOVABLE}
+    fates = []
+    for row in products:
+        if row["kind"] in known:
+            continue
+        name, word = row["name"] or row["id"], _word(row["kind"])
+        if row["kind"] in WALLS:
+            why = "drawn anew from the rooms it encloses"
+            fates.append(Fate(name, word, "changed" if has_spaces else "used", why * has_spaces))
+        else:
+            fates.append(Fate(name, word, "left out", "furnishing has no use for it"))
+    return fates
+
+
+def _word(kind: str) -> str:
+    """What people call an entity.
+
+    >>> _word("IfcFlowTerminal"), _word("IfcWallStandardCase")
+    ('flow terminal', 'wall')
+    """
+    text = kind.removeprefix("Ifc").replace("StandardCase", "").replace("ElementedCase", "")
+    return "".join(f" {c.lower()}" if c.isupper() else c for c in text).strip()
