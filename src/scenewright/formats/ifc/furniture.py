@@ -72,7 +72,7 @@ def add_furniture(
     members: dict[Hashable, list[Entity]] = {}
     inside: dict[str, list[Entity]] = {}
     for item in found:
-        key = (item.extras.get("category"), item.key)
+        key: Hashable = (item.extras.get("category"), item.key)
         if key not in types:
             types[key] = _type(model, item, f"{storey.GlobalId} {len(types)}")
         product = _product(model, storey, item, types[key][1])

@@ -43,7 +43,7 @@ def category_of(row: dict[str, Any], size: Size) -> str:
     if row["use"] in CLASSES:
         return str(row["use"])
     found = match(f"{row['name']} {row['use']}")
-    kinds = [one for kind in (found.kinds if found else ()) for one in meanings(kind)]
+    kinds = tuple(one for kind in (found.kinds if found else ()) for one in meanings(kind))
     return nearest(kinds, size)[0] if kinds else "obstacle"
 
 
