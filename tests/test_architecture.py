@@ -280,11 +280,11 @@ OUR_OWN = {"scenewright", "pydantic_core"}  # and what pydantic cannot be withou
 
 @cache
 def known_packages(learning: bool) -> frozenset[str]:
-    """What may be imported: what pyproject.toml lists for everybody, or for the extra of more
-    solvers; what learns may import what the extra of learning lists."""
+    """What may be imported: what pyproject.toml lists for everybody, or for the extras of
+    more solvers and of files; what learns may import what the extra of learning lists."""
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     listed = [*project["dependencies"]]
-    for extra in ["solve", *(["learn"] if learning else [])]:
+    for extra in ["solve", "bim", *(["learn"] if learning else [])]:
         listed += project["optional-dependencies"][extra]
     names = [re.split("[<>=!~ ;\\[]", line)[0] for line in listed]
     return frozenset({NAMED.get(name, name) for name in names} | sys.stdlib_module_names | OUR_OWN)

@@ -33,7 +33,8 @@ if TYPE_CHECKING:
 SAMPLE = "sample:"
 SWEET_HOME = (".sh3d", ".xml")
 """Suffixes of files whose levels may be hidden."""
-
+EXTRAS = {"ifcopenshell": "bim"}
+"""The extra that brings a package which a format needs."""
 
 FORMATS = (
     Format(
@@ -310,6 +311,8 @@ def _module(name: str, path: str | os.PathLike[str]) -> ModuleType:
     try:
         return import_module(name)
     except ModuleNotFoundError as error:
+        package = str(error.name).split(".")[0]
+        remedy = f"pip install 'scenewright[{EXTRAS[package]}]'" if package in EXTRAS else ""
         raise InputError(
-            f"this format needs the package '{error.name}'", "install it", file=str(path)
+            f"this format needs the package '{package}'", remedy or "install it", file=str(path)
         ) from None

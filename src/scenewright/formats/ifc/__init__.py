@@ -10,6 +10,8 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING
 
+import ifcopenshell  # noqa: F401 (a missing extra is named when the format is chosen)
+
 if TYPE_CHECKING:
     from pathlib import Path
 
@@ -27,8 +29,6 @@ def read(path: Path, keep: bool = False) -> Brief:
 
 def write(solution: Solution, path: str | os.PathLike[str], plan: Plan | None = None) -> None:
     """Write the scene of a solution to ``path`` as IFC4; the file appears whole or not at all."""
-    import ifcopenshell  # noqa: F401 (a missing extra is named before anything is made)
-
     from scenewright.catalog.loading import catalog_of
     from scenewright.core.atomic_file import write_atomically
     from scenewright.domains import scene_of

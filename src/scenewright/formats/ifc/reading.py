@@ -12,21 +12,20 @@ import subprocess
 import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import Any, NamedTuple
 
 import numpy as np
 import shapely
 from pydantic import ValidationError
 
-from scenewright.building.outlines import project, run_lengths, wall_runs
 from scenewright.building.outlines import rings as clean_rings
 from scenewright.building.room_names import functions_from_name
 from scenewright.core.brief import Brief
 from scenewright.core.brief.input_report import Fate, report_input
 from scenewright.core.document_faults import to_input_error
 from scenewright.core.errors import InputError
+from scenewright.formats.ifc.openings import OPENINGS, add_open_sides, place_openings
 from scenewright.formats.ifc.pieces import BUILT_IN, MOVABLE, fixed_item
-from scenewright.formats.sh3d_openings import open_sides
+from scenewright.formats.ifc.rooms import DrawnRoom, Row, floor_of
 
 GREATEST_FILE = 256 * 2**20
 LONGEST = 300
@@ -37,33 +36,9 @@ FAR = 5000.0
 BEDROOM = 7.0
 LEAST_ROOM = 0.5
 """Floor in m² below which a space is no room."""
-REACH = 0.35
-"""How far from a room's outline an opening may be beyond half its wall, in metres."""
 OUTSIDE = ("roof", "dach", "toit", "tejado", "cubierta", "屋根", "site", "plot")
 """Words of spaces that are no rooms."""
 WALLS = ("IfcWall", "IfcWallStandardCase", "IfcWallElementedCase")
-DOORS = ("IfcDoor", "IfcDoorStandardCase")
-WINDOWS = ("IfcWindow", "IfcWindowStandardCase")
-OPENINGS = {
-    **dict.fromkeys(DOORS, "door"),
-    **dict.fromkeys(WINDOWS, "window"),
-    "IfcOpeningElement": "opening",
-    "IfcOpeningStandardCase": "opening",
-}
-"""What people call entities that pierce walls; openings are those that nothing fills."""
-STEP = 0.3
-"""Height of an opening's lower edge up to which one walks through it, in metres."""
-Row = dict[str, Any]
-
-
-class DrawnRoom(NamedTuple):
-    """A room with its floor in metres, the level it is on and the height of that floor."""
-
-    row: Row
-    floor: shapely.Polygon
-    level: int
-    low: float
-    height: float
 
 
 def read_brief(path: Path, keep: bool = False) -> Brief:
@@ -74,8 +49,6 @@ def read_brief(path: Path, keep: bool = False) -> Brief:
 def parse(path: Path, keep: bool = False) -> Row:
     """The document of a file (:mod:`scenewright.formats.ifc.extract`), made by another process.
     Raises :class:`InputError` for whatever cannot be parsed."""
-    import ifcopenshell  # noqa: F401 (a missing extra is named)
-
     if path.stat().st_size > GREATEST_FILE:
         fault = f"is larger than {GREATEST_FILE // 2**20} MiB"
         raise InputError(fault, "export one building, or its plan alone")
@@ -112,15 +85,15 @@ def brief_of(document: Row, name: str, keep: bool = False) -> Brief:
             "export spaces (rooms) from the program it was drawn in",
         )
     made = [_room(k, room) for k, room in enumerate(rooms)]
-    fates += _openings(products, rooms, made, move)
-    _add_open_sides(rooms, made)
+    fates += place_openings(products, rooms, made, move)
+    add_open_sides(rooms, made)
     fates += _standing(products, rooms, made, move, keep)
     fates += _others(products, has_spaces=bool(rooms[0].row))
     levels = sorted({room.level for room in rooms})
     floors = {n: min(r.low for r in rooms if r.level == n) for n in levels}
     heights = {n: max(r.height for r in rooms if r.level == n) for n in levels}
     spaces = [row for row in products if row["kind"] == "IfcSpace" and not _is_outside(row)]
-    drawn = sum(_floor(row, move).area for row in spaces)
+    drawn = sum(floor_of(row, move).area for row in spaces)
     read = sum(room.floor.area for room in rooms)
     try:
         brief = Brief.model_validate(
@@ -160,22 +133,12 @@ def _offset(products: Sequence[Row]) -> np.ndarray:
     return low if np.abs(low).max() > FAR else np.zeros(2)
 
 
-def _floor(row: Row, move: np.ndarray) -> shapely.Polygon:
-    """What a product covers in plan."""
-    if not row["rings"]:
-        return shapely.Polygon()
-    outline, *holes = (np.asarray(ring) - move for ring in row["rings"])
-    found = shapely.Polygon(outline, holes).buffer(0)
-    parts = [part for part in shapely.get_parts(found) if part.geom_type == "Polygon"]
-    return max(parts, key=lambda part: part.area, default=shapely.Polygon())
-
-
 def _rooms(document: Row, move: np.ndarray) -> tuple[list[DrawnRoom], list[Fate]]:
     """The rooms of a model by its spaces, else by its walls, and what became of each space."""
     spaces = [row for row in document["products"] if row["kind"] == "IfcSpace"]
     rooms, fates = [], []
     for row in spaces:
-        floor = _floor(row, move)
+        floor = floor_of(row, move)
         fault = _no_room(row, floor)
         name = f"{row['name']} {row['long_name']}".strip() or row["id"]
         if fault:
@@ -210,7 +173,7 @@ def _enclosed(document: Row, move: np.ndarray) -> Iterator[DrawnRoom]:
     for number in sorted({row["storey"] for row in walls}):
         mine = [row for row in walls if row["storey"] == number]
         solid = shapely.union_all(
-            [_floor(row, move).buffer(0.02, join_style="mitre") for row in mine]
+            [floor_of(row, move).buffer(0.02, join_style="mitre") for row in mine]
         )
         low = float(np.median([row["low"] for row in mine]))
         height = float(np.median([row["high"] - row["low"] for row in mine]))
@@ -257,101 +220,6 @@ def _functions(room: DrawnRoom, name: str) -> tuple[str, ...]:
     )
 
 
-def _openings(
-    products: Sequence[Row], rooms: Sequence[DrawnRoom], made: list[Row], move: np.ndarray
-) -> list[Fate]:
-    """Doors and windows put into the nearest room of their height."""
-    fates = []
-    for row in products:
-        kind, name = OPENINGS.get(row["kind"], ""), row["name"] or row["id"]
-        if not kind:
-            continue
-        door = kind == "door"
-        box = _floor(row, move)
-        number = _room_at(box, row, rooms) if box.area > 0 else None
-        if number is None:
-            fates.append(Fate(name, kind, "left out", "it is at no wall of a room", stands=door))
-            continue
-        opening = _opening(row, box, rooms[number])
-        if opening is None:
-            fates.append(Fate(name, kind, "left out", "it is narrower or lower than an opening"))
-            continue
-        if kind == "opening" and opening["low"] > STEP:
-            fates.append(Fate(name, kind, "left out", "it is a niche or hole above the floor"))
-            continue
-        opening.pop("low", None)
-        made[number]["windows" if kind == "window" else "doors"].append(opening)
-        fates.append(Fate(name, kind, "used"))
-    return fates
-
-
-def _add_open_sides(rooms: Sequence[DrawnRoom], made: list[Row]) -> None:
-    """Open passages where two rooms of a level touch without a wall between them."""
-    for level in sorted({room.level for room in rooms}):
-        numbers = [k for k, room in enumerate(rooms) if room.level == level]
-        floors = [rooms[k].floor for k in numbers]
-        height = max(rooms[k].height for k in numbers)
-        for entry in open_sides(floors, [], height):
-            made[numbers[entry.room]]["doors"].append(entry.opening.model_dump())
-
-
-def _room_at(box: shapely.Polygon, row: Row, rooms: Sequence[DrawnRoom]) -> int | None:
-    """The nearest room whose height holds the middle of an opening."""
-    middle = (row["low"] + row["high"]) / 2
-    near = [
-        (room.floor.exterior.distance(box), -room.floor.area, k)
-        for k, room in enumerate(rooms)
-        if room.low - 0.3 <= middle <= room.low + max(room.height, 2.2) + 0.3
-    ]
-    distance, _, number = min(near, default=(np.inf, 0.0, 0))
-    return number if distance <= REACH else None
-
-
-def _opening(row: Row, box: shapely.Polygon, room: DrawnRoom) -> Row | None:
-    """An opening as a door or window of the brief; ``None`` where it is too small for one."""
-    spot = _on_wall(box, room.floor)
-    sill, head = max(row["low"] - room.low, 0.0), row["high"] - room.low
-    if spot is None or head - sill < 0.3:
-        return None
-    at, width = spot
-    common: Row = {"at": [round(float(v), 5) for v in at], "width": round(min(width, 20.0), 4)}
-    if row["kind"] in WINDOWS:
-        return common | {"sill": round(sill, 4), "height": round(head - sill, 4)}
-    common["height"] = round(min(head, max(room.height, 0.5)), 4)
-    if row["kind"] not in DOORS:
-        return common | {"low": sill, "swing": "none"}
-    sliding = "SLIDING" in row["operation"] or "FOLDING" in row["operation"]
-    return common | {
-        "swing": "slide" if sliding else "in",
-        "hinge": "right" if "RIGHT" in row["operation"] else "left",
-    }
-
-
-def _on_wall(box: shapely.Polygon, floor: shapely.Polygon) -> tuple[np.ndarray, float] | None:
-    """The middle and width of an opening on the stretch of outline it takes most of; ``None``
-    where it takes less than 0.3 m of any."""
-    corners, middle = shapely.get_coordinates(box), shapely.get_coordinates(box.centroid)[0]
-    best: tuple[float, np.ndarray] | None = None
-    for run in wall_runs(clean_rings(floor)[0]):
-        place, away = project(run, middle)
-        lengths = run_lengths(run)
-        ahead = np.array(
-            [[np.interp(place + t, lengths, run[:, k]) for k in (0, 1)] for t in (-0.1, 0.1)]
-        )
-        along = ahead[1] - ahead[0]
-        if away > REACH + np.sqrt(box.area) or not along.any():
-            continue
-        spread = (corners - middle) @ (along / np.hypot(*along))
-        low, high = np.clip((place + spread.min(), place + spread.max()), 0.0, lengths[-1])
-        across = float(
-            np.ptp((corners - middle) @ (np.array([-along[1], along[0]]) / np.hypot(*along)))
-        )
-        if away <= across / 2 + REACH and (best is None or high - low > best[0]):
-            at = [np.interp((low + high) / 2, lengths, run[:, k]) for k in (0, 1)]
-            best = (float(high - low), np.array(at))
-    return (best[1], best[0]) if best is not None and best[0] >= 0.3 else None
-
-
 def _standing(
     products: Sequence[Row],
     rooms: Sequence[DrawnRoom],
@@ -371,7 +239,7 @@ def _standing(
                 Fate(name, word, "left out", "furniture is planned anew (--keep keeps it)")
             )
             continue
-        box = _floor(row, move)
+        box = floor_of(row, move)
         number = _room_around(box, row, rooms) if box.area > 0 else None
         item = fixed_item(row, box, rooms[number].low) if number is not None else None
         if item is None or number is None:
