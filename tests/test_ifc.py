@@ -59,7 +59,8 @@ def test_rooms_openings_and_pieces_are_all_there(model: Path, solution: Solution
 
 
 def test_like_pieces_share_one_type(model: Path) -> None:
-    for kind in ifcopenshell.open(str(model)).by_type("IfcFurnitureType"):
+    file = ifcopenshell.open(str(model))
+    for kind in file.by_type("IfcFurnitureType"):
         assert kind.Types
         assert kind.RepresentationMaps
 
