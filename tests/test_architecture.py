@@ -273,7 +273,11 @@ def test_no_import_cycle_between_layers_of_one_floor() -> None:
     assert order[-1] == "__main__"
 
 
-NAMED = {"pillow": "PIL", "mapbox-earcut": "mapbox_earcut"}
+NAMED = {
+    "pillow": "PIL",
+    "mapbox-earcut": "mapbox_earcut",
+    "fast-simplification": "fast_simplification",
+}
 OUR_OWN = {"scenewright", "pydantic_core"}  # and what pydantic cannot be without
 """Packages imported by another name than they are installed by."""
 

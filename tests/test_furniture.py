@@ -145,4 +145,5 @@ def test_a_real_kit_in_its_own_unit_is_understood(real_data: Path) -> None:
     assert unit == 2.0
     found = [understood(m, unit) for m in models]
     assert sum(u.category != OTHER for u in found) > 90
-    assert sum(u.turn != 0 for u in found) <= 1, "the kit has its fronts where glTF has them"
+    turned = [u for u in found if u.turn and u.category != "staircase"]
+    assert len(turned) <= 1, "the kit has its fronts where glTF has them, but its stairs go aside"

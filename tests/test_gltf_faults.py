@@ -27,13 +27,9 @@ def chain(document: Json) -> None:
 GLTF: dict[str, tuple[Callable[[Json], object], str]] = {
     "no version": (lambda d: d.pop("asset"), "states no version"),
     "glTF 1": (lambda d: d["asset"].update(version="1.0"), "is glTF 1.0"),
-    "draco": (
-        lambda d: d.update(extensionsRequired=["KHR_draco_mesh_compression"]),
-        "is compressed (KHR_draco_mesh_compression); export it without",
-    ),
     "meshopt": (
         lambda d: d.update(extensionsRequired=["EXT_meshopt_compression"]),
-        "is compressed (EXT_meshopt_compression)",
+        "is compressed (EXT_meshopt_compression); unpack it: npx @gltf-transform/cli copy",
     ),
     "unknown extension": (lambda d: d.update(extensionsRequired=["ACME_\x1bmagic"]), "ACME_magic"),
     "count beyond bytes": (lambda d: d["accessors"][0].update(count=5), "more than its bytes"),

@@ -14,6 +14,7 @@ from importlib import import_module
 from pathlib import Path
 from typing import NamedTuple
 
+from scenewright.catalog.models.conversions import CONVERSIONS, conversion_of
 from scenewright.catalog.models.files import MEBIBYTE, beside, whole
 from scenewright.catalog.models.model import (
     ImportOptions,
@@ -126,7 +127,8 @@ def _files(top: Path) -> Iterator[tuple[Path, SkippedModel | None]]:
             )
         for name in sorted(names):
             file = Path(folder, name)
-            if file.suffix.lower() in suffixes() and name not in SIDECARS:
+            suffix = file.suffix.lower()
+            if (suffix in suffixes() or suffix in CONVERSIONS) and name not in SIDECARS:
                 shown = clean(str(file.relative_to(top)), "unnamed")
                 fault = _unusable(file, name)
                 yield file, SkippedModel(shown, fault) if fault else None
@@ -136,6 +138,8 @@ def _unusable(file: Path, name: str) -> str:
     """Why a file is passed over unread; empty if it is not."""
     if not is_whole(name):
         return "its name is not valid Unicode"
+    if file.suffix.lower() in CONVERSIONS:
+        return str(_unread(file.suffix.lower()))
     return "" if file.is_file() and not file.is_symlink() else "is a link or no plain file"
 
 
@@ -181,9 +185,14 @@ def _row(file: Path) -> ModelFormat:
     suffix = file.suffix.lower()
     found = [row for row in ROWS if row.suffix == suffix]
     if not found:
-        text = f"'{clean(suffix)}' models are not read" if suffix else "the name has no suffix"
-        raise InputError(text, f"use one of: {', '.join(suffixes())}")
+        raise _unread(suffix)
     return found[0]
+
+
+def _unread(suffix: str) -> InputError:
+    """What is said of a file of another suffix, and what makes it readable."""
+    text = f"'{clean(suffix)}' models are not read" if suffix else "the name has no suffix"
+    return InputError(text, conversion_of(suffix) or f"use one of: {', '.join(suffixes())}")
 
 
 def _sort(

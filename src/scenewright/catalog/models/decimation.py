@@ -1,78 +1,80 @@
-"""A part of fewer triangles: corners of one cell of a grid become one (vertex clustering).
+"""A part of fewer triangles, by the collapse of edges that moves the surface least.
 
-J. Rossignac, P. Borrel, Multi-resolution 3D approximations for rendering complex scenes (1993).
-Quick, and safe on meshes of any quality; the finest grid that is coarse enough is taken.
+M. Garland, P. Heckbert, *Surface simplification using quadric error metrics* (1997), as the
+library fast-simplification does it. Corners in one place are joined first: most files give every
+face its own.
 """
 
 from __future__ import annotations
 
+import fast_simplification
 import numpy as np
 from numpy.typing import NDArray
 
+from scenewright.catalog.models.model import compact_part
 from scenewright.core.catalog import Part
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-FINEST, COARSEST, FINER = 1024.0, 4.0, 2**0.25
-"""Cells along the longest side of a mesh, and the steps from the finest grid down."""
+CLOSE = 1e-6
+"""Corners of one cell of so small a share of the longest side are one."""
+MOST_AROUND, MOST_FOLDED = 2048, 0.1
+"""Faces round one corner, and the share of edges of more than two faces, up to which collapsing
+edges leads anywhere."""
 
 
 def decimate(part: Part, most: int) -> Part:
-    """The part with at most ``most`` triangles; its bounding box stays what it was.
+    """The part with about ``most`` triangles; its bounding box stays what it was.
 
-    A cell's corners become the one nearest to their mean, so flat sides stay flat. Triangles that
-    become lines go, and so do doubles.
+    Where faces meet so wildly that no edge can go, the ``most`` largest are kept.
     """
     if len(part.faces) <= most:
         return part
-    cells = FINEST
-    found = cluster_corners(part, cells)
-    while len(found.faces) > most and cells > COARSEST:
-        cells /= FINER
-        found = cluster_corners(part, cells)
-    return found
-
-
-def cluster_corners(part: Part, cells: float) -> Part:
-    """The part with the corners of each cell made one; ``cells`` along its longest side."""
+    vertices, faces = _join_corners(part)
+    if len(faces) > most:
+        if _is_wild(faces):
+            faces = faces[np.sort(np.argsort(-_areas(vertices, faces), kind="stable")[:most])]
+        else:
+            found = fast_simplification.simplify(
+                vertices, faces.astype(np.int32), target_count=most
+            )
+            vertices, faces = np.asarray(found[0], np.float64), found[1].astype(np.int64)
+    if not len(faces):
+        return Part(part.material, part.vertices, part.faces[:0])
+    thin = compact_part(Part(part.material, vertices, faces))
     low, high = part.vertices.min(0), part.vertices.max(0)
-    side = float((high - low).max()) / cells
-    grid = np.minimum((part.vertices - low) / side, cells - 1e-6).astype(np.int64)
-    _, cell = np.unique(grid, axis=0, return_inverse=True)
-    cell = cell.ravel()
-    chosen = _middle_ones(part.vertices, cell)
-    faces = cell[part.faces]
-    faces = _once(faces[(faces != np.roll(faces, 1, axis=1)).all(1)])
-    return Part(part.material, _stretch_corners(part.vertices[chosen], faces, low, high), faces)
+    return Part(part.material, _stretch_corners(thin.vertices, low, high), thin.faces)
 
 
-def _middle_ones(vertices: Floats, cell: Ints) -> Ints:
-    """Of each cell the corner nearest to the mean of its corners."""
-    count = np.bincount(cell).astype(np.float64)
-    means = np.stack([np.bincount(cell, vertices[:, k]) for k in range(3)], 1) / count[:, None]
-    away = ((vertices - means[cell]) ** 2).sum(1)
-    order = np.lexsort((away, cell))
-    first = np.r_[True, np.diff(cell[order]) > 0]
-    return order[first].astype(np.int64)
+def _join_corners(part: Part) -> tuple[Floats, Ints]:
+    """Corners of one place made one, without faces that thereby are lines."""
+    low, high = part.vertices.min(0), part.vertices.max(0)
+    cells = np.rint((part.vertices - low) / max(float((high - low).max()) * CLOSE, 1e-300))
+    _, first, joined = np.unique(cells, axis=0, return_index=True, return_inverse=True)
+    faces = joined.ravel()[part.faces]
+    faces = faces[(faces != np.roll(faces, 1, axis=1)).all(1)]
+    return part.vertices[first], faces
 
 
-def _once(faces: Ints) -> Ints:
-    """Faces without those that have the same corners in the same sense as an earlier one."""
-    if not len(faces):
-        return faces
-    start = faces.argmin(1)
-    turned = faces[np.arange(len(faces))[:, None], (start[:, None] + np.arange(3)) % 3]
-    _, first = np.unique(turned, axis=0, return_index=True)
-    return faces[np.sort(first)]
+def _is_wild(faces: Ints) -> bool:
+    """Whether too many faces meet in one corner, or too often more than two in an edge."""
+    if np.bincount(faces.ravel()).max() > MOST_AROUND:
+        return True
+    edges = np.sort(np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]), axis=1)
+    _, count = np.unique(edges @ [int(faces.max()) + 1, 1], return_counts=True)
+    return bool((count > 2).mean() > MOST_FOLDED)
 
 
-def _stretch_corners(vertices: Floats, faces: Ints, low: Floats, high: Floats) -> Floats:
-    """Corners stretched so that the faces fill the box that they filled."""
-    if not len(faces):
-        return vertices
-    used = vertices[faces.ravel()]
-    least, most = used.min(0), used.max(0)
+def _areas(vertices: Floats, faces: Ints) -> Floats:
+    a, b, c = (vertices[faces[:, k]] for k in range(3))
+    areas: Floats = np.linalg.norm(np.cross(b - a, c - a), axis=1)
+    return areas
+
+
+def _stretch_corners(vertices: Floats, low: Floats, high: Floats) -> Floats:
+    """Corners stretched so that they fill the box from ``low`` to ``high``."""
+    least, most = vertices.min(0), vertices.max(0)
     span = np.where(most > least, most - least, 1.0)
     scale = np.where(most > least, (high - low) / span, 1.0)
     return np.clip(low + (vertices - least) * scale, low, high)

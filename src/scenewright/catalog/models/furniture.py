@@ -7,17 +7,32 @@ kinds of one name apart (a *sofa* is a loveseat below 1.75 m) and takes back wha
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from itertools import permutations
 from math import inf
 from pathlib import PurePath
 from typing import NamedTuple
 
+import numpy as np
+from numpy.typing import NDArray
+
 from scenewright.catalog.kinds import KINDS, SIZES
 from scenewright.catalog.kinds.other_words import GENERIC
 from scenewright.catalog.models.front import Front, front
+from scenewright.catalog.models.likeness import TURNS, UPS, turn_matrix
 from scenewright.catalog.models.model import Model
+from scenewright.catalog.models.upright import (
+    VOTERS,
+    energies_of,
+    own_up,
+    shared_turn,
+    turn_model,
+    turn_number,
+)
 from scenewright.catalog.models.words import match, tokens_of
 from scenewright.core.scene import Size
+
+Floats = NDArray[np.float64]
 
 OTHER = "other"
 LIKELY = 1.45
@@ -56,43 +71,105 @@ REFINED: dict[tuple[str, str], tuple[str, ...]] = {
 
 class Understood(NamedTuple):
     """What a model is: its category (a kind, or ``other``), how sure from 0 to 1, why in a few
-    words, the quarter turns counter-clockwise that bring its front to +y, and the factor that
-    brings it to metres."""
+    words, the quarter turns counter-clockwise that bring its front to +y, the factor that
+    brings it to metres, and which of its sides as read is ``up`` (turned before its front is)."""
 
     category: str
     sure: float
     why: str
     turn: int = 0
     scale: float = 1.0
+    up: str = UPS[0]
 
 
-def understood(model: Model, unit: float = 1.0) -> Understood:
-    """What a model is, with lengths of ``unit`` metres.
+class _Standing(NamedTuple):
+    """A model set upright by ``matrix``, as it suits one of its kinds: which, by what factor its
+    worst side is off, and metres a unit."""
+
+    model: Model
+    matrix: Floats
+    kind: str
+    misfit: float
+    scale: float
+
+    @property
+    def size(self) -> Size:
+        return _scaled(self.model.size, self.scale)
+
+
+def understood(model: Model, unit: float = 1.0, shared: int = 0) -> Understood:
+    """What a model is, with lengths of ``unit`` metres, of a library whose models all need the
+    ``shared`` turn (:func:`.upright.shared_turn`).
 
     >>> chair = Model("chair", "Chair", (), Size(45, 50, 90), "", "", "chair.obj")
     >>> found = understood(chair)
     >>> found.category, found.scale
     ('dining_chair', 0.01)
     """
+    up, turn = divmod(shared, 4)
     kinds, why, sure = said(model)
     if not kinds:
-        return Understood(OTHER, sure, why, scale=unit)
+        return Understood(OTHER, sure, why, turn, unit, UPS[up])
     hung = tuple(kind for kind in kinds if _hangs_right(kind, model))
     if not hung:
-        return Understood(OTHER, 0.3, f"{why}, but {model.elevation:.1f} m above the floor")
-    scale = _scale(model.size, hung, unit)
-    size = Size(*(side * scale for side in model.size))
-    kind, misfit = nearest(hung, size)
-    if misfit > LIKELY or (kind in TABLES and misfits(kind, size)[2] > UPRIGHT):
-        shown = " x ".join(f"{side:.2f}" for side in size)
-        return Understood(OTHER, 0.3, f"{why}, but of {shown} m", scale=unit)
-    way = _front(model, kind)
-    if scale != unit:
-        why += f", taken {scale / unit:g} times as large"
-    if way.turn:
+        why = f"{why}, but {model.elevation:.1f} m above the floor"
+        return Understood(OTHER, 0.3, why, turn, 1.0, UPS[up])
+    stood = _stand(model, hung, unit, shared)
+    tall = misfits(stood.kind, stood.size)[2]
+    if stood.misfit > LIKELY or (stood.kind in TABLES and tall > UPRIGHT):
+        shown = " x ".join(f"{side:.2f}" for side in _scaled(model.size, stood.scale))
+        return Understood(OTHER, 0.3, f"{why}, but of {shown} m", turn, unit, UPS[up])
+    quarters = _face(stood)
+    up, turn = divmod(turn_number(turn_matrix(0, quarters) @ stood.matrix), 4)
+    if stood.scale != unit:
+        why += f", taken {stood.scale / unit:g} times as large"
+    if up:
+        why += f", lay with its {UPS[up]} up"
+    elif turn:
         why += ", turned by its shape"
-    sure = round(sure * (1.0 if misfit <= 1.0 else 0.85), 2)
-    return Understood(kind, sure, why, way.turn, scale)
+    sure = round(sure * (1.0 if stood.misfit <= 1.0 else 0.85), 2)
+    return Understood(stood.kind, sure, why, turn, stood.scale, UPS[up])
+
+
+def library_turn(models: Sequence[Model], unit: float) -> int:
+    """The turn that the models of a library need together, by what their names say they are."""
+    if len(models) < VOTERS:
+        return 0
+    return shared_turn([energies_of(model, said(model)[0], unit) for model in models])
+
+
+def _stand(model: Model, kinds: tuple[str, ...], unit: float, shared: int) -> _Standing:
+    """The model with the side up that makes it most like its kinds."""
+    read = turn_model(model, TURNS[shared]) if shared else model
+    scale = _scale(read.size, kinds, unit)
+    ups = [turn_matrix(up, 0) for up in range(len(UPS))]
+    sides = np.array(_scaled(read.size, scale))
+    suited = [_nearest_turned(kinds, Size(*(np.abs(own) @ sides)), model.sized) for own in ups]
+    up = own_up(energies_of(read, kinds, scale), [misfit <= LIKELY for _, misfit in suited])
+    stood = turn_model(read, ups[up]) if up else read
+    return _Standing(stood, ups[up] @ TURNS[shared], *suited[up], scale)
+
+
+def _nearest_turned(kinds: tuple[str, ...], size: Size, sized: bool) -> tuple[str, float]:
+    """As :func:`nearest`; where a size suits none, and the file does not tell it, of the model
+    turned by a quarter."""
+    found = nearest(kinds, size)
+    return (
+        found
+        if found[1] <= LIKELY or sized
+        else min(found, nearest(kinds, _across(size)), key=lambda one: one[1])
+    )
+
+
+def _face(stood: _Standing) -> int:
+    """The quarter turns that bring the front to +y: by the shape, else by the size where only
+    across it suits its kind."""
+    facing = _front(stood.model, stood.kind).turn
+    size = _across(stood.size) if facing % 2 else stood.size
+    if stood.model.sized or max(misfits(stood.kind, size)) <= stood.misfit:
+        return facing
+    energies = energies_of(stood.model, (stood.kind,), stood.scale)
+    return 1 if energies[1] <= energies[3] else 3
 
 
 def said(model: Model) -> tuple[tuple[str, ...], str, float]:
@@ -158,16 +235,15 @@ def unit_of(models: tuple[Model, ...]) -> float:
 def _ratio(model: Model) -> float:
     """How many times larger the usual thing of this kind is, by the middle one of its sides."""
     kind, _ = nearest_shape(said(model)[0], model.size)
-    ratios = sorted(a / b for a, b in zip(SIZES[kind][1], model.size, strict=True))
-    return ratios[1]
+    return float(np.median(np.sort(SIZES[kind][1]) / np.sort(model.size)))
 
 
 def nearest_shape(kinds: tuple[str, ...], size: Size) -> tuple[str, float]:
-    """As :func:`nearest`, whatever the unit."""
+    """As :func:`nearest`, whatever the unit and whichever side is up."""
 
     def off(kind: str) -> float:
-        ratios = [a / b for a, b in zip(SIZES[kind][1], size, strict=True)]
-        return max(ratios) / min(ratios)
+        ratios = np.sort(SIZES[kind][1]) / np.sort(size)
+        return float(ratios.max() / ratios.min())
 
     return min(((kind, off(kind)) for kind in kinds if kind in SIZES), key=lambda one: one[1])
 
@@ -208,11 +284,21 @@ def _hangs_right(kind: str, model: Model) -> bool:
     return support == "wall" or not model.sized or model.elevation > OVERHEAD
 
 
+def _scaled(size: Size, scale: float) -> Size:
+    return Size(*(side * scale for side in size))
+
+
+def _across(size: Size) -> Size:
+    return Size(size.depth, size.width, size.height)
+
+
 def _scale(size: Size, kinds: tuple[str, ...], unit: float) -> float:
-    """The unit in which a size suits one of the kinds; as it is if that is not far off."""
+    """The unit in which a size suits one of the kinds, whichever side is up; as it is if that is
+    not far off."""
+    sides = [Size(*own) for own in permutations(size)]
 
     def off(scale: float) -> float:
-        return nearest(kinds, Size(*(side * scale for side in size)))[1]
+        return min(nearest(kinds, _scaled(own, scale))[1] for own in sides)
 
     if off(unit) <= OFF:
         return unit

@@ -15,8 +15,10 @@ from numpy.typing import NDArray
 
 from scenewright.catalog.models import gltf_accessors as gltf_numbers
 from scenewright.catalog.models import gltf_record
+from scenewright.catalog.models.conversions import PLAIN_GLTF
 from scenewright.catalog.models.files import MEBIBYTE, Beside, json_of
 from scenewright.catalog.models.gltf_accessors import Store, pick_row
+from scenewright.catalog.models.gltf_draco import DRACO, unpack_draco
 from scenewright.catalog.models.gltf_materials import SurfacePaint, assign_materials, paints
 from scenewright.catalog.models.gltf_record import Document, GltfNode, Primitive
 from scenewright.catalog.models.model import (
@@ -37,8 +39,9 @@ Ints = NDArray[np.int64]
 
 MOST_JSON = 32 * MEBIBYTE
 TRIANGLES, STRIP, FAN = 4, 5, 6
-COMPRESSIONS = ("KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression")
+COMPRESSIONS = ("EXT_meshopt_compression", "KHR_meshopt_compression")
 KNOWN = (
+    DRACO,
     "KHR_materials_",
     "KHR_texture_transform",
     "KHR_mesh_quantization",
@@ -91,7 +94,7 @@ def open_scene(content: bytes, beside: Beside) -> Store:
     _check_version(raw)
     _check_needs(raw.get("extensionsRequired"))
     document = gltf_record.check_document(raw)
-    return gltf_numbers.store(document, inside, beside)
+    return unpack_draco(gltf_numbers.store(document, inside, beside))
 
 
 def chunks(content: bytes) -> tuple[bytes, bytes | None]:
@@ -129,7 +132,7 @@ def _check_version(raw: Mapping[str, object]) -> None:
 def _check_needs(needs: object) -> None:
     for name in needs if isinstance(needs, list) else []:
         if name in COMPRESSIONS:
-            raise InputError(f"is compressed ({name})", "export it without compression")
+            raise InputError(f"is compressed ({name})", f"unpack it: {PLAIN_GLTF}")
         if not isinstance(name, str) or not name.startswith(KNOWN):
             raise InputError(f"needs the extension '{clean(name)}'", "export it without")
 

@@ -19,20 +19,29 @@ from scenewright.catalog.kinds import KINDS
 from scenewright.catalog.models import SIDECARS
 from scenewright.catalog.models.categories import BUILDING, CITY, building
 from scenewright.catalog.models.files import MEBIBYTE, json_of, whole
-from scenewright.catalog.models.furniture import OTHER, Understood, understood, unit_of
+from scenewright.catalog.models.furniture import (
+    OTHER,
+    Understood,
+    library_turn,
+    understood,
+    unit_of,
+)
 from scenewright.catalog.models.hues import main_colour
+from scenewright.catalog.models.likeness import UPS, turn_matrix
 from scenewright.catalog.models.model import LARGEST, Model, clean
+from scenewright.catalog.models.upright import turn_model
 from scenewright.core.catalog import Part
 from scenewright.core.errors import InputError
 from scenewright.core.scene import Size
 from scenewright.text import neutralize_cell, restore_cell
 
 FRONTS = ("front", "right", "back", "left")
-"""Which side of a model as read is its front, by the quarter turns that bring it there."""
+"""Which side of a model, once upright, is its front, by the quarter turns that bring it there."""
 COLUMNS = (
     "id",
     "name",
     "category",
+    "up",
     "front",
     "width",
     "depth",
@@ -58,13 +67,15 @@ Table = Mapping[str, Cells]
 
 
 class Listed(NamedTuple):
-    """A model in metres, its front to +y, and its row: category, how sure and why, which of its
-    sides was the front, style and colour in words, and whether it is to be left out."""
+    """A model in metres, upright, its front to +y, and its row: category, how sure and why, which
+    of its sides was up and the front, style and colour in words, and whether it is to be left
+    out."""
 
     model: Model
     category: str
     sure: float
     why: str
+    up: str
     front: str
     scale: float
     style: str
@@ -75,8 +86,9 @@ class Listed(NamedTuple):
 def list_models(models: Sequence[Model], table: Table, fixed: bool = False) -> tuple[Listed, ...]:
     """Every model, understood and corrected; with ``fixed`` units and fronts stay as read."""
     unit = 1.0 if fixed else unit_of(tuple(models))
+    turn = 0 if fixed else library_turn(models, unit)
     known = {key.casefold(): cells for key, cells in table.items()}
-    return tuple(_list_model(model, unit, fixed, _cells(model, known)) for model in models)
+    return tuple(_list_model(model, unit, turn, fixed, _cells(model, known)) for model in models)
 
 
 def _cells(model: Model, table: Table) -> Cells:
@@ -85,14 +97,16 @@ def _cells(model: Model, table: Table) -> Cells:
     return table.get(key) or table.get(PurePath(key).name) or {}
 
 
-def _list_model(model: Model, unit: float, fixed: bool, cells: Cells) -> Listed:
-    taken = _guess(model, unit)
+def _list_model(model: Model, unit: float, turn: int, fixed: bool, cells: Cells) -> Listed:
+    taken = _guess(model, unit, turn)
     if fixed:
-        taken = taken._replace(turn=0, scale=1.0)
+        taken = taken._replace(turn=0, scale=1.0, up=UPS[0])
     category = cells.get("category") or taken.category
     if category != taken.category:
         taken = taken._replace(sure=1.0, why="by the table")
-    front = cells.get("front") or FRONTS[taken.turn]
+    up, front = cells.get("up") or taken.up, cells.get("front") or FRONTS[taken.turn]
+    if up != UPS[0]:
+        model = turn_model(model, turn_matrix(UPS.index(up), 0))
     scale = _number(cells, "scale", taken.scale)
     size = Size(*(side * scale for side in model.size))
     size = size if FRONTS.index(front) % 2 == 0 else Size(size.depth, size.width, size.height)
@@ -107,6 +121,7 @@ def _list_model(model: Model, unit: float, fixed: bool, cells: Cells) -> Listed:
         category,
         taken.sure,
         taken.why,
+        up,
         front,
         scale,
         cells.get("style", ""),
@@ -115,11 +130,11 @@ def _list_model(model: Model, unit: float, fixed: bool, cells: Cells) -> Listed:
     )
 
 
-def _guess(model: Model, unit: float) -> Understood:
+def _guess(model: Model, unit: float, turn: int) -> Understood:
     """A building if it is of a city model or large, unless its name is a piece of furniture's."""
     if PurePath(model.source).suffix.lower() in CITY:
         return Understood(BUILDING, 1.0, "of a city model", scale=unit)
-    found = understood(model, unit)
+    found = understood(model, unit, turn)
     if found.category == OTHER and found.sure < 1.0 and building(model.size, unit):
         return Understood(BUILDING, 0.7, "as large as a building", scale=unit)
     return found
@@ -222,10 +237,13 @@ def _check(cells: Cells, place: str) -> None:
             "use one of scenewright list assets, or other",
             place=place,
         )
-    if cells.get("front", "") not in ("", *FRONTS):
-        raise InputError(
-            f"'{cells['front']}' is not a side", f"use one of: {', '.join(FRONTS)}", place=place
-        )
+    for key, sides in (("up", UPS), ("front", FRONTS)):
+        if cells.get(key, "") not in ("", *sides):
+            raise InputError(
+                f"{key} '{cells[key]}' is not a side",
+                f"use one of: {', '.join(sides)}",
+                place=place,
+            )
     if cells.get("skip", "").lower() not in (*YES, *NO):
         raise InputError(f"skip is '{cells['skip']}'", "write yes or no", place=place)
     for key in ("width", "depth", "height", "scale"):
@@ -244,6 +262,7 @@ def rows(models: Iterable[Listed]) -> list[dict[str, str]]:
             "id": one.model.id,
             "name": one.model.name,
             "category": one.category,
+            "up": one.up,
             "front": one.front,
             **_measures(one),
             "licence": one.model.licence,

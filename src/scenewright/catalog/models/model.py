@@ -114,7 +114,7 @@ def set_up(found: RawModel, source: str, options: ImportOptions) -> Model:
     Size(width=2.0, depth=1.0, height=4.0)
     """
     axes = frame(options.up or found.up, options.front or found.front)
-    parts = [_compact(part) for part in found.parts if len(part.faces)]
+    parts = [compact_part(part) for part in found.parts if len(part.faces)]
     if not parts:
         raise InputError("holds no triangles", "give a model with surfaces")
     turned = [part.vertices @ axes.T * options.scale for part in parts]
@@ -209,7 +209,7 @@ def _join_parts(material: Material, parts: Sequence[Part]) -> Part:
     return Part(material, np.concatenate([p.vertices for p in parts]), np.concatenate(faces))
 
 
-def _compact(part: Part) -> Part:
+def compact_part(part: Part) -> Part:
     """Without vertices that no face has."""
     used, faces = np.unique(part.faces, return_inverse=True)
     return Part(part.material, part.vertices[used], faces.reshape(-1, 3).astype(np.int64))

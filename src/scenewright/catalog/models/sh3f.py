@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.catalog.models.archive import Archive, beside, entry, open_archive
+from scenewright.catalog.models.conversions import conversion_of
 from scenewright.catalog.models.files import MEBIBYTE, Beside
 from scenewright.catalog.models.model import ImportOptions, RawModel, SkippedModel, clean
 from scenewright.catalog.models.properties import properties
@@ -110,7 +111,7 @@ def _model(archive: Archive, file: str) -> tuple[Part, ...]:
     if suffix not in READERS:
         raise InputError(
             f"'{clean(suffix)}' models are not read in libraries",
-            f"use one of: {', '.join(READERS)}",
+            conversion_of(suffix) or f"use one of: {', '.join(READERS)}",
         )
     content = entry(archive, file, MOST_MODEL)
     if content is None:
