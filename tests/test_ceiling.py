@@ -24,6 +24,7 @@ from scenewright.domains.home.cases.library import SHIPPED
 from scenewright.domains.home.energy import evaluate, explain
 from scenewright.domains.home.presets import PRESETS
 from scenewright.formats import brief_json, read, solution_json
+from scenewright.geometry.boxes import common_area, make_frame
 
 QUARTER = math.pi / 4
 
@@ -235,3 +236,25 @@ def test_a_lamp_over_a_table_hangs_from_the_slope() -> None:
     (lamp,) = [p for p in solution.pieces if p.category == "pendant_lamp"]
     assert lamp.pose.z + lamp.size.height == pytest.approx(1.0 + 1.6 - 0.22)
     assert check(solution).valid
+
+
+@pytest.mark.parametrize("at", [(2.0, 1.6), (2.0, 2.0)])
+def test_a_lamp_hangs_beside_a_beam_not_through_it(at: tuple[float, float]) -> None:
+    """Over a table no lamp hangs where a beam runs; the room has one beside the beam."""
+    beam = {"category": "obstacle", "at": at, "size": [3.9, 0.3, 0.3], "z": 2.2}
+    table = {"category": "dining_table", "at": [2.0, 1.6], "size": [1.4, 0.9, 0.75]}
+    room = {
+        "name": "Dining room",
+        "height": 2.5,
+        "outline": [[0, 0], [4, 0], [4, 4], [0, 4]],
+        "ask": [],
+        "doors": [{"at": [4, 3.2]}],
+        "fixed": [table | {"group": "a", "function": "dining"}, beam],
+    }
+    solution = home.solve(Brief.model_validate({"rooms": [room]}), steps=50)
+    lamps = [p for p in solution.pieces if p.category in ("pendant_lamp", "ceiling_lamp")]
+    assert lamps
+    assert check(solution).valid, check(solution).findings
+    for lamp in lamps:
+        beam_box = make_frame(*at, 0.0, 3.9, 0.3)
+        assert common_area(make_frame(*lamp.pose[:2], 0.0, *lamp.size[:2]), beam_box) < 1e-4

@@ -7,10 +7,17 @@ import shapely
 
 from scenewright.building.ceiling import below, lowest
 from scenewright.core.catalog import Catalog
+from scenewright.core.layout import corners
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.space import Space
 from scenewright.domains.home.cases.furnishing import nearest_own
 from scenewright.domains.home.furnishing.floor_mats import lay_mats
+from scenewright.domains.home.furnishing.obstacles import (
+    TOUCHING,
+    StandingObstacles,
+    flat_kinds,
+    standing_of,
+)
 from scenewright.domains.home.furnishing.wall_art import fill_walls
 from scenewright.domains.home.furnishing.window_dressing import dress_windows
 from scenewright.domains.home.problem import Ground
@@ -49,18 +56,38 @@ def _lamps(
         _hung("pendant_lamp", space, ground, catalog, *t.pose[:2], t.pose.heading, pendant, i)
         for i, t in enumerate(tables)
     ]
-    found = [p for p in hung if p.pose.z > TABLE_ROOM and not _is_before_window(p, ground)]
+    standing = standing_of(pieces, flat_kinds(catalog))
+    found = [
+        p
+        for p in hung
+        if p.pose.z > TABLE_ROOM and not _is_before_window(p, ground) and _is_free(p, standing)
+    ]
     shape = _shape(space)
     high = shape.difference(below(shape, ground.slopes, space.height, HEAD_ROOM + lamp.height))
+    high = high.difference(_overhead(standing, space.height - lamp.height))
     x, y = _middle(high) if high.area > LEAST_LIT else (np.nan, np.nan)
     wide = high.buffer(-max(lamp.width, lamp.depth) * 0.72)
     far = wide.contains(shapely.Point(x, y)) and all(
-        np.hypot(x - t.pose.x, y - t.pose.y) > 1.2 for t in tables
+        np.hypot(x - p.pose.x, y - p.pose.y) > 1.2 for p in found
     )
-    tall = any(p.pose.z + p.size.height > space.height - lamp.height for p in pieces)
-    if far and not tall and space.height - lamp.height > HEAD_ROOM:
-        found.append(_hung("ceiling_lamp", space, ground, catalog, x, y, 0.0, lamp, 0))
+    if far and space.height - lamp.height > HEAD_ROOM:
+        hanging = _hung("ceiling_lamp", space, ground, catalog, x, y, 0.0, lamp, 0)
+        found += [hanging] if _is_free(hanging, standing) else []
     return found
+
+
+def _overhead(standing: StandingObstacles, height: float) -> shapely.Geometry:
+    """The floor below what reaches above a height: beams, hoods, cupboards up to the ceiling."""
+    boxes = standing.boxes[standing.spans[:, 1] > height]
+    return shapely.union_all(shapely.polygons(corners(boxes)))
+
+
+def _is_free(lamp: Piece, standing: StandingObstacles) -> bool:
+    """Whether a lamp hangs in nothing that stands or hangs already."""
+    box = make_frame(lamp.pose.x, lamp.pose.y, lamp.pose.heading, *lamp.size[:2])
+    low, high = lamp.pose.z, lamp.pose.z + lamp.size.height
+    level = (standing.spans[:, 0] < high - TOUCHING) & (standing.spans[:, 1] > low + TOUCHING)
+    return all(common_area(box, make_frame(*own)) <= TOUCHING**2 for own in standing.boxes[level])
 
 
 def _is_before_window(lamp: Piece, ground: Ground) -> bool:
