@@ -115,8 +115,8 @@ def turn_energies(shape: Floats, size: Size, kinds: Sequence[str]) -> Floats:
 def _turn(shape: Floats, matrix: Floats) -> Floats:
     """A description as it is of the model turned by a matrix of quarter turns."""
     source = np.abs(matrix).argmax(1)
-    turned = shape[source].transpose(0, *(source + 1))
-    mirrored = [axis + 1 for axis in range(3) if matrix[axis, source[axis]] < 0.0]
+    turned: Floats = shape[source].transpose(0, *(source + 1))
+    mirrored = tuple(axis + 1 for axis in range(3) if matrix[axis, source[axis]] < 0.0)
     return np.flip(turned, mirrored)
 
 
