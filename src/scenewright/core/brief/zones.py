@@ -51,6 +51,13 @@ class Link(StrictModel):
     width: Annotated[Number, Field(ge=0.3, le=20)] | None = None
 
 
+class AisleBrief(StrictModel):
+    """An aisle across rows: each row is broken after ``every`` objects by ``width`` metres."""
+
+    every: Annotated[Whole, Field(ge=1, le=20_000)]
+    width: Annotated[Number, Field(ge=0.3, le=20)]
+
+
 class Demand(StrictModel):
     """A group of like objects to be laid out: 24 showcases, 300 m of shelving, 80 seats.
 
@@ -62,7 +69,8 @@ class Demand(StrictModel):
     ``clearance`` is the free depth wished for at all sides, or front, left, back, right.
     ``place`` tells whether they stand at a wall; ``patterns`` which patterns may lay them out;
     ``zone`` in which zone, or which of several, they belong (left out: anywhere); ``facing`` the
-    demand they look at (seats a stage; left out, seats look at a stage or screen). What is not
+    demand they look at (seats a stage; left out, seats look at a stage or screen); ``aisle`` breaks
+    their rows by aisles across. What is not
     given follows the category. A demand that is not ``required`` may be left out quietly.
     """
 
@@ -80,4 +88,5 @@ class Demand(StrictModel):
     patterns: Annotated[list[PatternName], Field(max_length=9)] = []
     zone: str | Annotated[list[str], Field(max_length=200)] | None = None
     facing: str | None = None
+    aisle: Annotated[AisleBrief | None, Field(exclude_if=is_left_out)] = None
     required: Switch = True

@@ -291,7 +291,7 @@ def _access(wishes: list[HallDemand], units: list[Unit], catalog: Catalog) -> Fl
         sides: tuple[str, ...] = kind.access
         if any(word in category for word in SEATS):
             sides = ()  # one goes along the row, sideways
-        elif wishes[unit.demand].lounges:
+        elif wishes[unit.demand].lounges and not wishes[unit.demand].aisle:
             sides = ("left", "right")
         elif wishes[unit.demand].double:
             sides = ("front", "back")

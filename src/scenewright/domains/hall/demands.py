@@ -92,6 +92,7 @@ def check_demands(brief: Brief, number: int, space: Space) -> None:
         _check_place(demand, where)
         _check_facing(demand, ids[index], ids, where)
         _check_clearance(demand, space, where)
+        _check_aisle(demand, where)
         total += len(sizes_of(demand))
         if total > MOST_OBJECTS:
             raise InputError(
@@ -159,6 +160,15 @@ def _check_number(demand: Demand, where: str) -> None:
         raise InputError(
             f"{demand.length:g} m are {demand.length / width:.0f} objects of {width:g} m",
             "lengths are metres: give a smaller length or a larger size",
+            place=where,
+        )
+
+
+def _check_aisle(demand: Demand, where: str) -> None:
+    if demand.aisle and shipped().kinds[demand.category].chairs:
+        raise InputError(
+            f"rows of {name_of(demand.category)} are not broken by an aisle",
+            "leave 'aisle' out: tables bring chairs, and ways between these",
             place=where,
         )
 

@@ -52,7 +52,8 @@ def furnish_hall(
             fitted = Size(round(wide, 9), round(deep, 9), low)
             if wish.lounges:
                 lounge = wish.lounges[k]
-                pieces += _furnish_lounge(hall, lounge, group, k - unit.first, pose, catalog)
+                before = sum(len(own) for own in wish.lounges[unit.first : k])
+                pieces += _furnish_lounge(hall, lounge, group, before, pose, catalog)
                 continue
             places += part_row(wish, pose, fitted)
         rows = enumerate(places, 1)
@@ -87,12 +88,12 @@ def _furnish_lounge(
     pose: Pose,
     catalog: Catalog,
 ) -> Iterator[Piece]:
-    """The pieces of a lounge that stands at a pose, after so many others ``before`` it in its
+    """The pieces of a lounge that stands at a pose, after so many pieces ``before`` it in its
     group."""
     told = Counter[str]()
     for part, at in set_parts(lounge, pose):
         told[part.wish.id] += 1
-        number = before * len(lounge) + told[part.wish.id]
+        number = before + told[part.wish.id]
         yield make_piece(hall, part.wish, group, number, (at, part.size), catalog)
 
 

@@ -39,7 +39,8 @@ class HallDemand(NamedTuple):
     ``unplaced`` the brief says neither whether it stands at a wall nor in what pattern; of what is
     ``unstated`` neither this nor what it looks at, its free floor or how full its zone is. What is
     ``set_last`` is set once all else stands. Each object of sofas and beds in ``lounges``
-    (:mod:`.lounges`, :mod:`.bedsides`) is one of these until it is furnished."""
+    (:mod:`.lounges`, :mod:`.bedsides`) is one of these until it is furnished; so are as many as
+    stand in a row, ``every`` of them, before an ``aisle`` so wide (:mod:`.cross_aisles`)."""
 
     id: str
     name: str
@@ -64,6 +65,8 @@ class HallDemand(NamedTuple):
     double: bool = False
     unplaced: bool = False
     lounges: tuple[tuple[LoungePart, ...], ...] = ()
+    every: int = 0
+    aisle: float = 0.0
 
     @property
     def at_wall(self) -> bool:
@@ -170,11 +173,13 @@ def fill_defaults(demand: Demand, name: str) -> HallDemand:
         least=0 if demand.most is None else demand.count or 1,
         unplaced=demand.place is None and not demand.patterns,
         unstated=_is_unstated(demand),
+        every=demand.aisle.every if demand.aisle else 0,
+        aisle=demand.aisle.width if demand.aisle else 0.0,
     )
 
 
 def _is_unstated(demand: Demand) -> bool:
-    stated = (demand.patterns, demand.place, demand.facing, demand.clearance)
+    stated = (demand.patterns, demand.place, demand.facing, demand.clearance, demand.aisle)
     return not any(stated) and demand.most is None and demand.fill is None
 
 

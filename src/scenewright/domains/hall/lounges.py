@@ -93,7 +93,7 @@ def lay_as_one(wish: HallDemand, lounges: Sequence[tuple[LoungePart, ...]]) -> H
     own = {part.wish.id: part.wish for lounge in lounges for part in lounge}
     names = [other.name for other in own.values() if other.id != wish.id]
     return wish._replace(
-        name=f"{wish.name} with {' and '.join(names)}",
+        name=f"{wish.name} with {' and '.join(names)}" if names else wish.name,
         sizes=tuple(_measure(lounge) for lounge in lounges),
         lounges=tuple(_centre(lounge) for lounge in lounges),
     )
@@ -165,16 +165,17 @@ def count_parts(wish: HallDemand, count: int) -> int:
 
 def list_lounge_forms(wish: HallDemand) -> Iterator[HallDemand]:
     """Lounges with the sofas' backs at a wall, where the brief leaves that open."""
-    if wish.lounges and not wish.at_wall:
+    if wish.lounges and not wish.at_wall and not wish.aisle:
         yield wish._replace(patterns=("wall",))
 
 
 def part_lounges(wishes: Iterable[HallDemand]) -> list[HallDemand]:
-    """Demands with what makes up lounges by itself again."""
+    """Demands with what makes up lounges by itself again; rows stay broken."""
     found = dict[str, HallDemand]()
     for wish in wishes:
-        found |= {} if wish.lounges else {wish.id: wish}
-        for part in (part for lounge in wish.lounges for part in lounge):
+        lounges = () if wish.aisle else wish.lounges
+        found |= {} if lounges else {wish.id: wish}
+        for part in (part for lounge in lounges for part in lounge):
             there = found.get(part.wish.id, part.wish._replace(sizes=()))
             found[part.wish.id] = there._replace(sizes=(*there.sizes, part.size))
     return list(found.values())

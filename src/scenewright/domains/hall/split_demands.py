@@ -12,6 +12,7 @@ from scenewright.domains.hall.asked_low_tables import split_low_tables
 from scenewright.domains.hall.bedsides import join_bedsides
 from scenewright.domains.hall.build_problem import HallContext
 from scenewright.domains.hall.counter_stools import keep_stools
+from scenewright.domains.hall.cross_aisles import break_rows
 from scenewright.domains.hall.desk_rows import turn_to_show
 from scenewright.domains.hall.desk_ways import part_desks
 from scenewright.domains.hall.few_in_rows import set_few_in_rows
@@ -40,6 +41,7 @@ def split_demands(
     """The demands of a hall, chairs joined with tables, sofas with low tables and beds with
     nightstands; pianos and small objects are laid out with the rest if all are ``together``, and
     sofas and beds by themselves."""
+    asked = [break_rows(wish) for wish in asked]
     asked = asked if together else join_bedsides(join_lounges(asked, hall.route))
     joined = set_few_in_rows(hall, join_chairs(asked, catalog))
     joined = joined if together else keep_stools(turn_to_show(joined, catalog))
