@@ -1,11 +1,15 @@
-"""Functions of rooms by names in five languages."""
+"""Functions of rooms by names in fifteen languages."""
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import get_args
 
+import pytest
+
 from every import every
-from scenewright.building.room_names import functions_from_name, sort_functions
+from scenewright import formats
+from scenewright.building.room_names import functions_from_name, says_nothing, sort_functions
 from scenewright.core.brief import Function
 
 NAMES = [
@@ -179,3 +183,41 @@ def test_vague_functions_give_way() -> None:
     assert sort_functions(["bedroom", "single_bedroom", "bedroom"]) == ("single_bedroom",)
     assert sort_functions(["toilet", "bathroom"]) == ("bathroom",)
     assert sort_functions([]) == ("other",)
+
+
+WORLD = """living: Гостиная, Salón, Soggiorno, Woonkamer, Pokój dzienny, Sala de estar, 거실, Obývací pokoj, Vardagsrum, Oturma odası
+kitchen: Кухня, Cocina, Cucina, Keuken, Kuchnia, Cozinha, 주방, Kuchyně, Kök, Mutfak
+dining: Столовая, Comedor, Sala da pranzo, Eetkamer, Jadalnia, Sala de jantar, 식당, Jídelna, Matsal, Yemek odası
+bedroom: Спальня 2, Dormitorio, Camera da letto, Slaapkamer 1, Sypialnia, Quarto, 침실, Ložnice, Sovrum, Yatak odası
+double_bedroom: Спальня родителей, Dormitorio principal, Camera matrimoniale, Ouderslaapkamer, Sypialnia rodziców, Quarto de casal, 안방, Ložnice rodičů, Föräldrasovrum, Ebeveyn yatak odası
+child_bedroom: Детская, Habitación de los niños, Cameretta, Kinderkamer, Pokój dziecięcy, Quarto infantil, 아이방, Dětský pokoj, Barnrum, Çocuk odası
+study: Кабинет, Despacho, Studio, Werkkamer, Gabinet, Escritório, 서재, Pracovna, Arbetsrum, Çalışma odası
+bathroom: Санузел, Cuarto de baño, Bagno, Badkamer, Łazienka, Banheiro, 욕실, Koupelna, Badrum, Banyo
+toilet: Туалет, Aseo, Gabinetto, Gastentoilet, Toaleta, Lavabo, 화장실, Záchod, Toalett, Tuvalet
+washroom: Постирочная, Lavadero, Lavanderia, Bijkeuken, Pralnia, Área de serviço, 세탁실, Prádelna, Tvättstuga, Çamaşır odası
+hall: Прихожая, Pasillo, Ingresso, Overloop, Przedpokój, Corredor, 현관, Předsíň, Entré, Giriş
+storage: Кладовая, Trastero, Ripostiglio, Berging, Spiżarnia, Despensa, 창고, Šatna, Klädkammare, Kiler
+balcony: Лоджия, Terraza, Balcone, Dakterras, Taras, Varanda, 베란다, Lodžie, Balkong, Teras
+other: Гараж, Garaje, Giardino, Zolder, Piwnica, Garagem, 차고, Zahrada, Trädgård, Bahçe"""  # noqa: E501
+
+
+@pytest.mark.parametrize("row", WORLD.splitlines())
+def test_rooms_of_ten_more_languages(row: str) -> None:
+    function, _, names = row.partition(": ")
+    functions = {name: functions_from_name(name) for name in names.split(", ")}
+    assert functions == dict.fromkeys(functions, (function,))
+    assert not any(map(says_nothing, names.split(", ")))
+
+
+def test_open_plans_of_other_languages() -> None:
+    names = ("Кухня-гостиная", "Soggiorno con angolo cottura", "Sala e cozinha", "Kuchnia i salon")
+    assert all({"kitchen", "living"} == {*functions_from_name(name)} for name in names)
+
+
+def test_every_room_of_a_home_of_ten_languages_is_known() -> None:
+    brief = formats.read(
+        Path(__file__).parent / "data/field_cases/f13_room_names_nine_languages.json"
+    )
+    uses = [functions_from_name(room.name) for room in brief.rooms]
+    assert len(uses) == 40
+    assert ("other",) not in uses

@@ -15,6 +15,8 @@ JOINERS = "\u200c\u200d"
 HALF = re.compile(r"\\u[dD][89a-fA-F]")
 """A surrogate as JSON escapes it, alone or half of a pair."""
 FORMULA = ("=", "+", "-", "@", "\t", "\r")
+STROKES = str.maketrans({"ł": "l", "ø": "o", "đ": "d", "ı": "i", "æ": "ae", "œ": "oe", "ё": "е"})
+"""Letters that are no plain one with an accent, as people write them without."""
 NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
 
 
@@ -38,7 +40,7 @@ def fold_letters(text: str) -> str:
     >>> fold_letters("Küche ＷＣ"), fold_letters("ベッド")
     ('kuche wc', 'ベッド')
     """
-    small = unicodedata.normalize("NFKC", text).casefold()
+    small = unicodedata.normalize("NFKC", text).casefold().translate(STROKES)
     return "".join(
         unicodedata.normalize("NFD", sign)[0] if ord(sign) < 0x250 else sign for sign in small
     )
