@@ -14,6 +14,7 @@ import shapely
 
 from scenewright.building import outlines
 from scenewright.building.extent import check_extent
+from scenewright.building.labels import correct_labels
 from scenewright.building.openings import find_openings
 from scenewright.building.room_names import functions_from_name, sort_functions
 from scenewright.building.services import add_services
@@ -73,7 +74,7 @@ def spaces(brief: Brief) -> tuple[Space, ...]:
         _check_fixed(room, number, floors, brief)
     openings = find_openings(brief, tuple(found))
     opened = [replace(s, openings=tuple(o for o in openings if s.id in o.spaces)) for s in found]
-    joined = with_stairs(brief, opened, levels(brief))
+    joined = correct_labels(brief, with_stairs(brief, opened, levels(brief)))
     return tuple(
         add_services(brief, room, space, place(brief, number))
         for number, (room, space) in enumerate(zip(brief.rooms, joined, strict=True))

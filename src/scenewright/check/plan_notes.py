@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 
 import shapely
 
+from scenewright.building.labels import tell_labels
 from scenewright.catalog.suggestions import offer_kinds, suggest_kinds
 from scenewright.check.drawn_scale import estimate_scale
 from scenewright.core.brief import Brief, Room
@@ -94,6 +95,12 @@ def _heads(room: Room) -> list[tuple[str, float]]:
         *((f"doors[{k}]", door.height) for k, door in enumerate(room.doors)),
         *((f"windows[{k}]", light.sill + light.height) for k, light in enumerate(room.windows)),
     ]
+
+
+def note_labels(brief: Brief, spaces: Sequence[Space]) -> list[Note]:
+    """A note for each room that is not for what its label says."""
+    told = tell_labels(brief, spaces)
+    return [Note(space.id, space.functions[0], "label", text) for space, text in told]
 
 
 def note_vast_rooms(spaces: Sequence[Space]) -> list[Note]:

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 import shapely
 
 from scenewright.building import outlines
+from scenewright.building.room_names import functions_from_name
 from scenewright.core.brief import WallBrief
 from scenewright.core.errors import InputError
 from scenewright.formats.sh3d_doors import opening_among
@@ -71,7 +72,7 @@ def read_level(home: Home, level: HomeLevel, keep: bool) -> LevelRead:
         rooms.append(
             {
                 "name": found[number].name or f"Room {number + 1}",
-                "function": list(functions[number]),
+                "function": _stated(found[number].name, functions[number]),
                 "level": level.id,
                 "outline": outline.tolist(),
                 "holes": [hole.tolist() for hole in holes],
@@ -114,6 +115,11 @@ def _is_clear(wall: WallBrief, found: Sequence[DrawnFloor]) -> bool:
     """Whether a wall lies in no room that is drawn across it."""
     line = shapely.LineString([wall.start, wall.end])
     return all(line.intersection(floor.polygon).length < ACROSS for floor in found)
+
+
+def _stated(name: str, functions: Sequence[str]) -> list[str] | None:
+    """The functions of a room unless they are just what its name says."""
+    return None if name and tuple(functions) == functions_from_name(name) else list(functions)
 
 
 def _notes(walls: Sequence[HomeWall], level: HomeLevel, lost: float) -> list[str]:

@@ -18,6 +18,7 @@ import numpy as np
 import shapely
 
 from scenewright.building.ceiling import living_area, planes
+from scenewright.building.labels import is_entered
 from scenewright.building.room_needs import USABLE
 from scenewright.core.brief import Room
 from scenewright.core.catalog import Group, Member
@@ -109,10 +110,13 @@ def decide_household(rooms: Sequence[Space], stated: int | None = None) -> House
     entered = [room for room in halls if _is_entered(room)] or halls
 
     wet = tuple(room.id for room in rooms if set(WET) & set(uses[room.id]))
+    reached = [room.id for room in rooms if is_entered(room)] or list(areas)
 
     def largest(functions: Sequence[str], least: float = 0.0, but: Sequence[str] = ()) -> str:
         for function in functions:
-            known = [k for k in areas if function in uses[k] and areas[k] >= least and k not in but]
+            known = [
+                k for k in reached if function in uses[k] and areas[k] >= least and k not in but
+            ]
             if known:
                 return max(known, key=lambda k: areas[k])
         return ""

@@ -10,6 +10,7 @@ import numpy as np
 import shapely
 
 from scenewright.building.ceiling import living_area, planes
+from scenewright.building.labels import is_entered
 from scenewright.core.brief import Brief, Room
 from scenewright.core.catalog import Catalog
 from scenewright.core.piece_outlines import polygons_of
@@ -145,7 +146,7 @@ def wishes_of(
         )
         return apply_wishes(_less(asked, standing), room, task.library, there)
     others = frozenset(
-        f for s in rooms if s.id != task.space.id for f in resolve_bedrooms(s.functions, 0.0)
+        f for s in _served(task.space, rooms) for f in resolve_bedrooms(s.functions, 0.0)
     )
     usual = programme(task.space, floor_of(task.ground), others, have)
     if task.welcome is not None:
@@ -160,6 +161,12 @@ def wishes_of(
     usual = tuple(w for w in (*task.instead, *usual) if w.group not in out)
     usual = take_wished_bed(usual, room)
     return apply_wishes(_less(usual, standing), room, task.library, there)
+
+
+def _served(space: Space, rooms: Sequence[Space]) -> list[Space]:
+    """The other rooms of a home whose furniture serves a room: not those nobody can enter."""
+    others = [room for room in rooms if room.id != space.id]
+    return [room for room in others if is_entered(room) or not is_entered(space)]
 
 
 def _less(wishes: tuple[Wish, ...], standing: Counter[str]) -> tuple[Wish, ...]:

@@ -6,6 +6,7 @@ from scenewright.building.plan import room_ids
 from scenewright.check.bodies import bodies_of
 from scenewright.check.plan_notes import (
     note_cut_openings,
+    note_labels,
     note_reading,
     note_scale,
     note_unknown_kinds,
@@ -45,6 +46,7 @@ def check(solution: Solution, plan: Plan, kinds: Catalog) -> Report:
         *note_scale(brief, plan.spaces),
         *note_cut_openings(brief, plan.spaces),
         *note_vast_rooms(rooms.spaces),
+        *note_labels(brief, plan.spaces),
         *note_styles(brief, kinds),
         *note_colours(brief, kinds),
         *find_doorless(bodies, rooms),
