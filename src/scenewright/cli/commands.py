@@ -24,6 +24,7 @@ from scenewright.cli import compare as cli_compare
 from scenewright.cli import evolve as cli_evolve
 from scenewright.cli import fold as cli_fold
 from scenewright.cli import learn as cli_learn
+from scenewright.cli import plan as cli_plan
 from scenewright.cli import show, tables, terminal
 from scenewright.cli.arguments import check_repeated, check_words
 from scenewright.cli.reading import (
@@ -54,6 +55,7 @@ app.command()(cli_evolve.evolve)
 app.command()(cli_compare.compare)
 app.command()(cli_fold.fold)
 app.command()(cli_learn.learn)
+app.command()(cli_plan.plan)
 
 USAGE_FAULT = cast(type[Exception], typer.BadParameter.__mro__[2])
 """What the parser raises for arguments it cannot use (its own ``ClickException``)."""

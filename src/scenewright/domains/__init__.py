@@ -39,6 +39,7 @@ __all__ = [
     "domain_names",
     "domain_of",
     "domains",
+    "draw_levels",
     "draw_plan",
     "features_of",
     "learn_groups",
@@ -186,6 +187,18 @@ def draw_plan(solution: Solution, plan: Plan | None = None) -> PlanDrawing:
     judge = partial(check, solution, plan=made)
     drawing: PlanDrawing = domain_of(solution.brief.domain).verb("draw")(solution, made, judge)
     return drawing
+
+
+def draw_levels(solution: Solution, plan: Plan | None = None) -> tuple[PlanDrawing, ...]:
+    """The plan of a solution as sheets of one level each; one sheet for all where its domain
+    does not part them."""
+    domain: Domain = domain_of(solution.brief.domain)
+    if not domain.has("draw_levels"):
+        return (draw_plan(solution, plan),)
+    made = plan or plan_of(solution.brief)
+    judge = partial(check, solution, plan=made)
+    sheets: tuple[PlanDrawing, ...] = domain.verb("draw_levels")(solution, made, judge)
+    return sheets or (draw_plan(solution, made),)
 
 
 def alternatives(

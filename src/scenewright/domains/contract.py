@@ -35,6 +35,7 @@ Verb = Literal[
     "check",
     "scene",
     "draw",
+    "draw_levels",
     "alternatives",
     "compare",
     "describe",
@@ -60,7 +61,8 @@ the others ``validate``, ``refuse_style`` (a style named on the command line tha
 ``alternatives``, ``compare``, ``describe``, ``locked``, ``groups``, ``styles`` (rows to list),
 ``floors`` (the least the energy of each space could be), ``drawn_scale`` (how much too small or too
 large the plan is drawn, of a brief and its spaces), ``programme`` (what was decided for the
-whole, in words), ``appearance`` (its style, and what chose it), ``features``, ``breeder`` and the
+whole, in words), ``appearance`` (its style, and what chose it), ``draw_levels`` (a sheet a
+level; else the plan is one sheet), ``features``, ``breeder`` and the
 two of the detail are passed over where a domain has none, the rest refused by name."""
 Table = Literal["presets", "solvers", "terms", "meanings", "patterns", "labels", "reasons"]
 

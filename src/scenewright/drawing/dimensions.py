@@ -19,6 +19,7 @@ from scenewright.drawing.marks import (
     GREY,
     NOTHING,
     Mark,
+    MeantMark,
     PaperView,
     group,
     line,
@@ -26,6 +27,7 @@ from scenewright.drawing.marks import (
     text_width,
     to_paper,
 )
+from scenewright.drawing.meanings import DimensionMeaning
 
 Side = Literal["south", "west", "north", "east"]
 Bounds = tuple[float, float, float, float]
@@ -137,22 +139,31 @@ def _chain_mark(view: PaperView, bounds: Bounds, chain: DimensionChain, offset: 
         begin = max(1.5, offset - 1.6) if offset > FIRST else 1.5
         marks.append(line([place + begin * out, foot + 1.0 * out]))
         marks.append(line([foot - slash, foot + slash], stroke_width=CUT))
+    turn = 90.0 if chain.side in ("west", "east") else 0.0
+    figures = []
     for (a, b), (p, q) in zip(pairwise(chain.stations), pairwise(places), strict=True):
-        marks.append(
-            _measure(abs(b - a), (p + q) / 2 + offset * out, chain.side, float(np.hypot(*(q - p))))
-        )
-    return group(marks)
+        words, size = _figure(abs(b - a), float(np.hypot(*(q - p))))
+        marks.append(_measure(words, size, (p + q) / 2 + offset * out, turn))
+        figures.append(words)
+    measured = np.array(places)
+    meaning = DimensionMeaning(measured, measured + offset * out, turn, tuple(figures))
+    return MeantMark(group(marks), meaning)
 
 
-def _measure(metres: float, middle: NDArray[np.float64], side: Side, room: float) -> Mark:
-    """The figure over its segment, smaller where that is short, none where there is no room."""
+def _figure(metres: float, room: float) -> tuple[str, float]:
+    """The figure of a segment and its height, smaller where that is short; no words where there
+    is no room."""
     words = f"{metres:.2f}"
     size = DIGITS if text_width(words, DIGITS) < room - APART else SMALL
-    if text_width(words, size) > room:
+    return ("" if text_width(words, size) > room else words), size
+
+
+def _measure(words: str, size: float, middle: NDArray[np.float64], turn: float) -> Mark:
+    """The figure over its segment."""
+    if not words:
         return NOTHING
-    turned = side in ("west", "east")
-    up = np.array([-1.0, 0.0]) if turned else np.array([0.0, -1.0])
-    return text(words, middle + 1.5 * up, size, 90 if turned else 0, stroke="none", fill=GREY)
+    up = np.array([-1.0, 0.0]) if turn else np.array([0.0, -1.0])
+    return text(words, middle + 1.5 * up, size, turn, stroke="none", fill=GREY)
 
 
 def _opening_stations(

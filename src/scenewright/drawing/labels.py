@@ -12,7 +12,18 @@ from shapely.ops import polylabel
 
 from scenewright.building.shafts import is_shaft
 from scenewright.core.space import Space
-from scenewright.drawing.marks import GREY, INK, NOTHING, Mark, PaperView, group, text, to_paper
+from scenewright.drawing.marks import (
+    GREY,
+    INK,
+    NOTHING,
+    Mark,
+    MeantMark,
+    PaperView,
+    group,
+    text,
+    to_paper,
+)
+from scenewright.drawing.meanings import TagMeaning
 from scenewright.drawing.shafts import printed_name
 from scenewright.drawing.wordings import CLOSET, HALO, Label, extent, wordings
 
@@ -181,4 +192,11 @@ def _label_mark(view: PaperView, label: Label, at: NDArray[np.float64], colour: 
         where = centre + offset * down
         marks.append(text(words, where, size, label.turn, **(style | halo)))
         marks.append(text(words, where, size, label.turn, **style))
-    return group(marks)
+    return MeantMark(group(marks), _tag(label, centre))
+
+
+def _tag(label: Label, centre: NDArray[np.float64]) -> TagMeaning:
+    """What a label says: its name may take several lines; below it the area, then the size."""
+    words = [row for row, _ in label.lines]
+    name, rest = " ".join(words[: label.names]), [*words[label.names :], "", ""]
+    return TagMeaning(name, rest[0], rest[1], (float(centre[0]), float(centre[1])))

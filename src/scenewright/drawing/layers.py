@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
-from scenewright.drawing.marks import Definition, Mark, group, is_blank
+from scenewright.drawing.marks import Definition, Mark, PaperView, group, is_blank
 from scenewright.drawing.sheet import PaperSheet
 
 
@@ -18,12 +18,14 @@ class PlanLayer(NamedTuple):
 
 class PlanDrawing(NamedTuple):
     """A plan to print, of any kind of scene: its name, the sheet, what is defined once, and its
-    layers in the order they are drawn."""
+    layers in the order they are drawn. ``view`` takes the plan's metres to this sheet, where one
+    does for all that is drawn."""
 
     name: str
     sheet: PaperSheet
     definitions: tuple[Definition, ...]
     layers: tuple[PlanLayer, ...]
+    view: PaperView | None = None
 
 
 def merge_layers(parts: Iterable[Sequence[PlanLayer]]) -> tuple[PlanLayer, ...]:

@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from scenewright.core.space import Points
+from scenewright.drawing.meanings import Meaning
 
 CUT, OUTLINE, LINE, FINE = 0.5, 0.5, 0.25, 0.13
 """Pens in millimetres, three of them: what is cut and what frames the sheet, edges that are seen,
@@ -122,7 +123,35 @@ class GroupMark(NamedTuple):
     style: Style
 
 
-Mark = PathMark | CurveMark | ArcMark | DiscMark | TextMark | NoteMark | CopyMark | GroupMark
+class MeantMark(NamedTuple):
+    """A mark with what it stands for (:mod:`scenewright.drawing.meanings`)."""
+
+    mark: Mark
+    meaning: Meaning
+
+
+class PictureMark(NamedTuple):
+    """Pixels ``(height, width, 3)`` in a box: its upper left corner and its size."""
+
+    pixels: NDArray[np.uint8]
+    x: float
+    y: float
+    width: float
+    height: float
+
+
+Mark = (
+    PathMark
+    | CurveMark
+    | ArcMark
+    | DiscMark
+    | TextMark
+    | NoteMark
+    | CopyMark
+    | GroupMark
+    | MeantMark
+    | PictureMark
+)
 
 NOTHING = GroupMark((), {})
 """The mark that leaves the paper as it is."""
@@ -158,6 +187,8 @@ def group(marks: Iterable[Mark], **style: str | float) -> Mark:
 
 def is_blank(mark: Mark) -> bool:
     """Whether a mark leaves the paper as it is."""
+    if isinstance(mark, MeantMark):
+        return is_blank(mark.mark)
     return isinstance(mark, GroupMark) and not mark.marks
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Hashable, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -24,6 +24,7 @@ from scenewright.drawing.marks import (
     LINE,
     CopyMark,
     Mark,
+    MeantMark,
     NoteMark,
     PaperView,
     Stencil,
@@ -33,6 +34,7 @@ from scenewright.drawing.marks import (
     shape,
     to_paper,
 )
+from scenewright.drawing.meanings import PieceMeaning
 from scenewright.drawing.shell import CUT_HEIGHT
 
 SEAT_HEIGHT = 0.45
@@ -143,12 +145,19 @@ def _key(piece: Piece) -> Key:
 def _piece(view: PaperView, piece: Piece, catalog: Catalog, symbols: Symbols) -> Mark:
     name = NoteMark(clean(_name(piece, catalog)))
     known = symbols.ids.get(_key(piece))
+    meaning = mean_piece(view, piece, name.words, _key(piece))
     if known is None:
-        return group([name, *_strokes(view, piece, catalog)])
+        return MeantMark(group([name, *_strokes(view, piece, catalog)]), meaning)
+    turned = meaning.turn if abs(np.remainder(meaning.turn + 1e-6, 360.0)) > 1e-5 else 0.0
+    return MeantMark(CopyMark(known, *meaning.at, turned, name), meaning)
+
+
+def mean_piece(view: PaperView, piece: Piece, name: str, symbol: Hashable) -> PieceMeaning:
+    """What a piece is on paper; ``symbol`` is what pieces that are drawn alike share."""
     x, y = to_paper(view, piece.pose[:2]).tolist()
-    turn = 90.0 - np.degrees(piece.pose.heading)
-    turned = turn if abs(np.remainder(turn + 1e-6, 360.0)) > 1e-5 else 0.0
-    return CopyMark(known, x, y, turned, name)
+    turn = float(90.0 - np.degrees(piece.pose.heading))
+    size = piece.size.width, piece.size.depth, piece.size.height
+    return PieceMeaning(piece.id, piece.category, name, piece.asset, size, (x, y), turn, symbol)
 
 
 def _strokes(view: PaperView, piece: Piece, catalog: Catalog) -> list[Mark]:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import NamedTuple
 
 from shapely import Geometry, Polygon, union_all
@@ -151,14 +152,40 @@ def plan(scene: Scene, catalog: Catalog, overlay: Overlay | None = None) -> Plan
     bottom = sheets.EDGE + room_high - CAPTION - below
     bottom -= (room_high - high * 1000 / sheet.scale - extra_high) / 2
     left = sheets.EDGE
+    views = []
     for storey, margin in zip(storeys, margins, strict=True):
         left += spare + margin["west"]
-        parts.append(_storey_layers(storey, paper, left, bottom, below))
+        views.append(sheets.view_at(sheet, storey.bounds[0], storey.bounds[1], left, bottom))
+        parts.append(_storey_layers(storey, paper, views[-1], left, bottom + below))
         left += (storey.bounds[2] - storey.bounds[0]) * 1000 / sheet.scale + margin["east"]
     parts.append([PlanLayer("Legend", legend_mark(arranged))])
     tiles = tile_pattern(PaperView(1000 / sheet.scale, 0.0, 0.0))
     defined: tuple[Definition, ...] = (tiles, shaft_pattern(), *symbols.definitions)
-    return PlanDrawing(scene.name, sheet, defined, merge_layers(parts))
+    only = views[0] if len(views) == 1 else None
+    return PlanDrawing(scene.name, sheet, defined, merge_layers(parts), only)
+
+
+def split_levels(scene: Scene) -> tuple[Scene, ...]:
+    """A scene for each level that has rooms, so that each has a sheet of its own; named by its
+    level where there are several."""
+    ids = {space.level for space in scene.spaces}
+    levels = [level for level in scene.levels if level.id in ids]
+    return tuple(_of_level(scene, level, len(levels) > 1) for level in levels)
+
+
+def _of_level(scene: Scene, level: Level, several: bool) -> Scene:
+    spaces = tuple(space for space in scene.spaces if space.level == level.id)
+    ids = {space.id for space in spaces}
+    name = level_name(level) or [f"Level {level.id}"]
+    return replace(
+        scene,
+        name=" · ".join(filter(None, [scene.name, *name])) if several else scene.name,
+        levels=(level,),
+        spaces=spaces,
+        walls=tuple(wall for wall in scene.walls if wall.level == level.id),
+        openings=tuple(opening for opening in scene.openings if opening.level == level.id),
+        pieces=tuple(piece for piece in scene.pieces if piece.space in ids),
+    )
 
 
 def _storey(scene: Scene, level: Level) -> Storey | None:
@@ -193,14 +220,13 @@ def _bounds(shape: Geometry) -> dimensions.Bounds:
 
 
 def _storey_layers(
-    storey: Storey, paper: Paper, left: float, bottom: float, below: float
+    storey: Storey, paper: Paper, view: PaperView, left: float, foot_line: float
 ) -> list[PlanLayer]:
-    """A storey on paper, from the floor up."""
-    view = sheets.view_at(paper.sheet, storey.bounds[0], storey.bounds[1], left, bottom)
+    """A storey on paper, from the floor up; its chains end at ``foot_line``."""
     part, overlay = storey.scene, paper.overlay
     west, south, east, north = storey.bounds
     middle = (west + east) / 2, (south + north) / 2
-    foot = (left + (east - west) * view.scale / 2, bottom + below + CAPTION / 2)
+    foot = (left + (east - west) * view.scale / 2, foot_line + CAPTION / 2)
     busy = [*_list_footprints(part.pieces, paper.catalog), *roof_windows(part.openings)]
     walls = (*part.walls, *partition_walls(part.pieces))
     return [

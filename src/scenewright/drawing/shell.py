@@ -22,6 +22,7 @@ from scenewright.drawing.marks import (
     ArcMark,
     FillPattern,
     Mark,
+    MeantMark,
     PaperView,
     Style,
     group,
@@ -29,6 +30,7 @@ from scenewright.drawing.marks import (
     shape,
     to_paper,
 )
+from scenewright.drawing.meanings import OpeningMeaning, RoomMeaning
 
 CUT_HEIGHT = 1.2
 """Height in metres above the floor at which the plan is cut."""
@@ -42,10 +44,11 @@ Corner = NDArray[np.float64]
 
 def floors(view: PaperView, spaces: Sequence[Space]) -> Mark:
     """Room floors, tinted so that white furniture stands out; wet rooms are tiled."""
-    marks = []
+    marks: list[Mark] = []
     for space in spaces:
         rings = [to_paper(view, ring) for ring in (space.outline, *space.holes)]
-        marks.append(shape(rings, fill=FLOOR))
+        room = RoomMeaning(space.id, space.name, tuple(rings))
+        marks.append(MeantMark(shape(rings, fill=FLOOR), room))
         if TILED.issuperset(space.functions) and space.functions:
             marks.append(shape(rings, fill=TILES))
     return group(marks, fill_rule="evenodd")
@@ -92,7 +95,8 @@ def partition_walls(pieces: Sequence[Piece]) -> tuple[Wall, ...]:
 
 def openings_mark(view: PaperView, openings: Sequence[Opening]) -> Mark:
     """Every opening by its symbol."""
-    return group([_opening(view, opening) for opening in openings], stroke=INK, fill="none")
+    marks = [MeantMark(_opening(view, o), OpeningMeaning(o.kind)) for o in openings]
+    return group(marks, stroke=INK, fill="none")
 
 
 def frame_of(opening: Opening) -> tuple[Corner, Corner, Corner]:

@@ -22,8 +22,10 @@ from scenewright.drawing.marks import (
     FillPattern,
     GroupMark,
     Mark,
+    MeantMark,
     NoteMark,
     PathMark,
+    PictureMark,
     TextMark,
     title,
 )
@@ -84,6 +86,10 @@ def mark_text(mark: Mark) -> str:
             return tag("title", escape(words))
         case CopyMark():
             return _copy(mark)
+        case MeantMark(drawn):
+            return mark_text(drawn)
+        case PictureMark():
+            raise TypeError("a plan as SVG holds no pictures")
 
 
 def number(value: float) -> str:

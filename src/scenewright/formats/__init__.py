@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 SAMPLE = "sample:"
 SWEET_HOME = (".sh3d", ".xml")
 """Suffixes of files whose levels may be hidden."""
-EXTRAS = {"ifcopenshell": "bim"}
+EXTRAS = {"ifcopenshell": "bim", "ezdxf": "dxf", "fpdf": "pdf", "fontpkg_noto_sans": "pdf"}
 """The extra that brings a package which a format needs."""
 
 FORMATS = (
@@ -54,6 +54,15 @@ FORMATS = (
         "scenewright.formats.ifc",
     ),
     Format(".svg", "plan drawing", writer="scenewright.formats.svg"),
+    Format(
+        ".dxf",
+        "plan for CAD (read; written in metres)",
+        "scenewright.formats.dxf_plan",
+        "scenewright.formats.dxf",
+    ),
+    Format(".mm.dxf", "plan for CAD in millimetres", writer="scenewright.formats.dxf_millimetres"),
+    Format(".3d.dxf", "3D scene for CAD, meshes", writer="scenewright.formats.dxf_3d"),
+    Format(".pdf", "set of sheets to print", writer="scenewright.formats.pdf"),
     Format(
         ".credits.txt", "authors and licences of the models", writer="scenewright.formats.credits"
     ),

@@ -21,6 +21,7 @@ DOMAIN = Domain(
         "check": ".check.judge:check",
         "scene": ".islands:scene_of_hall",
         "draw": ".drawing.overlay:draw",
+        "draw_levels": ".drawing.overlay:draw_levels",
         "alternatives": ".alternatives:alternatives",
         "compare": ".alternatives:compare",
         "describe": ".alternatives:describe",

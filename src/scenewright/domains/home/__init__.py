@@ -18,6 +18,7 @@ DOMAIN = Domain(
         "check": ".check.judge:check",
         "scene": ".furnishing.look:scene_of_home",
         "draw": ".drawing.plan:draw",
+        "draw_levels": ".drawing.plan:draw_levels",
         "alternatives": ".alternatives:alternatives",
         "compare": ".alternatives:difference",
         "describe": ".alternatives:sides",

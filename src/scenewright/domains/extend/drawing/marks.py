@@ -18,6 +18,7 @@ from scenewright.drawing.marks import (
     LINE,
     OUTLINE,
     Mark,
+    MeantMark,
     PaperView,
     group,
     line,
@@ -26,6 +27,7 @@ from scenewright.drawing.marks import (
     title,
     to_paper,
 )
+from scenewright.drawing.pieces import mean_piece
 from scenewright.ground.plan import Way
 
 GROUND, STREET, NEW_STREET, BORDER, FAULT = "#f1f4ea", "#dcdcd8", "#ece4d4", "#b35c1e", "#d1121f"
@@ -80,7 +82,9 @@ def buildings_mark(view: PaperView, houses: Iterable[Piece]) -> Mark:
         ring = outline_of(piece)
         words = f"{piece.id} · {shapely.Polygon(ring).area:.0f} m²"
         body = shape([to_paper(view, ring)], fill=fill_of(piece))
-        marks.append(group([title(words), body, _front(view, piece, ring)]))
+        drawn = group([title(words), body, _front(view, piece, ring)])
+        alike = (piece.asset, piece.size, piece.footprint, fill_of(piece))
+        marks.append(MeantMark(drawn, mean_piece(view, piece, words, alike)))
     return group(marks, stroke=INK, stroke_width=LINE, stroke_linejoin="round")
 
 

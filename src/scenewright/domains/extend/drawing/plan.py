@@ -54,7 +54,7 @@ def draw(solution: Solution, made: Plan, judge: Callable[[], Report]) -> PlanDra
         _layers(view, plan, houses, report),
         [PlanLayer("Legend", legend_mark(arranged))],
     ]
-    return PlanDrawing(solution.brief.name, sheet, (), merge_layers(layers))
+    return PlanDrawing(solution.brief.name, sheet, (), merge_layers(layers), view)
 
 
 def _is_sound(piece: Piece) -> bool:

@@ -27,7 +27,7 @@ from scenewright.domains.hall.drawing.plan import (
 from scenewright.drawing.labels import polygon_of
 from scenewright.drawing.layers import PlanDrawing
 from scenewright.drawing.legend import LegendRow
-from scenewright.drawing.rooms import Overlay, Storey, count_words, plan
+from scenewright.drawing.rooms import Overlay, Storey, count_words, plan, split_levels
 from scenewright.drawing.sheet import title_of
 from scenewright.drawing.wordings import area_words
 
@@ -35,9 +35,22 @@ from scenewright.drawing.wordings import area_words
 def draw(solution: Solution, made: Plan, judge: Callable[[], Report]) -> PlanDrawing:
     """The plan of a laid out hall; it shows nothing of the referee's report."""
     del judge
-    scene = scene_of_rooms(solution, made)
-    catalog, halls = catalog_of(solution.brief.catalogs), halls_of(solution)
-    added = overlay_of(halls, catalog) if halls else Overlay()
+    return _draw_scene(scene_of_rooms(solution, made), solution)
+
+
+def draw_levels(
+    solution: Solution, made: Plan, judge: Callable[[], Report]
+) -> tuple[PlanDrawing, ...]:
+    """A sheet for each level."""
+    del judge
+    levels = split_levels(scene_of_rooms(solution, made))
+    return tuple(_draw_scene(level, solution) for level in levels)
+
+
+def _draw_scene(scene: Scene, solution: Solution) -> PlanDrawing:
+    catalog = catalog_of(solution.brief.catalogs)
+    halls, ids = halls_of(solution), {space.id for space in scene.spaces}
+    added = overlay_of(part_of(halls, ids), catalog) if halls else Overlay()
     return plan(scene, catalog, added._replace(title=title_of(solution.brief)))
 
 

@@ -19,7 +19,7 @@ from scenewright.drawing.filled_sheet import arrange_filled, enlarge_names
 from scenewright.drawing.layers import PlanDrawing, PlanLayer
 from scenewright.drawing.legend import LegendRow
 from scenewright.drawing.marks import PaperView
-from scenewright.drawing.rooms import Overlay, Storey, plan
+from scenewright.drawing.rooms import Overlay, Storey, plan, split_levels
 from scenewright.drawing.sheet import title_of
 
 OUTLETS = {"power": "Socket", "antenna": "Antenna", "data": "Data", "water": "Tap and drain"}
@@ -28,7 +28,18 @@ OUTLETS = {"power": "Socket", "antenna": "Antenna", "data": "Data", "water": "Ta
 
 def draw(solution: Solution, made: Plan, judge: Callable[[], Report]) -> PlanDrawing:
     """The plan of a furnished home; ``judge`` gives the referee's report."""
-    scene = scene_of_rooms(solution, made)
+    return _draw_scene(scene_of_rooms(solution, made), solution, judge)
+
+
+def draw_levels(
+    solution: Solution, made: Plan, judge: Callable[[], Report]
+) -> tuple[PlanDrawing, ...]:
+    """A sheet for each level."""
+    levels = split_levels(scene_of_rooms(solution, made))
+    return tuple(_draw_scene(level, solution, judge) for level in levels)
+
+
+def _draw_scene(scene: Scene, solution: Solution, judge: Callable[[], Report]) -> PlanDrawing:
     turns = turning_of(judge()) if solution.brief.accessible else {}
     catalog = catalog_of(solution.brief.catalogs)
     return plan(scene, catalog, overlay_of(turns, catalog)._replace(title=title_of(solution.brief)))

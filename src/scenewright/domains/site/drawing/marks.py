@@ -21,6 +21,7 @@ from scenewright.drawing.marks import (
     OUTLINE,
     FillPattern,
     Mark,
+    MeantMark,
     PaperView,
     disc,
     group,
@@ -31,6 +32,8 @@ from scenewright.drawing.marks import (
     title,
     to_paper,
 )
+from scenewright.drawing.meanings import PieceMeaning
+from scenewright.drawing.pieces import mean_piece
 from scenewright.ground.bays import list_bay_lines
 from scenewright.ground.border import cover_beside
 from scenewright.ground.plan import SitePlan, Way
@@ -140,7 +143,9 @@ def trees_mark(view: PaperView, pieces: Iterable[Piece]) -> Mark:
     marks = []
     for piece in pieces:
         radius = max(min(piece.size[:2]) / 2 * view.scale, 0.3)
-        marks.append(disc(to_paper(view, piece.pose[:2]), radius))
+        crown = disc(to_paper(view, piece.pose[:2]), radius)
+        meaning = mean_piece(view, piece, "Tree", ("tree", round(radius, 3)))
+        marks.append(MeantMark(crown, meaning))
     return group(marks, fill=LEAF, fill_opacity=0.8, stroke="#7d9c66", stroke_width=FINE)
 
 
@@ -151,8 +156,24 @@ def buildings_mark(view: PaperView, rows: Sequence[StandingBuilding]) -> Mark:
         words = model_of(row)
         fill = HATCH if row.landmark else tint(row.floors)
         body = shape([to_paper(view, row.footprint)], fill=fill)
-        marks.append(group([title(words), body, NOTHING if row.landmark else _front(view, row)]))
+        drawn = group([title(words), body, NOTHING if row.landmark else _front(view, row)])
+        marks.append(MeantMark(drawn, _mean_building(view, row, words)))
     return group(marks, stroke=INK, stroke_width=LINE, stroke_linejoin="round")
+
+
+def _mean_building(view: PaperView, row: StandingBuilding, words: str) -> PieceMeaning:
+    """What a building is: placed by the middle of its footprint, as large as its box."""
+    middle = row.footprint.mean(0)
+    ahead = np.array([np.cos(row.heading), np.sin(row.heading)])
+    deep, wide = (
+        float(np.ptp(row.footprint @ way)) for way in (ahead, np.array([ahead[1], -ahead[0]]))
+    )
+    x, y = to_paper(view, middle).tolist()
+    local = np.round((row.footprint - middle) @ np.array([ahead, (-ahead[1], ahead[0])]).T, 3)
+    alike = ("building", row.floors, row.landmark, tuple(map(tuple, local.tolist())))
+    kind, turn = "landmark" if row.landmark else "building", 90.0 - float(np.degrees(row.heading))
+    size = wide, deep, row.high - row.low
+    return PieceMeaning(row.id, kind, words, row.model, size, (x, y), turn, alike)
 
 
 def _front(view: PaperView, row: StandingBuilding) -> Mark:

@@ -77,11 +77,13 @@ def plan(
     summary, title = _summary(drawings, views), sheets.title_of(solution.brief)
     title_strip = sheets.sheet_mark(sheet, solution.brief.name, summary, title)
     left, parts = sheets.EDGE, [[PlanLayer("Sheet", title_strip)]]
+    views_on_sheet: list[PaperView] = []
     for drawing in drawings:
         west, south, east, north = drawing.bounds
         left += spare
         bottom = sheets.EDGE + (room_high - CAPTION + (north - south) * scale) / 2
         view = sheets.view_at(sheet, west, south, left, bottom)
+        views_on_sheet.append(view)
         parts.append(_site_layers(view, drawing, letters, views.get(drawing.plan.id)))
         if len(drawings) > 1:
             middle = left + (east - west) * scale / 2
@@ -89,7 +91,8 @@ def plan(
             parts.append([PlanLayer("Names of sites", caption)])
         left += (east - west) * scale
     parts.append([PlanLayer("Legend", legend_mark(arranged))])
-    return PlanDrawing(solution.brief.name, sheet, (marks.hatch(),), merge_layers(parts))
+    only = views_on_sheet[0] if len(views_on_sheet) == 1 else None
+    return PlanDrawing(solution.brief.name, sheet, (marks.hatch(),), merge_layers(parts), only)
 
 
 def drawings_of(

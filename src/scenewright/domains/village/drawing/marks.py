@@ -21,6 +21,7 @@ from scenewright.drawing.marks import (
     NOTHING,
     OUTLINE,
     Mark,
+    MeantMark,
     PaperView,
     disc,
     group,
@@ -31,6 +32,7 @@ from scenewright.drawing.marks import (
     title,
     to_paper,
 )
+from scenewright.drawing.pieces import mean_piece
 from scenewright.ground.plan import Way
 
 GROUND, LEAF, FAULT, STREET = "#f1f4ea", "#bcd6a8", "#d1121f", "#b35c1e"
@@ -99,9 +101,12 @@ def _name(view: PaperView, way: Way) -> Mark:
 
 def trees_mark(view: PaperView, pieces: Iterable[Piece]) -> Mark:
     """Crowns."""
-    marks = [
-        disc(to_paper(view, p.pose[:2]), max(min(p.size[:2]) / 2 * view.scale, 0.3)) for p in pieces
-    ]
+    marks = []
+    for piece in pieces:
+        radius = max(min(piece.size[:2]) / 2 * view.scale, 0.3)
+        crown = disc(to_paper(view, piece.pose[:2]), radius)
+        meaning = mean_piece(view, piece, "Tree", ("tree", round(radius, 3)))
+        marks.append(MeantMark(crown, meaning))
     return group(marks, fill=LEAF, fill_opacity=0.8, stroke="#7d9c66", stroke_width=FINE)
 
 
@@ -117,7 +122,9 @@ def houses_mark(view: PaperView, houses: Iterable[Piece]) -> Mark:
         ring = outline_of(piece)
         words = f"{piece.function} · {shapely.Polygon(ring).area:.0f} m²"
         body = shape([to_paper(view, ring)], fill=fill_of(piece, ring))
-        marks.append(group([title(words), body, _door(view, piece, ring)]))
+        drawn = group([title(words), body, _door(view, piece, ring)])
+        alike = (piece.asset, piece.size, piece.footprint, fill_of(piece, ring))
+        marks.append(MeantMark(drawn, mean_piece(view, piece, words, alike)))
     return group(marks, stroke=INK, stroke_width=LINE, stroke_linejoin="round")
 
 

@@ -51,7 +51,7 @@ def draw(solution: Solution, made: Plan, judge: Callable[[], Report]) -> PlanDra
         _layers(view, solution, village, houses, numbers, report),
         [PlanLayer("Legend", legend_mark(arranged))],
     ]
-    return PlanDrawing(solution.brief.name, sheet, (), merge_layers(layers))
+    return PlanDrawing(solution.brief.name, sheet, (), merge_layers(layers), view)
 
 
 def _is_house(piece: Piece) -> bool:

@@ -1,0 +1,313 @@
+"""Gaps in walls: lines from jamb to facing jamb, and to the wall opposite where a door is drawn."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+from shapely import LineString, Point, STRtree
+
+from scenewright.building.drawn.drawing import Drawn
+
+THICK, NARROW, WIDE = 0.65, 0.45, 3.2
+"""Metres: the thickest wall, the narrowest and the widest gap that is bridged."""
+DRAWN = 8.0
+"""The widest gap that a line on a layer of doors closes."""
+ALONE = 1.35
+"""The widest gap to a wall opposite, where no door is drawn."""
+SQUARE, AHEAD = 0.2, 0.94
+"""The greatest cosine of a square corner, and the least of a way straight ahead."""
+JUST, MISSED = 0.25, 0.03
+"""Metres by which a line ends before the one it was meant to reach: ahead of it, and beside it."""
+NEAR_DOOR, TOUCH = 0.2, 0.15
+"""Metres around a gap in which its door is drawn, and from a door's line to the wall it meets."""
+Vector = NDArray[np.float64]
+
+
+class Jamb(NamedTuple):
+    """The end of a wall: its two corners (alike where the wall is a single line), and the unit
+    vector out of the wall."""
+
+    left: Vector
+    right: Vector
+    out: Vector
+
+    @property
+    def middle(self) -> Vector:
+        """The middle of the end."""
+        return np.asarray((self.left + self.right) / 2)
+
+
+class Gap(NamedTuple):
+    """An opening in a wall: its four corners, going round, and its middle, direction along the
+    wall, width and the wall's thickness."""
+
+    corners: Vector
+    middle: Vector
+    along: Vector
+    width: float
+    thickness: float
+
+
+def find_gaps(lines: shapely.Geometry, drawn: Drawn) -> list[Gap]:
+    """The gaps in noded wall ``lines``, each closed from jamb to jamb, or from a jamb to the wall
+    opposite where a door is drawn (anywhere near, where the drawing has no doors at all)."""
+    parts = [p for p in shapely.get_parts(lines) if p.length > 0.005]
+    if not parts:
+        return []
+    jambs = _jambs(parts)
+    tree = STRtree(parts)
+    doors = door_marks(drawn)
+    marked = shapely.union_all([doors, *shapely.linestrings(drawn.windows)])
+    gaps, used = _between_jambs(jambs, tree, parts, marked)
+    gaps += _drawn_across(drawn, tree, parts)
+    for number, jamb in enumerate(jambs):
+        if number not in used:
+            gap = _to_wall(jamb, tree, parts, doors)
+            if gap is not None:
+                gaps.append(gap)
+    return gaps
+
+
+def door_marks(drawn: Drawn) -> shapely.Geometry:
+    """All that is drawn of doors: leaves, their arcs, lines on layers of doors."""
+    lines = [LineString([a.start, a.middle, a.end]) for a in drawn.arcs]
+    lines += [LineString(pair) for pair in drawn.doors if not np.allclose(*pair)]
+    return shapely.union_all(lines)
+
+
+class Graph(NamedTuple):
+    """Noded lines: the points ``(k, 2)`` they join, and at each point those it is joined to."""
+
+    points: Vector
+    beside: list[list[int]]
+
+
+def _graph(parts: list[LineString]) -> Graph:
+    ends = np.array([[p.coords[0], p.coords[-1]] for p in parts])[..., :2]
+    points, inverse = np.unique(np.round(ends.reshape(-1, 2), 4), axis=0, return_inverse=True)
+    beside: list[list[int]] = [[] for _ in points]
+    for a, b in inverse.reshape(-1, 2).tolist():
+        if a != b and b not in beside[a]:
+            beside[a].append(b)
+            beside[b].append(a)
+    return Graph(points, beside)
+
+
+def extend_loose_ends(parts: list[LineString]) -> list[LineString]:
+    """Short lines from loose ends straight ahead, or to the side, to a line they just miss."""
+    parts = [part for part in parts if part.length > 0.005]
+    graph = _graph(parts)
+    tree = STRtree(parts)
+    found = []
+    for point, others in enumerate(graph.beside):
+        if len(others) != 1:
+            continue
+        here = graph.points[point]
+        way = here - graph.points[others[0]]
+        foot = _hit(here, way / np.hypot(*way), JUST, tree, parts, 1e-4)
+        if foot is None:
+            near = tree.query(Point(here), predicate="dwithin", distance=MISSED).tolist()
+            lines = [parts[k] for k in near if Point(here).distance(parts[k]) > 1e-6]
+            foot = _onto(here, lines) if lines else None
+        if foot is not None:
+            found.append(LineString([here, foot]))
+    return [line for line in found if line.length > 1e-6]
+
+
+def _jambs(parts: list[LineString]) -> list[Jamb]:
+    """Ends of walls: straight lines, as long as walls are thick, whose corners both turn squarely
+    to the same side with nothing on the other; and loose ends."""
+    graph = _graph(parts)
+    found: list[Jamb] = []
+    seen: set[tuple[int, int]] = set()
+    for a, others in enumerate(graph.beside):
+        if len(others) == 1:
+            way = graph.points[a] - graph.points[others[0]]
+            found.append(Jamb(graph.points[a], graph.points[a], way / np.hypot(*way)))
+        for b in others:
+            jamb = _capped(graph, a, b)
+            if jamb is not None and (jamb[0], jamb[1]) not in seen:
+                seen |= {(jamb[0], jamb[1]), (jamb[1], jamb[0])}
+                found.append(jamb[2])
+    return found
+
+
+def _capped(graph: Graph, a: int, b: int) -> tuple[int, int, Jamb] | None:
+    """The end of a wall whose straight line starts at ``a`` towards ``b``: its corners."""
+    points = graph.points
+    way = points[b] - points[a]
+    unit = way / np.hypot(*way)
+    side = np.array([-unit[1], unit[0]])
+    first = _turn_side(graph, a, unit, side)
+    if first is None:
+        return None
+    end, length = b, float(np.hypot(*way))
+    while length <= THICK:
+        sides = [float((points[k] - points[end]) @ side) for k in graph.beside[end]]
+        if any(first * value < -0.01 for value in sides):
+            return None
+        ahead = [k for k in graph.beside[end] if _straight(points[k] - points[end], unit)]
+        if not ahead:
+            break
+        length += float(np.hypot(*(points[ahead[0]] - points[end])))
+        end = ahead[0]
+    last = _turn_side(graph, end, -unit, side)
+    if last is None or last != first or not 0.03 <= length <= THICK:
+        return None
+    out = -first * side
+    left = np.array([-out[1], out[0]])
+    one, two = points[a], points[end]
+    ordered = (one, two) if one @ left > two @ left else (two, one)
+    return a, end, Jamb(*ordered, out)
+
+
+def _turn_side(graph: Graph, corner: int, unit: Vector, side: Vector) -> float | None:
+    """To which side the wall's face leaves a corner of its end: 1 left of the line, -1 right;
+    ``None`` where the line goes on, or lines leave to both sides or askew."""
+    found: set[float] = set()
+    for k in graph.beside[corner]:
+        way = graph.points[k] - graph.points[corner]
+        length = float(np.hypot(*way))
+        if way @ unit > AHEAD * length:
+            continue
+        if abs(way @ unit) > SQUARE * length:
+            return None
+        if length >= 0.02:
+            found.add(float(np.sign(way @ side)))
+    return found.pop() if len(found) == 1 else None
+
+
+def _straight(way: Vector, unit: Vector) -> bool:
+    return bool(way @ unit > 0.999 * np.hypot(*way))
+
+
+def _between_jambs(
+    jambs: list[Jamb], tree: STRtree, parts: list[LineString], marked: shapely.Geometry
+) -> tuple[list[Gap], set[int]]:
+    """Gaps between ends of walls that face each other with nothing between them, nearest first;
+    wide ones only where a door or window is ``marked``, or none is in the whole drawing."""
+    pairs = []
+    for i, one in enumerate(jambs):
+        for j in range(i + 1, len(jambs)):
+            other = jambs[j]
+            way = other.middle - one.middle
+            far = float(np.hypot(*way))
+            if not NARROW <= far <= DRAWN or one.out @ other.out > -AHEAD:
+                continue
+            if one.out @ way > AHEAD * far and other.out @ way < -AHEAD * far:
+                pairs.append((far, i, j))
+    gaps: list[Gap] = []
+    used: set[int] = set()
+    for _far, i, j in sorted(pairs):
+        if i in used or j in used:
+            continue
+        one, other = jambs[i], jambs[j]
+        if not _is_meant(one.middle, other.middle, marked):
+            continue
+        if _is_free(one.middle, other.middle, tree, parts):
+            corners = np.array([one.left, one.right, other.left, other.right])
+            gaps.append(_gap(corners))
+            used |= {i, j}
+    return gaps, used
+
+
+def _is_meant(a: Vector, b: Vector, marked: shapely.Geometry) -> bool:
+    """Whether a gap is as narrow as doors are, or something is drawn along it."""
+    far = float(np.hypot(*(b - a)))
+    if far <= ALONE or marked.is_empty:
+        return far <= WIDE
+    place = LineString([a, b]).buffer(NEAR_DOOR)
+    return bool(shapely.intersection(marked, place).length >= 0.3 * far)
+
+
+def _gap(corners: Vector) -> Gap:
+    """A gap from its corners: left and right of one jamb, left and right of the other."""
+    one, other = corners[:2].mean(0), corners[2:].mean(0)
+    way = other - one
+    width = float(np.hypot(*way))
+    thick = max(float(np.hypot(*(corners[k] - corners[k + 1]))) for k in (0, 2))
+    return Gap(corners, (one + other) / 2, way / max(width, 1e-12), width, thick)
+
+
+def _is_free(a: Vector, b: Vector, tree: STRtree, parts: list[LineString]) -> bool:
+    """Whether no line crosses the way from a to b, a little in from its ends."""
+    step = (b - a) / np.hypot(*(b - a)) * 0.02
+    ray = LineString([a + step, b - step])
+    return not len(tree.query(ray, predicate="intersects")) and bool(parts)
+
+
+def _drawn_across(drawn: Drawn, tree: STRtree, parts: list[LineString]) -> list[Gap]:
+    """Lines on layers of doors that reach from wall to wall."""
+    gaps = []
+    for a, b in drawn.doors:
+        if NARROW <= np.hypot(*(b - a)) <= DRAWN:
+            near = [tree.query(Point(p), predicate="dwithin", distance=TOUCH) for p in (a, b)]
+            if len(near[0]) and len(near[1]) and not set(near[0]) & set(near[1]):
+                feet = [
+                    _onto(p, [parts[k] for k in found])
+                    for p, found in zip((a, b), near, strict=True)
+                ]
+                gaps.append(_gap(np.array([feet[0], feet[0], feet[1], feet[1]])))
+    return gaps
+
+
+def _onto(point: Vector, lines: list[LineString]) -> Vector:
+    """The point of the nearest of some lines, an end of it if that is near."""
+    here = Point(point)
+    nearest = min(lines, key=here.distance)
+    ends = [Point(nearest.coords[k]) for k in (0, -1)]
+    end = min(ends, key=here.distance)
+    foot = end if end.distance(here) <= TOUCH else nearest.interpolate(nearest.project(here))
+    return np.array(foot.coords[0])[:2]
+
+
+def _to_wall(
+    jamb: Jamb, tree: STRtree, parts: list[LineString], doors: shapely.Geometry
+) -> Gap | None:
+    """The gap from a jamb to the wall ahead, where a door is drawn between them."""
+    most = ALONE if doors.is_empty else WIDE
+    feet = [_hit(corner, jamb.out, most, tree, parts) for corner in (jamb.left, jamb.right)]
+    if feet[0] is None or feet[1] is None:
+        return None
+    gap = _gap(np.array([jamb.left, jamb.right, feet[1], feet[0]]))
+    if gap.width < NARROW:
+        return None
+    place = LineString([jamb.middle, gap.corners[2:].mean(0)]).buffer(NEAR_DOOR)
+    drawn = shapely.intersection(doors, place).length
+    return gap if doors.is_empty or drawn >= 0.3 * gap.width else None
+
+
+def _hit(
+    start: Vector,
+    way: Vector,
+    most: float,
+    tree: STRtree,
+    parts: list[LineString],
+    away: float = 0.02,
+) -> Vector | None:
+    """Where a ray first meets a line, from a little ahead of its start."""
+    ray = LineString([start + away * way, start + most * way])
+    hits = [shapely.intersection(ray, parts[k]) for k in tree.query(ray, predicate="intersects")]
+    points = [shapely.get_coordinates(hit) for hit in hits if not hit.is_empty]
+    if not points:
+        return None
+    found = np.vstack(points)
+    nearest: Vector = found[np.argmin((found - start) @ way)]
+    return nearest
+
+
+def bridge_lines(gaps: list[Gap]) -> list[LineString]:
+    """Both faces of the wall across each gap."""
+    found = []
+    for gap in gaps:
+        left, right, other_left, other_right = gap.corners
+        found += [LineString([left, other_right]), LineString([right, other_left])]
+    return [line for line in found if line.length > 1e-6]
+
+
+def point_of(gap: Gap) -> Point:
+    """The middle of a gap."""
+    return Point(gap.middle)

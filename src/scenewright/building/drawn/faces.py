@@ -1,0 +1,108 @@
+"""Rooms among the faces that lines enclose: those that are not as thin as walls."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+import shapely
+from shapely import MultiLineString, Polygon
+
+from scenewright.building.drawn.bridges import Gap, bridge_lines, extend_loose_ends, find_gaps
+from scenewright.building.drawn.drawing import Drawn
+
+GRID = 0.002
+"""Metres to which lines are drawn together."""
+THIN, LEAST_AREA, SLIT = 0.27, 0.7, 0.03
+"""The radius in metres of the largest circle in a wall, the area in m² of the least room, and
+half the width of a slit that is no opening."""
+AROUND = 0.5
+"""A face whose holes take this share of it lies around a building: a frame, a plot, a terrace."""
+MOST_ROOMS, LEAST_FLOOR, USUAL_ROOM = 600, 6.0, (1.5, 600.0)
+"""The most rooms of a plan, its least floor, and the area of its middle room, in m²."""
+
+
+class Faces(NamedTuple):
+    """Rooms of a drawing, the walls and openings between them, the gaps, and what lies around."""
+
+    rooms: list[Polygon]
+    walls: list[Polygon]
+    gaps: list[Gap]
+    around: list[Polygon]
+    small: list[Polygon]
+
+
+def find_faces(drawn: Drawn) -> Faces:
+    """The faces of a drawing in metres: rooms, walls (thin), what lies around the building."""
+    lines = node_lines(drawn)
+    gaps = find_gaps(lines, drawn)
+    whole = shapely.union_all([lines, *bridge_lines(gaps)], grid_size=GRID / 2)
+    faces = list(shapely.get_parts(shapely.polygonize([whole])))
+    found = Faces([], [], gaps, [], [])
+    for face in faces:
+        _sort(face, found)
+    return found
+
+
+def node_lines(drawn: Drawn) -> shapely.Geometry:
+    """The lines of walls, cut where they meet, repeated ones once, loose bits left out."""
+    lines = shapely.linestrings(drawn.walls)
+    lines = lines[shapely.length(lines) > GRID]
+    noded = shapely.union_all(MultiLineString(list(lines)), grid_size=GRID)
+    longer = extend_loose_ends(list(shapely.get_parts(noded)))
+    return shapely.union_all([noded, *longer], grid_size=GRID) if longer else noded
+
+
+def _sort(face: Polygon, found: Faces) -> None:
+    hollow = sum(Polygon(ring).area for ring in face.interiors)
+    if hollow > AROUND * (hollow + face.area):
+        found.around.append(face)
+    elif shapely.is_empty(face.buffer(-THIN)):
+        found.walls.append(face)
+    elif face.area < LEAST_AREA:
+        found.small.append(face)
+    else:
+        found.rooms.extend(_tidy(face))
+
+
+def _tidy(face: Polygon) -> list[Polygon]:
+    """The rooms of a face: parted where only a slit joins them, without spikes; columns stay as
+    holes."""
+    smooth = face.buffer(-SLIT, join_style="mitre").buffer(SLIT, join_style="mitre")
+    found = []
+    for part in shapely.get_parts(smooth):
+        if isinstance(part, Polygon) and part.area >= LEAST_AREA:
+            holes = [ring for ring in part.interiors if Polygon(ring).area > 0.01]
+            plain = shapely.simplify(Polygon(part.exterior, holes), 0.004)
+            found.append(plain if isinstance(plain, Polygon) and plain.is_valid else part)
+    return found or [face]
+
+
+def is_plan(found: Faces, drawn: Drawn) -> bool:
+    """Whether rooms are as many and as large as those of a building, and there is a way in: a gap,
+    a leaf, or something on a layer of doors; most rooms lie together."""
+    areas = sorted(room.area for room in found.rooms)
+    if not areas or len(areas) > MOST_ROOMS or sum(areas) < LEAST_FLOOR:
+        return False
+    middle = areas[len(areas) // 2]
+    if not USUAL_ROOM[0] <= middle <= USUAL_ROOM[1]:
+        return False
+    largest = group_rooms(found.rooms)[0]
+    together = sum(found.rooms[k].area for k in largest) >= 0.3 * sum(areas)
+    return together and bool(found.gaps or drawn.arcs or len(drawn.doors))
+
+
+def group_rooms(rooms: list[Polygon], apart: float = 1.2) -> list[list[int]]:
+    """Rooms in groups that lie beside each other: the storeys of a sheet, the largest first."""
+    if not rooms:
+        return []
+    grown = shapely.union_all([room.buffer(apart / 2) for room in rooms])
+    parts = list(shapely.get_parts(grown))
+    homes = [
+        int(np.argmax([part.contains(room.representative_point()) for part in parts]))
+        for room in rooms
+    ]
+    groups: dict[int, list[int]] = {}
+    for number, home in enumerate(homes):
+        groups.setdefault(home, []).append(number)
+    return sorted(groups.values(), key=lambda group: -sum(rooms[k].area for k in group))

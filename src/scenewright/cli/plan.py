@@ -1,0 +1,88 @@
+"""The verb ``plan``: what is read of a file as a brief to correct by hand, and a picture of it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from scenewright.cli import tables, terminal
+from scenewright.cli.reading import HiddenOption, KeepOption, ScaleOption
+from scenewright.cli.show_input import input_document, print_input, print_warnings
+from scenewright.core.atomic_file import recorded_run, whole_together
+
+if TYPE_CHECKING:
+    from scenewright.core.brief import Brief
+    from scenewright.core.plan import Plan
+    from scenewright.core.solution import Solution
+
+
+def plan(
+    source: Annotated[str, typer.Argument(metavar="INPUT", help="A file, or sample:NAME.")],
+    outputs: Annotated[
+        list[Path] | None,
+        typer.Option(
+            "-o", "--output", metavar="OUT", help="A .json for the brief, a .svg to see it."
+        ),
+    ] = None,
+    keep: KeepOption = False,
+    scale: ScaleOption = 1.0,
+    hidden_levels: HiddenOption = False,
+    as_json: Annotated[bool, typer.Option("--json", help="Print one JSON document only.")] = False,
+    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="Print nothing but errors.")] = False,
+) -> int:
+    """Read a plan and write it as a brief to correct by hand; nothing is furnished."""
+    from scenewright.formats import read_planned
+
+    with recorded_run():
+        brief, made = read_planned(source, keep, scale=scale, hidden_levels=hidden_levels)
+        _write(brief, made, outputs or [])
+    complete = brief.input_report is None or brief.input_report.complete
+    if as_json:
+        document = {"source": source, "rooms": len(made.spaces)}
+        tables.print_json(document | input_document(brief.input_report))
+    elif not quiet:
+        console = terminal.console(stderr=True)
+        print_input(console, brief.input_report)
+        print_warnings(console, brief.input_report)
+        for line in [*_lines(brief, made), *(f"wrote {path}" for path in outputs or [])]:
+            tables.print_line(tables.output_console(), line)
+    return 0 if complete else 1
+
+
+def _lines(brief: Brief, made: Plan) -> list[str]:
+    """What was read, in a line for all and one for each room."""
+    from shapely import Polygon
+
+    rows = [f"{len(made.spaces)} rooms on {len(made.levels)} level(s)"]
+    for space in made.spaces:
+        doors = sum(opening.kind != "window" for opening in space.openings)
+        area = Polygon(space.outline, space.holes).area
+        rows.append(
+            f"  {space.name or space.id}: {area:.1f} m², {doors} doors, "
+            f"{len(space.openings) - doors} windows"
+        )
+    return rows if brief.rooms else rows[:1]
+
+
+def _write(brief: Brief, made: Plan, outputs: list[Path]) -> None:
+    """The brief as JSON; the plan of the empty rooms in any format that shows it."""
+    from scenewright.formats import brief_json, check_output, write
+
+    for path in outputs:
+        check_output(path, brief)
+    with whole_together(outputs) as partials:
+        for path, partial in zip(outputs, partials, strict=True):
+            if path.suffix.lower() == ".json":
+                partial.write_text(brief_json.dumps(brief), encoding="utf-8")
+            else:
+                write(_empty(brief), partial, made)
+
+
+def _empty(brief: Brief) -> Solution:
+    """A solution of no furniture."""
+    from scenewright._version import __version__
+    from scenewright.core.solution import Solution
+
+    return Solution(brief, (), (), (), (), {}, "default", "none", 0, __version__, "", 0.0, 0)

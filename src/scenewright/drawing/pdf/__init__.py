@@ -1,0 +1,1 @@
+"""Drawings as PDF (fpdf2): vectors in millimetres, selectable text, embedded fonts."""
