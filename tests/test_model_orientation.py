@@ -96,3 +96,18 @@ def test_damaged_compressed_models_are_refused(tmp_path: Path) -> None:
         (tmp_path / "a.glb").write_bytes(broken.tobytes())
         for one in report(tmp_path).skipped:
             assert len(one.reason.splitlines()) == 1
+
+
+def test_every_model_of_a_folder_is_used_changed_or_left_out_with_its_reason(
+    tmp_path: Path,
+) -> None:
+    for file in ("sofa_quarter_turned.glb", "chair_meshopt.glb"):
+        (tmp_path / file).write_bytes((FILES / file).read_bytes())
+    (tmp_path / "lamp.fbx").write_bytes(b"Kaydara FBX Binary")
+    (tmp_path / "notes.txt").write_text("no model")
+    found = read_entry(entry_of(str(tmp_path))).report
+    rows = {row.examples[0]: (row.outcome, row.reason) for row in found.rows}
+    assert found.features == 3
+    assert rows["sofa_quarter_turned"] == ("changed", "turned to its front")
+    assert "unpack it: npx" in rows["chair_meshopt.glb"][1]
+    assert rows["lamp.fbx"][0] == "left out"

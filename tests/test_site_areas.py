@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -127,6 +128,32 @@ def test_a_site_without_room_is_told_what_is_missing() -> None:
     assert any("parking bays" in name for name in names)
     assert any("square" in name for name in names)
     assert {"lack_of_parking", "lack_of_square"} <= kinds_of(found)
+
+
+BENT = [[-2, 8], [30, 8.5], [60, 11], [90, 15.5], [122, 22]]
+
+
+@pytest.mark.parametrize(
+    "roads",
+    [
+        [{"line": BENT, "width": 6}],
+        [
+            {"line": [[-1, 0], [121, 0]], "width": 3.5},
+            {"line": [[0, -1], [0, 81]], "width": 6, "kind": "path"},
+        ],
+        [{"line": [[-1, 40], [121, 40]], "width": 2.5, "kind": "path"}],
+        [],
+    ],
+    ids=["a bent street", "a road and a wide path", "a narrow path", "no street"],
+)
+def test_every_lot_that_is_laid_out_has_its_drive(roads: list[dict[str, Any]]) -> None:
+    """The solver and the referee mean the same by what cars come by."""
+    ground = site(
+        roads=roads, buildings=[{"model": "villa", "count": 1}], parking={"bays": 40}, squares=[]
+    )
+    found = sw.solve(Brief(domain="site", name="Lots", sites=[ground]))
+    assert sum(area.bays for area in found.detail[0].areas if area.kind == "parking") == 40
+    assert not check(found).of("lack_of_parking")
 
 
 def test_parking_is_stated_once() -> None:

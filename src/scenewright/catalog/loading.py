@@ -20,9 +20,10 @@ from typing import NamedTuple
 from scenewright._version import __version__
 from scenewright.catalog.assets import shipped
 from scenewright.catalog.kinds import KINDS
-from scenewright.catalog.models import MOST_IN_ALL, SIDECARS, LibraryReport, report, suffixes
+from scenewright.catalog.models import MOST_IN_ALL, ROWS, SIDECARS, LibraryReport, report, suffixes
 from scenewright.catalog.models.as_asset import asset_of
 from scenewright.catalog.models.categories import BUILDING, CITY
+from scenewright.catalog.models.fates import list_fates
 from scenewright.catalog.models.licences import apply_licences
 from scenewright.catalog.models.listing import Listed, list_models, table_beside, table_of
 from scenewright.catalog.models.model import ImportOptions, Model, SkippedModel
@@ -32,6 +33,7 @@ from scenewright.core.atomic_file import note_read
 from scenewright.core.brief.catalog import CatalogBrief, entry_of
 from scenewright.core.brief.fields import BUILDING as BUILDING_SIDE
 from scenewright.core.brief.fields import FURNITURE
+from scenewright.core.brief.input_report import InputReport, report_input
 from scenewright.core.catalog import OWN, Asset, Catalog
 from scenewright.core.errors import InputError
 
@@ -61,6 +63,13 @@ class ReadCatalog(NamedTuple):
     path: Path
     models: tuple[Listed, ...]
     skipped: tuple[SkippedModel, ...]
+
+    @property
+    def report(self) -> InputReport:
+        """What became of each of its models."""
+        known = [row.about for row in ROWS if row.suffix == self.path.suffix.lower()]
+        fates = list_fates(self.models, self.skipped)
+        return report_input(fates, format=known[0] if known else "models")
 
 
 def catalog_of(catalogs: Sequence[str | CatalogBrief]) -> Catalog:

@@ -110,6 +110,7 @@ def show_(
     """Show what each model of a catalogue is taken for, as a table or a sheet of pictures."""
     from scenewright.catalog.loading import read_entry
     from scenewright.catalog.models.listing import rows
+    from scenewright.cli.show_input import input_document, print_input
     from scenewright.core.brief.catalog import entry_of
 
     found = read_entry(entry_of(catalogue))
@@ -126,12 +127,12 @@ def show_(
         tables.print_json(
             {"models": rows(models), "skipped": [s._asdict() for s in found.skipped]}
             | _counts(found)
+            | input_document(found.report)
         )
         return 0
     if output is None:
         tables.table(console, [_row(one) for one in models], title=catalogue, whole=("id",))
-        for one in found.skipped:
-            tables.print_line(console, f"skipped {one.name}: {one.reason}", "dim")
+        print_input(console, found.report)
     tables.print_line(console, _summary(_counts(found)))
     return 0
 

@@ -22,7 +22,7 @@ from scenewright.domains.site.forecourts import find_sight, lay_forecourt
 from scenewright.domains.site.problem import Floats
 from scenewright.ground.bays import BAY_DEPTH, BAY_WIDTH, DRIVE
 from scenewright.ground.border import list_fronts
-from scenewright.ground.lots import keep_open_lots, list_frontages, list_lots
+from scenewright.ground.lots import STRAIGHT, keep_open_lots, list_frontages, list_lots
 from scenewright.ground.path_raster import is_drivable
 from scenewright.ground.plan import Standing, Way
 from scenewright.ground.works import Pathway, PavedArea
@@ -50,13 +50,15 @@ class Reserved(NamedTuple):
 
 class OpenGround(NamedTuple):
     """Where areas may lie: the ground ``free`` of streets and buildings, its ``blocks`` that can be
-    built on, and the frontages (k, 2, 2) of all ways and of those that can be driven on."""
+    built on, the frontages (k, 2, 2) of all ways and of those that can be driven on, and the
+    ground of the latter (empty: cars come over the border)."""
 
     free: shapely.Geometry
     blocks: shapely.Geometry
     beside_ways: Floats
     beside_roads: Floats
     span: float
+    driven: shapely.Geometry
 
 
 def reserve_areas(
@@ -138,7 +140,8 @@ def _open_ground(
 ) -> OpenGround:
     streets = [shapely.Polygon(a.outline, a.holes) for way in ways for a in way.areas]
     bodies = [shapely.buffer(shapely.Polygon(row.footprint), CLEAR) for row in standing]
-    driven = [way for way in ways if is_drivable(way, site.fire_access)]
+    roads = [way for way in ways if way.kind == "road"]
+    driven = roads or [way for way in ways if is_drivable(way, site.fire_access)]
     outline = shapely.get_coordinates(floor.exterior)[:-1]
     return OpenGround(
         shapely.difference(floor, shapely.union_all([*streets, *bodies])),
@@ -146,6 +149,7 @@ def _open_ground(
         list_frontages(list_fronts(ways), outline),
         list_frontages(list_fronts(driven), outline),
         math.sqrt(floor.area),
+        shapely.union_all([shapely.Polygon(a.outline, a.holes) for w in driven for a in w.areas]),
     )
 
 
@@ -192,7 +196,7 @@ def _add_parking(found: Reserved, open_: OpenGround, bays: int) -> Reserved:
             continue
         lot = chosen[1]
         area = PavedArea("parking", _ring(lot), min(2 * rows, bays))
-        drive = Pathway("drive", DRIVE, _drive_line(lot))
+        drive = Pathway("drive", DRIVE, _drive_line(lot, open_.driven))
         kept = (*found.kept, shapely.Polygon(lot))
         found = Reserved((*found.areas, area), (*found.drives, drive), kept)
         nearest = np.minimum(nearest, np.hypot(*(lot.mean(0) - points).T))
@@ -230,9 +234,13 @@ def _spread_points(open_: OpenGround) -> Floats:
     return np.column_stack([x[inside], y[inside]]) if inside.any() else middle
 
 
-def _drive_line(lot: Floats) -> tuple[tuple[float, float], ...]:
-    """The middle of a lot's drive, from the edge of the street to its end."""
+def _drive_line(lot: Floats, driven: shapely.Geometry) -> tuple[tuple[float, float], ...]:
+    """The middle of a lot's drive, from the edge of the street to its end: lots lie along straight
+    lines, from which a bent street is up to :data:`.lots.STRAIGHT` away."""
     start, end = 0.5 * (lot[0] + lot[1]), 0.5 * (lot[2] + lot[3])
+    if not shapely.is_empty(driven):
+        away = shapely.shortest_line(shapely.Point(start), driven)
+        start = shapely.get_coordinates(away)[1] if away.length <= 2.0 * STRAIGHT else start
     return _ring(np.stack([start, end]))
 
 

@@ -82,10 +82,7 @@ def _find_lack_of_parking(
 ) -> list[Finding]:
     """Fewer bays than asked for, in lots that a drive joins to a road."""
     asked = _bays_asked(grounds)
-    there = grounds.streets
-    rows = there.road if there.road.any() else np.ones(len(there.road), bool)
-    roads = [*there.surfaces[rows], *there.crossings[rows]]
-    streets = shapely.union_all(roads or [grounds.border])
+    streets = _driven_ground(grounds)
     lines = [row for row in works.pathways if row.kind == "drive"]
     drives = [
         shapely.LineString(row.line).buffer(0.5 * row.width, cap_style="flat") for row in lines
@@ -104,6 +101,14 @@ def _find_lack_of_parking(
     message = f"{count} of {asked} parking bays are laid out"
     message += f", {unjoined} more without a drive from a road" if unjoined else ""
     return [_site_finding("lack_of_parking", grounds, message, amount=asked - count)]
+
+
+def _driven_ground(grounds: JudgedSite) -> Shape:
+    """What cars come by: roads, else paths as wide as a lane, else over the border."""
+    there = grounds.streets
+    rows = there.road if there.road.any() else there.driven
+    roads = [*there.surfaces[rows], *there.crossings[rows]]
+    return shapely.union_all(roads or [grounds.border])
 
 
 def _bays_asked(grounds: JudgedSite) -> int:
