@@ -145,7 +145,7 @@ def test_buildings_of_one_name_keep_apart(tmp_path):
         ({"CityObjects": {}}, "holds no buildings"),
         (
             {"metadata": {"referenceSystem": "https://www.opengis.net/def/crs/EPSG/0/4326"}},
-            "its coordinates are degrees",
+            "are no longitude and latitude",
         ),
         ({"vertices": [[0, 0]]}, "vertices"),
         ({"transform": {"scale": [1e300, 1, 1]}}, "transform"),

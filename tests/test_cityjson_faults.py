@@ -24,7 +24,7 @@ CITY = {
     "objects of nothing": (city_of(SOLID, CUBE, CityObjects={"a": 1}), "are no objects"),
     "no buildings": (city_of(SOLID, CUBE, CityObjects={"a": {"type": "Road"}}), "no buildings"),
     "no geometry": (city_of(SOLID, CUBE, CityObjects={"a": {"type": "Building"}}), "no geometry"),
-    "only instances": (city_of({"type": "GeometryInstance"}, CUBE), "no geometry"),
+    "only instances": (city_of({"type": "GeometryInstance"}, CUBE), "template that is not there"),
     "vertices missing": (city_of(SOLID, []), "corner that is not there"),
     "vertices of words": (city_of(SOLID, [["a", "b", "c"]]), "rows of three numbers"),
     "vertices of pairs": (city_of(SOLID, [[0, 0], [1, 1]]), "rows of three numbers"),

@@ -56,7 +56,7 @@ def hostile() -> dict[str, tuple[bytes, str]]:
         "no features": (dumped(), "holds no features"),
         "no rooms": (dumped(DOOR), "holds no room: none of its 1 features"),
         "only broken": (dumped(area("b", bow, indoor="room")), "none of its 1 rooms can be used"),
-        "mercator": (dumped(SHOES, **crs("EPSG:3857")), "'EPSG:3857' is not known"),
+        "mercator": (dumped(SHOES, **crs("EPSG:3857")), "are degrees, not of 'EPSG:3857"),
         "says degrees": (dumped(wide, **crs("EPSG:4326")), "no longitude and latitude"),
         "no metres": (dumped(wide), '"origin"'),
         "pole": (dumped(polar), "too near a pole"),

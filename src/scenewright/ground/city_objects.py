@@ -82,16 +82,17 @@ def city_document(
     vertices: Vertices,
     moved: tuple[float, float] = (0.0, 0.0),
     system: str = "",
+    metres: tuple[float, float, float] = (1.0, 1.0, 1.0),
 ) -> dict[str, Any]:
     """The CityJSON document of objects: ``moved`` is added to x and y for coordinates of a
-    reference ``system``."""
+    reference ``system``, whose units along x, y and upwards are so many ``metres``."""
     whole = np.array(list(vertices), np.int64).reshape(-1, 3)
-    shift = (*moved, 0.0)
-    about: dict[str, Any] = {"title": title, "geographicalExtent": _extent(whole, shift)}
+    shift, scale = (*moved, 0.0), [SCALE / metre for metre in metres]
+    about: dict[str, Any] = {"title": title, "geographicalExtent": _extent(whole, shift, scale)}
     return {
         "type": "CityJSON",
         "version": "2.0",
-        "transform": {"scale": [SCALE] * 3, "translate": [*shift]},
+        "transform": {"scale": scale, "translate": [*shift]},
         "metadata": about | ({"referenceSystem": system} if system else {}),
         "CityObjects": objects,
         "vertices": whole.tolist(),
@@ -109,8 +110,11 @@ def _vertex(at: tuple[int, int, int], vertices: Vertices) -> int:
     return vertices.setdefault(at, len(vertices))
 
 
-def _extent(whole: NDArray[np.int64], moved: tuple[float, float, float]) -> list[float]:
+def _extent(
+    whole: NDArray[np.int64], moved: tuple[float, float, float], scale: list[float]
+) -> list[float]:
     if not len(whole):
         return [*moved, *moved]
-    corners = np.concatenate([whole.min(0) * SCALE + moved, whole.max(0) * SCALE + moved])
+    step = np.array(scale)
+    corners = np.concatenate([whole.min(0) * step + moved, whole.max(0) * step + moved])
     return [round(float(value), 3) for value in corners]

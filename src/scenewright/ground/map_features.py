@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterator
+from collections.abc import Mapping
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -17,34 +18,26 @@ import numpy as np
 from scenewright.catalog.models.files import check_json
 from scenewright.core.document_faults import check_characters
 from scenewright.core.errors import InputError
+from scenewright.core.projection import projection
+from scenewright.core.reference_system import to_degrees
 from scenewright.core.space import Points
+from scenewright.ground.map_geometry import GEOMETRIES, Shapes, gather, is_closed
+from scenewright.ground.map_kinds import kind_of
+from scenewright.ground.map_tags import LONGEST_TEXT, tags_of
 
 GREATEST_FILE = 64 * 2**20
 MOST_FEATURES = 100_000
 MOST_CORNERS = 1_000_000
 MOST_LEVELS = 200
-LONGEST_TEXT = 120
 RANGE = re.compile(r"(-?\d{1,3}(?:\.\d+)?)-(-?\d{1,3}(?:\.\d+)?)")
 LEVEL = re.compile(r"-?\d{1,3}(?:\.\d{1,3})?")
-GEOMETRIES = frozenset(
-    {
-        "Point",
-        "MultiPoint",
-        "LineString",
-        "MultiLineString",
-        "Polygon",
-        "MultiPolygon",
-        "GeometryCollection",
-    }
-)
-
 Polygons = tuple[tuple[Points, ...], ...]
 
 
 class Feature(NamedTuple):
     """One feature: its id (plain letters), tags, a point ``(2,)`` or none, and polygons, each its
     outline and holes ``(n, 2)``. ``open_line`` marks a line that is not closed; ``lines`` are all
-    its lines ``(n, 2)``, closed or not."""
+    its lines ``(n, 2)``, closed or not; ``lost`` says which parts of it cannot be used."""
 
     id: str
     tags: dict[str, str]
@@ -52,6 +45,13 @@ class Feature(NamedTuple):
     polygons: Polygons
     open_line: bool
     lines: tuple[Points, ...] = ()
+    lost: str = ""
+
+    @property
+    def kind(self) -> str:
+        """What it is, in words."""
+        shape = "area" if self.polygons else "line" if self.lines else "point"
+        return kind_of(self.tags, shape)
 
 
 class SkippedFeature(NamedTuple):
@@ -62,12 +62,14 @@ class SkippedFeature(NamedTuple):
 
 
 class Collection(NamedTuple):
-    """All features of a file that can be read, those that cannot, and the name of the
-    reference system, if one is given."""
+    """All features of a file that can be read, those that cannot, the reference system, if one is
+    given, as :func:`scenewright.core.reference_system.system_of` takes it, and the tags of those
+    that cannot be read by their names."""
 
     features: tuple[Feature, ...]
     skipped: tuple[SkippedFeature, ...]
     crs: str
+    broken: Mapping[str, dict[str, str]] = MappingProxyType({})
 
 
 def load(path: Path) -> Collection:
@@ -80,9 +82,12 @@ def load(path: Path) -> Collection:
 
 
 def collection(document: Any) -> Collection:
-    """The features of a GeoJSON document: a FeatureCollection or a single Feature."""
+    """The features of a GeoJSON document: a FeatureCollection, a single Feature, or a geometry,
+    which is a feature without tags."""
     kind = document.get("type") if isinstance(document, dict) else None
     rows = [document] if kind == "Feature" else None
+    if isinstance(kind, str) and kind in GEOMETRIES - {"Point", "MultiPoint"}:
+        rows = [{"type": "Feature", "properties": {}, "geometry": document}]
     if kind == "FeatureCollection":
         rows = document.get("features")
     if not isinstance(rows, list):
@@ -93,6 +98,7 @@ def collection(document: Any) -> Collection:
         raise InputError(f"holds {len(rows)} features", f"at most {MOST_FEATURES} are read")
     good: list[Feature] = []
     bad: list[SkippedFeature] = []
+    broken: dict[str, dict[str, str]] = {}
     taken: dict[str, int] = {}
     corners = 0
     for number, row in enumerate(rows):
@@ -101,6 +107,7 @@ def collection(document: Any) -> Collection:
             feature = _feature(row, name)
         except InputError as error:
             bad.append(SkippedFeature(name, error.fault))
+            broken[name] = tags_of(row) if isinstance(row, dict) else {}
             continue
         good.append(feature)
         corners += sum(len(ring) for rings in (*feature.polygons, feature.lines) for ring in rings)
@@ -108,7 +115,29 @@ def collection(document: Any) -> Collection:
             raise InputError(f"holds more than {MOST_CORNERS} corners", "cut one building out")
     if not rows:
         raise InputError("holds no features", "export the indoor map again")
-    return Collection(tuple(good), tuple(bad), _reference_system(document))
+    return Collection(tuple(good), tuple(bad), _reference_system(document), broken)
+
+
+def in_degrees(found: Collection) -> Collection:
+    """The same with longitudes and latitudes, where its coordinates are those of a plane."""
+    corners = [ring for f in found.features for rings in (*f.polygons, f.lines) for ring in rings]
+    map_ = projection(np.vstack(corners), found.crs) if corners else None
+    if map_ is None or map_.turns or map_.system is None:
+        return found
+    system, order = map_.system, -1 if map_.swapped else 1
+
+    def turn(points: Points) -> Points:
+        return to_degrees(system, points[:, ::order])
+
+    features = tuple(
+        feature._replace(
+            point=None if feature.point is None else turn(feature.point[None])[0],
+            polygons=tuple(tuple(map(turn, rings)) for rings in feature.polygons),
+            lines=tuple(map(turn, feature.lines)),
+        )
+        for feature in found.features
+    )
+    return found._replace(features=features, crs="OGC:CRS84")
 
 
 def levels_of(tags: dict[str, str]) -> tuple[float, ...]:
@@ -141,78 +170,25 @@ def _feature(row: Any, name: str) -> Feature:
     geometry = row.get("geometry") if isinstance(row, dict) else None
     if not isinstance(geometry, dict):
         raise InputError("has no geometry")
-    kind, coordinates = geometry.get("type"), geometry.get("coordinates")
-    if not isinstance(kind, str) or kind not in GEOMETRIES:
-        raise InputError(f"has a geometry of type {json.dumps(kind)[:40]}")
-    tags = _tags(row)
-    if kind == "Point":
-        return Feature(name, tags, _positions([coordinates])[0], (), False)
-    if kind == "Polygon":
-        return Feature(name, tags, None, (_rings(coordinates),), False)
-    if kind == "MultiPolygon":
-        return Feature(name, tags, None, tuple(_rings(r) for r in _to_list(coordinates)), False)
-    if kind == "LineString":
-        line = _positions(coordinates)
-        closed = len(line) >= 4 and bool((line[0] == line[-1]).all())
-        return Feature(name, tags, None, ((line,),) if closed else (), not closed, (line,))
-    if kind == "MultiLineString":
-        return Feature(name, tags, None, (), False, tuple(map(_positions, _to_list(coordinates))))
-    return Feature(name, tags, None, (), False)
-
-
-def _rings(coordinates: Any) -> tuple[Points, ...]:
-    rings = tuple(_positions(ring) for ring in _to_list(coordinates))
-    if not rings or any(len(ring) < 4 for ring in rings):
-        raise InputError("has a ring of fewer than three corners")
-    return rings
-
-
-def _positions(listed: Any) -> Points:
-    """Pairs of finite numbers; heights are dropped."""
-    flat = [axis for position in _to_list(listed) for axis in _pair(position)]
-    found = np.array(flat, float).reshape(-1, 2)
-    if not (np.abs(found) < 1e9).all():  # also false for what is not a number
-        raise InputError("has a coordinate that is out of range")
-    return found
-
-
-def _pair(position: Any) -> Iterator[float]:
-    if not isinstance(position, list) or len(position) < 2:
-        raise InputError("has a position that is not a pair of numbers")
-    for axis in position[:2]:
-        if isinstance(axis, bool) or not isinstance(axis, int | float):
-            raise InputError("has a position that is not a pair of numbers")
-        yield float(axis) if abs(axis) < 1e9 else np.nan
-
-
-def _to_list(value: Any) -> list[Any]:
-    if not isinstance(value, list):
-        raise InputError("has coordinates that are no list")
-    return value
-
-
-def _tags(row: dict[str, Any]) -> dict[str, str]:
-    """Tags as plain short text; nested ones first."""
-    properties = row.get("properties")
-    if not isinstance(properties, dict):
-        return {}
-    nested = properties.get("tags")
-    listed = (properties | nested).items() if isinstance(nested, dict) else properties.items()
-    return {
-        str(key)[:LONGEST_TEXT]: plain(value)
-        for key, value in listed
-        if isinstance(value, str | int | float) and not isinstance(value, bool)
-    }
-
-
-def plain(value: object) -> str:
-    """Text on one line, without control characters, of at most 120 letters.
-
-    >>> plain("Caf\\u00e9\\n du  Nord")
-    'Café du Nord'
-    """
-    text = "".join(c if c.isprintable() else " " for c in str(value)[: 4 * LONGEST_TEXT])
-    return " ".join(text.split())[:LONGEST_TEXT]
+    shapes = Shapes([], [], [], [])
+    gather(geometry, shapes, 0)
+    whole = len(shapes.points) + len(shapes.lines) + len(shapes.polygons)
+    if not whole:
+        raise InputError(shapes.faults[0] if shapes.faults else "has an empty geometry")
+    lost, count = "", len(shapes.faults)
+    if shapes.faults:
+        lost = f"{count} of its {whole + count} parts left out: one {shapes.faults[0]}"
+    closed = [line for line in shapes.lines if is_closed(line)]
+    areas = tuple(shapes.polygons) or tuple((line,) for line in closed[:1])
+    return Feature(
+        name,
+        tags_of(row),
+        shapes.points[0][0] if shapes.points else None,
+        areas,
+        bool(shapes.lines) and not closed,
+        tuple(shapes.lines),
+        lost,
+    )
 
 
 def _identifier(row: Any, number: int) -> str:
@@ -238,11 +214,16 @@ def _fresh(wish: str, taken: dict[str, int]) -> str:
 
 
 def _reference_system(document: dict[str, Any]) -> str:
-    """``crs.properties.name`` of GeoJSON before RFC 7946."""
+    """What ``crs`` says, of GeoJSON before RFC 7946: a name, an address, a code, or PROJJSON."""
     crs = document.get("crs")
-    properties = crs.get("properties") if isinstance(crs, dict) else None
-    name = properties.get("name") if isinstance(properties, dict) else None
-    return plain(name) if isinstance(name, str) else ""
+    if not isinstance(crs, dict):
+        return crs if isinstance(crs, str) else ""
+    about = crs.get("properties")
+    stated = about if isinstance(about, dict) else {}
+    found = next((stated[key] for key in ("name", "code", "href") if stated.get(key)), None)
+    if found is None and str(crs.get("type", "")).endswith("CRS"):
+        return json.dumps(crs)
+    return str(found) if isinstance(found, str | int) else ""
 
 
 def _document(data: bytes) -> Any:

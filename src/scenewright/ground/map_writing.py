@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
+from scenewright.core.projection import Projection, coordinates_of
 from scenewright.core.space import Points
-from scenewright.ground.projection import Projection, coordinates_of
 
 
 def write_feature(

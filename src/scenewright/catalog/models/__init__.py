@@ -49,8 +49,9 @@ ROWS = (
     ModelFormat(".obj", "Wavefront OBJ with its .mtl", "obj", 128 * MEBIBYTE),
     ModelFormat(".glb", "binary glTF 2.0", "gltf", 256 * MEBIBYTE),
     ModelFormat(".gltf", "glTF 2.0", "gltf", 32 * MEBIBYTE),
-    ModelFormat(".json", "CityJSON 1.0 to 2.0", "cityjson", 128 * MEBIBYTE),
-    ModelFormat(".cityjson", "CityJSON 1.0 to 2.0", "cityjson", 128 * MEBIBYTE),
+    ModelFormat(".json", "CityJSON 0.8 to 2.0", "cityjson", 128 * MEBIBYTE),
+    ModelFormat(".cityjson", "CityJSON 0.8 to 2.0", "cityjson", 128 * MEBIBYTE),
+    ModelFormat(".jsonl", "CityJSON, a building a line", "cityjson", 128 * MEBIBYTE),
     ModelFormat(".stl", "STL, binary or text", "stl", 256 * MEBIBYTE),
     ModelFormat(".sh3f", "Sweet Home 3D furniture library", "sh3f", 512 * MEBIBYTE),
 )

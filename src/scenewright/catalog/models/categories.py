@@ -7,7 +7,7 @@ from scenewright.core.scene import Size
 BUILDING = "building"
 LARGE = 3.5
 """Least side of a building in metres: furniture is hardly that large in two directions."""
-CITY = (".json", ".cityjson")
+CITY = (".json", ".cityjson", ".jsonl")
 """Suffixes of files that hold nothing but buildings."""
 
 

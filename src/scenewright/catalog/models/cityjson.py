@@ -1,4 +1,4 @@
-"""CityJSON 1.0, 1.1 and 2.0: every building, with its parts, as one model.
+"""CityJSON 0.8 to 2.0: every building, with its parts, as one model.
 
 H. Ledoux et al., *CityJSON: a compact and easy-to-use encoding of the CityGML data model* (2019).
 Of each object the most detailed geometry counts, a solid before surfaces. Maps do not know a
@@ -8,6 +8,7 @@ nearest to the south.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
 
@@ -15,8 +16,13 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from scenewright.catalog.models.city_documents import (
+    document_of,
+    faults_of,
+    objects_of,
+    place_templates,
+)
 from scenewright.catalog.models.city_surfaces import CitySurface, parts_of, surfaces_of
-from scenewright.catalog.models.files import json_of
 from scenewright.catalog.models.model import (
     FARTHEST,
     MOST_FACES,
@@ -28,12 +34,14 @@ from scenewright.catalog.models.model import (
 )
 from scenewright.core.catalog import Part
 from scenewright.core.errors import InputError
+from scenewright.core.projection import Projection, projection
 
 Floats = NDArray[np.float64]
 Json = Mapping[str, Any]
 
-VERSIONS = ("1.0", "1.1", "2.0")
-BUILDINGS = ("Building", "BuildingPart")
+VERSIONS = ("0", "1", "2")
+_VERSION = re.compile(r"(?:https?://www\.cityjson\.org/version/)?((\d)(?:\.\d+)*)")
+BUILDINGS = ("Building", "BuildingPart", "OtherConstruction")
 MOST_BUILDINGS = 5000
 MOST_PARTS = 10_000
 DEEPEST = 8
@@ -41,20 +49,22 @@ DEEPEST = 8
 
 
 class City(NamedTuple):
-    """The objects of a file, its corners in metres about their middle, who made it, and where the
-    middle lies in the file's reference system (named as the file does)."""
+    """The objects of a file, its corners in metres about their middle, who made it, where that
+    middle lies in the file's reference system, the ``system``'s name, and the projection by which
+    coordinates became metres."""
 
     objects: Json
     corners: Floats
     author: str
     licence: str
-    middle: tuple[float, float, float] = (0.0, 0.0, 0.0)
-    system: str = ""
+    middle: tuple[float, float, float]
+    system: str
+    map_: Projection
 
 
 def read(content: bytes, stem: str, *_: object) -> Iterator[RawModel | SkippedModel]:
     """One model a building, in the order of the file; the others are listed."""
-    city = city_of(json_of(content, "CityJSON"))
+    city = city_of(document_of(content))
     for key in roots_of(city):
         name = clean(key, "unnamed")
         try:
@@ -84,23 +94,29 @@ def city_of(document: Json) -> City:
     """The checked frame of a document: version, objects, corners."""
     if document.get("type") != "CityJSON":
         raise InputError("is not CityJSON", "give a file of the type 'CityJSON'")
-    version = clean(document.get("version"), "unknown")
-    if not version.startswith(VERSIONS):
-        raise InputError(f"is CityJSON {version[:12]}", f"use one of: {', '.join(VERSIONS)}")
-    objects = document.get("CityObjects")
-    if not isinstance(objects, dict) or not all(isinstance(o, dict) for o in objects.values()):
-        raise InputError("its CityObjects are no objects", "save it again")
+    stated = clean(document.get("version"), "unknown")
+    version = _VERSION.fullmatch(stated)
+    if not version or version[2] not in VERSIONS:
+        raise InputError(f"is CityJSON {stated[:12]}", "use one of: 0.8, 0.9, 1.0, 1.1, 2.0")
+    objects, raw = place_templates(document, objects_of(document), _scaled(document))
     about = document.get("metadata")
     about = about if isinstance(about, dict) else {}
     contact = about.get("pointOfContact", about.get("datasetPointOfContact"))
     author = clean(contact.get("contactName")) if isinstance(contact, dict) else ""
-    corners, middle = _corners(document)
-    system = clean(about.get("referenceSystem"))
-    return City(objects, corners, author, clean(about.get("license")), middle, system)
+    corners, middle, map_ = _in_metres(raw, document.get("transform"), _system(about))
+    name = map_.system.name if map_.system else ""
+    return City(objects, corners, author, clean(about.get("license")), middle, name, map_)
 
 
-def _corners(document: Json) -> tuple[Floats, tuple[float, float, float]]:
-    """Corners ``(n, 3)``, near the origin so that no digits are lost, and where that lies."""
+def _system(about: Json) -> object:
+    """The reference system as metadata name it: ``crs.epsg`` before version 1.0."""
+    older = about.get("crs")
+    code = older.get("epsg") if isinstance(older, dict) else None
+    return about.get("referenceSystem") or (f"EPSG:{code}" if code else "")
+
+
+def _scaled(document: Json) -> Floats:
+    """Corners ``(n, 3)`` in units of the file, before they are moved to their place."""
     raw = _table(document.get("vertices"), "vertices")
     check_count(len(raw), MOST_VERTICES, "vertices")
     transform = document.get("transform")
@@ -109,12 +125,34 @@ def _corners(document: Json) -> tuple[Floats, tuple[float, float, float]]:
         if scale.shape != (1, 3) or not np.all(np.abs(scale) <= FARTHEST):
             raise InputError("its scale is not three numbers", "save it again", place="transform")
         with np.errstate(over="ignore", invalid="ignore"):
-            raw = raw * scale  # where on earth the whole lies does not matter
+            raw = raw * scale
     if not np.all(np.abs(raw) <= FARTHEST):
         raise InputError("a corner is not at a finite place", "save it again", place="vertices")
+    return raw
+
+
+def _in_metres(
+    raw: Floats, transform: object, system: object
+) -> tuple[Floats, tuple[float, float, float], Projection]:
+    """Corners ``(n, 3)`` in metres near the origin, so that no digits are lost, where that lies,
+    and the projection."""
+    move = _translate(transform)
     middle = np.median(raw, 0) if len(raw) else np.zeros(3)
-    x, y, z = (middle + _translate(transform)).tolist()
-    return raw - middle, (x, y, z)
+    ends = np.vstack([middle, raw.min(0), raw.max(0)] if len(raw) else [middle])[:, :2]
+    map_ = projection(ends + move[:2], system, plane=True)
+    map_ = map_._replace(origin=_listed_origin(map_, middle + move))
+    near = raw - middle
+    near[:, :2] = near[:, 1::-1] if map_.swapped else near[:, :2]
+    if map_.turns:
+        near[:, 0] = (near[:, 0] + map_.turn / 2) % map_.turn - map_.turn / 2
+    rise = map_.system.height if map_.system else 1.0
+    x, y = map_.origin
+    return near * (*map_.scale, rise), (x, y, float((middle + move)[2])), map_
+
+
+def _listed_origin(map_: Projection, at: Floats) -> tuple[float, float]:
+    x, y = float(at[0]), float(at[1])
+    return (y, x) if map_.swapped else (x, y)
 
 
 def _translate(transform: object) -> Floats:
@@ -140,34 +178,51 @@ def _table(rows: object, place: str) -> Floats:
 
 def _is_root(objects: Json, one: Json) -> bool:
     """Whether an object is a building, or a part whose building is not there."""
-    if one.get("type") not in BUILDINGS:
+    if not is_building(one):
         return False
     parents = one.get("parents")
     known = [p for p in parents if isinstance(p, str)] if isinstance(parents, list) else []
-    return not any(objects.get(p, {}).get("type") in BUILDINGS for p in known)
+    return not any(is_building(objects.get(p, {})) for p in known)
 
 
-def _surfaces(city: City, key: str) -> list[CitySurface]:
-    """Surfaces of a building and of its parts, each part once."""
-    found: list[CitySurface] = []
-    waiting, seen = [(key, 0)], {key}
+def is_building(one: Json) -> bool:
+    """Whether an object is a building or a part of one, also of an extension.
+
+    >>> is_building({"type": "+EnergyBuilding"}), is_building({"type": "Road"})
+    (True, False)
+    """
+    kind = str(one.get("type"))
+    return kind in BUILDINGS or (kind.startswith("+") and kind.endswith(BUILDINGS[:2]))
+
+
+def parts_within(city: City, key: str) -> list[str]:
+    """The keys of a building and of its parts, each once."""
+    waiting, seen = [(key, 0)], {key: None}
     while waiting:
         name, depth = waiting.pop()
         one = city.objects[name]
-        best = _best(one.get("geometry"))
-        found += surfaces_of(best, len(city.corners)) if best is not None else []
-        check_count(len(found), MOST_FACES, "surfaces")
         children = one.get("children")
         for child in children if isinstance(children, list) else []:
             if not isinstance(child, str) or child in seen:
                 continue
-            if city.objects.get(child, {}).get("type") == "BuildingPart":
-                seen.add(child)
+            if str(city.objects.get(child, {}).get("type")).endswith("BuildingPart"):
+                seen[child] = None
                 waiting.append((child, depth + 1))
         if depth > DEEPEST or len(seen) > MOST_PARTS:
             raise InputError("has too many parts within parts", "simplify the building")
+    return list(seen)
+
+
+def _surfaces(city: City, key: str) -> list[CitySurface]:
+    """Surfaces of a building and of its parts."""
+    found: list[CitySurface] = []
+    for name in parts_within(city, key):
+        best = _best(city.objects[name].get("geometry"))
+        found += surfaces_of(best, len(city.corners)) if best is not None else []
+        check_count(len(found), MOST_FACES, "surfaces")
     if not found:
-        raise InputError("has no geometry that can be used", "give solids or surfaces")
+        fault = next(faults_of(city.objects[key].get("geometry")), "")
+        raise InputError(fault or "has no geometry that can be used", "give solids or surfaces")
     return found
 
 

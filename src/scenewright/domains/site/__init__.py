@@ -63,6 +63,15 @@ DOMAIN = Domain(
             f"{__name__}.writing.cityjson",
             "site",
         ),
+        *(
+            Format(
+                suffix,
+                "city model, a building a line (CityJSONSeq, read)",
+                f"{__name__}.reading.cityjson",
+                domain="site",
+            )
+            for suffix in (".city.jsonl", ".jsonl")
+        ),
         Format(
             ".street.png",
             "picture of a site at eye height",

@@ -34,6 +34,7 @@ Metres = Annotated[Number, Field(gt=0, le=BUILDING)]
 Depth = Annotated[Number, Field(ge=2, le=300)]
 Side = Annotated[Number, Field(ge=0.5, le=BUILDING)]
 CourtGap = Annotated[Number, Field(ge=3, le=60)]
+RoofName = Literal["gabled", "hipped", "flat"]
 FormName = Literal[
     "parallel", "staggered", "spliced", "rotated", "peripheral", "half-closed", "point", "mixed"
 ]
@@ -66,7 +67,8 @@ class Landmark(StrictModel):
     ``catalogs``, as large as it is unless ``size`` (width, depth, height) is given, or just a
     footprint with a height. ``forecourt`` metres before its front are paved and kept free, as wide
     as it is; its front stays in sight from ``view`` metres of the street before it, to either
-    side."""
+    side. ``use`` (``church``, ``school``, ``warehouse`` …), ``levels`` and ``roof`` say what draws
+    one that names no model."""
 
     id: str = ""
     name: str = ""
@@ -78,6 +80,9 @@ class Landmark(StrictModel):
     height: Length | None = None
     forecourt: Annotated[Depth | None, Field(exclude_if=is_left_out)] = None
     view: Annotated[Depth | None, Field(exclude_if=is_left_out)] = None
+    use: Annotated[str, Field(max_length=80, exclude_if=not_)] = ""
+    levels: Annotated[Whole | None, Field(ge=1, le=300, exclude_if=is_left_out)] = None
+    roof: Annotated[RoofName | None, Field(exclude_if=is_left_out)] = None
 
 
 class Square(StrictModel):

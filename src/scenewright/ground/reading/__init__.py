@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from scenewright.catalog.models.city_documents import document_of
 from scenewright.catalog.models.files import MEBIBYTE, json_of, whole
 from scenewright.core.atomic_file import note_read
 from scenewright.core.errors import InputError
@@ -40,15 +41,13 @@ def _read(path: Path, origin: tuple[float, float] | None, scale: float) -> Built
         return _with_buildings(model_scene(path, scale))
     if not path.is_file():
         raise InputError("there is no such file", "check the path")
-    if path.suffix.lower() not in (".json", ".geojson", ".cityjson"):
+    if path.suffix.lower() not in (".json", ".geojson", ".cityjson", ".jsonl"):
         raise InputError(
             f"'{path.suffix}' holds no buildings that can be read",
             "give .geojson, .city.json, .glb or a saved solution",
         )
     note_read(path)
-    document = json_of(whole(path, MOST_BYTES), "JSON")
-    if not isinstance(document, dict):
-        raise InputError("holds no JSON object", "give a map, a city model or a solution")
+    document = document_of(whole(path, MOST_BYTES), "JSON")
     if document.get("type") == "CityJSON":
         found = city_scene(document, path)
     elif document.get("type") in ("FeatureCollection", "Feature"):

@@ -17,14 +17,10 @@ from scenewright.core.errors import InputError
 from scenewright.ground.built import BuiltBuilding, BuiltScene
 from scenewright.ground.reading.cleaning import clean_outline, drop_overlaps
 
-DEGREES = ("/4326", "/4979", "CRS84", "/4258")
-
 
 def city_scene(document: dict[str, Any], path: Path) -> BuiltScene:
     """The scene of a city model, in metres about its middle."""
     city = city_of(document)
-    if any(sign in city.system for sign in DEGREES):
-        raise InputError("its coordinates are degrees", "export it in a system of metres")
     stem, seen, left = clean(path.stem, "model"), Counter[str](), list[str]()
     found = []
     for key in roots_of(city):

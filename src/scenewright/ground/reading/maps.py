@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 
 from scenewright.core.errors import InputError
+from scenewright.core.projection import Projection, metres, projection
 from scenewright.core.space import Points
 from scenewright.ground.built import BuiltBuilding, BuiltRoad, BuiltScene
-from scenewright.ground.map_features import Collection, Feature, collection
-from scenewright.ground.projection import Projection, metres, projection
+from scenewright.ground.map_features import Collection, Feature, collection, in_degrees
 from scenewright.ground.reading.cleaning import MOST_BUILDINGS, clean_outline, drop_overlaps
 
 STOREY, HEIGHT = 3.0, 7.5
@@ -29,6 +29,7 @@ def scene_of_features(
     found: Collection, name: str, origin: tuple[float, float] | None = None
 ) -> BuiltScene:
     """The scene of the features of a map, in metres about ``origin`` or the map's middle."""
+    found = in_degrees(found)
     corners = [ring for f in found.features for p in f.polygons for ring in p]
     corners += [line for f in found.features for line in f.lines]
     if not corners:
@@ -40,8 +41,7 @@ def scene_of_features(
         raise InputError(f"holds {len(buildings):,} buildings", f"{MOST_BUILDINGS:,} are read")
     kept, overlapping = drop_overlaps(buildings)
     roads = tuple(road for f in found.features for road in roads_of(f, map_))
-    where = (float(map_.origin[0]), float(map_.origin[1])) if map_.turns else None
-    return BuiltScene(name, kept, roads, None, (*left_out, *overlapping), where)
+    return BuiltScene(name, kept, roads, None, (*left_out, *overlapping), map_.where)
 
 
 def projection_about(corners: Points, crs: str, origin: tuple[float, float] | None) -> Projection:

@@ -12,9 +12,9 @@ import numpy as np
 
 from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
+from scenewright.core.projection import Projection, metres, projection
 from scenewright.ground.built import BuiltRoad
-from scenewright.ground.map_features import Collection, Feature
-from scenewright.ground.projection import Projection, metres, projection
+from scenewright.ground.map_features import Collection, Feature, in_degrees
 from scenewright.ground.reading.maps import buildings_of, number_of, roads_of
 
 
@@ -34,6 +34,7 @@ def _is_area(feature: Feature) -> bool:
 
 def brief_of(found: Collection, name: str) -> Brief:
     """The brief of a map; InputError if it has no area to fill, or no building to go by."""
+    found = in_degrees(found)
     areas = [feature for feature in found.features if _is_area(feature)]
     corners = [ring for f in found.features for p in f.polygons for ring in p]
     if not areas:
@@ -68,8 +69,8 @@ def brief_of(found: Collection, name: str) -> Brief:
         "areas": [_area(feature, map_) for feature in areas],
         "notes": [line[:400] for line in notes[:100]],
     }
-    if map_.turns:
-        document["origin"] = [float(map_.origin[0]), float(map_.origin[1])]
+    if map_.where:
+        document["origin"] = map_.where
     return Brief.model_validate(document)
 
 

@@ -19,12 +19,12 @@ from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
 from scenewright.core.piece_outlines import outline_of
 from scenewright.core.plan import Plan
+from scenewright.core.projection import Projection, projection
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
 from scenewright.domains.extend.areas import OLD, ExtendPlan
 from scenewright.domains.extend.plan import plan_extend
 from scenewright.ground.map_writing import bearing_of, write_feature, write_points, write_ring
-from scenewright.ground.projection import Projection, projection
 
 STOREY = 3.0
 

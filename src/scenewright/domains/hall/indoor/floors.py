@@ -17,9 +17,9 @@ import shapely
 from scenewright.building import outlines
 from scenewright.core.brief.zones import Demand
 from scenewright.core.errors import InputError
+from scenewright.core.projection import FARTHEST, Projection, metres
 from scenewright.domains.hall.programme import shop_kind, shop_programme
 from scenewright.ground.map_features import Feature, SkippedFeature, levels_of
-from scenewright.ground.projection import FARTHEST, Projection, metres
 
 Role = Literal["unit", "room", "way", "solid"]
 

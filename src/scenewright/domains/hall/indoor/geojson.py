@@ -18,6 +18,7 @@ import shapely
 from scenewright.building import plan
 from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
+from scenewright.core.projection import Projection, metres, projection
 from scenewright.core.space import Points
 from scenewright.domains.hall.indoor.doors import (
     FloorWalls,
@@ -38,7 +39,6 @@ from scenewright.domains.hall.indoor.floors import (
 )
 from scenewright.domains.hall.programme import shop_kind
 from scenewright.ground.map_features import Collection, Feature, SkippedFeature, load
-from scenewright.ground.projection import Projection, metres, projection
 
 STOREY = 4.0
 CEILING = 3.2

@@ -2,11 +2,13 @@
 
 The ground is what the file draws as ``LandUse`` of the class ``site``, else the hull of all
 buildings and what lies a few metres around it, less water. Roads, which city models tell as areas,
-become straight pieces. Heights above the sea do not count: all ground is level.
+become straight pieces. Heights above the sea do not count: all ground is level. The brief carries a
+report of what became of every object.
 """
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
@@ -16,15 +18,18 @@ import numpy as np
 import shapely
 
 from scenewright.building.outlines import rings
+from scenewright.catalog.models.city_documents import document_of
 from scenewright.catalog.models.cityjson import City, city_of, parts_at, roots_of, turn_of
-from scenewright.catalog.models.files import MEBIBYTE, json_of, whole
+from scenewright.catalog.models.files import MEBIBYTE, whole
 from scenewright.catalog.models.model import SkippedModel, clean
 from scenewright.core.brief import Brief
 from scenewright.core.catalog import OWN, Part
 from scenewright.core.errors import InputError
 from scenewright.domains.site.brief import VERGE
+from scenewright.domains.site.reading.city_fates import report_objects
 from scenewright.domains.site.reading.road_areas import pieces
-from scenewright.ground.outlines import GRID, polygons
+from scenewright.ground.fates import Note
+from scenewright.ground.outlines import GRID, LEAST_AREA, polygons
 
 MOST_BYTES = 128 * MEBIBYTE
 MARGIN = 12.0
@@ -33,22 +38,27 @@ LARGEST_EXTENT, SPARSE = 10_000.0, 0.01
 """Greatest length of a site in metres, and least share of its hull that buildings cover."""
 SLIVER = 1.5
 """Half of the width, in metres, of what is no ground to build on."""
-ROADS = ("Road", "Railway")
+WAYS = ("Road", "Railway", "Bridge")
+OUTSIDE, COVERED = "lies outside the ground", "another building covers it"
+CUT, LEAST_CUT = "cut at the border of the ground or where another building stands", 0.02
+"""What is reported of a building cut, and from which share of it."""
 NARROW = 3.5
 """Roads narrower than this, in metres, are paths."""
 MOST_ROADS = 5000
 MOST_LANDMARKS = 2000
-DEGREES = ("/4326", "/4979", "CRS84", "/4258")
 
 
 class CityBuilding(NamedTuple):
-    """A building of the file: what people call it, its model, footprint, place and heading."""
+    """A building of the file: its key there, what people call it, its model, footprint, place,
+    heading and height."""
 
+    key: str
     name: str
     model: str
     footprint: shapely.Polygon
     at: tuple[float, float]
     heading: float
+    height: float
 
 
 def read(path: Path, keep: bool = False) -> Brief:
@@ -58,7 +68,8 @@ def read(path: Path, keep: bool = False) -> Brief:
 
 
 class CityReport(NamedTuple):
-    """What was read: the brief, how many buildings the file has, and what was left out and why."""
+    """What was read: the brief, how many buildings the file has, and what of them was left out and
+    why."""
 
     brief: Brief
     buildings: int
@@ -67,7 +78,7 @@ class CityReport(NamedTuple):
 
 def read_report(path: Path) -> CityReport:
     """The brief of a city model, and what was found and left out."""
-    return report(json_of(whole(path, MOST_BYTES), "CityJSON"), path)
+    return report(document_of(whole(path, MOST_BYTES)), path)
 
 
 def brief_of(document: dict[str, Any], path: Path) -> Brief:
@@ -78,27 +89,39 @@ def brief_of(document: dict[str, Any], path: Path) -> Brief:
 def report(document: dict[str, Any], path: Path) -> CityReport:
     """The brief and report of a city model already read."""
     city = city_of(document)
-    if any(sign in city.system for sign in DEGREES):
-        raise InputError("its coordinates are degrees", "export it in a system of metres")
-    skipped: list[SkippedModel] = []
-    buildings = list(_buildings(city, clean(path.stem, "model"), skipped))
-    name = path.stem.removesuffix(".city")
-    grounds = _sites(city) or [("", _hull(buildings))]
-    roads = shapely.union_all([_area(city, key) for key in _keys(city, ROADS)], grid_size=GRID)
-    water = shapely.union_all([_area(city, key) for key in _keys(city, ("WaterBody",))])
+    notes: list[Note] = []
+    buildings = list(_buildings(city, clean(path.stem, "model"), notes))
+    name = re.sub(r"\.city$", "", path.stem)
+    grounds = _sites(city, notes) or [("", _hull(buildings))]
+    flat = _Flat(
+        {key: _area(city, key) for key in _keys(city, WAYS)},
+        {key: _area(city, key) for key in _keys(city, ("WaterBody",))},
+    )
     sites = [
-        _site(named or name, ground, city, buildings, roads, water, skipped)
-        for named, ground in grounds
+        _site(named or name, ground, city, buildings, flat, notes) for named, ground in grounds
     ]
+    stated = report_objects(city, notes)
     brief = Brief.model_validate(
         {
             "domain": "site",
             "name": name,
             "sites": sites,
             "catalogs": [{"path": str(path.absolute()), "fill": False}],
+            "input_report": stated,
         }
     )
-    return CityReport(brief, len(roots_of(city)), tuple(skipped))
+    roots = set(roots_of(city))
+    lost = [n for n in notes if n.outcome == "left out" and n.name in roots]
+    kept = {n.name for n in notes if n.outcome != "left out"}
+    skipped = [SkippedModel(clean(n.name, "unnamed"), n.reason) for n in lost if n.name not in kept]
+    return CityReport(brief, len(roots), tuple(skipped))
+
+
+class _Flat(NamedTuple):
+    """What the ways and the water of a file cover in plan, by their keys."""
+
+    ways: dict[str, shapely.Geometry]
+    water: dict[str, shapely.Geometry]
 
 
 def _site(
@@ -106,22 +129,23 @@ def _site(
     ground: shapely.Polygon,
     city: City,
     buildings: list[CityBuilding],
-    roads: shapely.Geometry,
-    water: shapely.Geometry,
-    skipped: list[SkippedModel],
+    flat: _Flat,
+    notes: list[Note],
 ) -> dict[str, Any]:
-    floor = _ground(ground, water)
+    floor = _ground(ground, shapely.union_all(list(flat.water.values())))
     outline, holes = rings(floor)
+    roads = shapely.union_all(list(flat.ways.values()), grid_size=GRID)
     near = shapely.buffer(ground, VERGE, join_style="mitre")
     ways = pieces(shapely.intersection(roads, near, grid_size=GRID))
     inside = [way for way in ways if shapely.LineString(way.line).dwithin(floor, VERGE)]
-    landmarks = list(_landmarks(floor, buildings, skipped))
+    notes += _note_flat(flat, near)
+    landmarks = list(_landmarks(floor, buildings, notes))
     if len(landmarks) > MOST_LANDMARKS:
         raise InputError(
             f"has {len(landmarks):,} buildings on its ground",
             f"cut a quarter of at most {MOST_LANDMARKS:,} out",
         )
-    return {
+    found: dict[str, Any] = {
         "name": name,
         "outline": outline.tolist(),
         "holes": [hole.tolist() for hole in holes],
@@ -134,9 +158,24 @@ def _site(
             for way in inside[:MOST_ROADS]
         ],
         "landmarks": landmarks,
-        "system": city.system,
-        "shift": city.middle[:2],
     }
+    if city.map_.where:
+        found["latitude"] = max(min(city.map_.where[1], 89.0), -89.0)
+    if city.map_.turns:
+        return found | {"origin": city.map_.where}
+    return found | {"system": city.system, "shift": city.middle[:2]}
+
+
+def _note_flat(flat: _Flat, ground: shapely.Polygon) -> Iterator[Note]:
+    """What became of the ways and the water."""
+    for areas, about in ((flat.ways, "read as straight pieces"), (flat.water, "")):
+        for key, area in areas.items():
+            if area.is_empty:
+                yield Note(key, "left out", "covers no ground")
+            elif not shapely.intersects(area, ground):
+                yield Note(key, "left out", "lies outside the ground")
+            else:
+                yield Note(key, "changed" if about else "used", about)
 
 
 def _ground(ground: shapely.Polygon, water: shapely.Geometry) -> shapely.Polygon:
@@ -150,33 +189,38 @@ def _ground(ground: shapely.Polygon, water: shapely.Geometry) -> shapely.Polygon
 
 
 def _landmarks(
-    floor: shapely.Polygon, buildings: list[CityBuilding], skipped: list[SkippedModel]
+    floor: shapely.Polygon, buildings: list[CityBuilding], notes: list[Note]
 ) -> Iterator[dict[str, Any]]:
-    """Buildings at least half on the ground; what two of them cover belongs to the first."""
+    """Buildings on the ground, each piece of them; what two cover belongs to the first."""
     taken = shapely.STRtree([row.footprint for row in buildings])
-    kept: dict[int, shapely.Polygon] = {}
+    kept: dict[int, list[shapely.Polygon]] = {}
     for number, row in enumerate(buildings):
-        rest = shapely.intersection(row.footprint, floor, grid_size=GRID)
-        near = [kept[k] for k in taken.query(row.footprint).tolist() if k in kept]
-        if near:
-            rest = shapely.difference(rest, shapely.union_all(near), grid_size=GRID)
-        parts = polygons(rest)
-        if not parts or parts[0].area < 0.5 * row.footprint.area:
-            why = "less than half of it is free on the ground"
-            skipped.append(SkippedModel(row.model.partition("/")[2], why))
+        inside = shapely.intersection(row.footprint, floor, grid_size=GRID)
+        near = [one for k in taken.query(row.footprint).tolist() for one in kept.get(k, ())]
+        rest = shapely.difference(inside, shapely.union_all(near), grid_size=GRID)
+        parts = [shapely.Polygon(part.exterior) for part in polygons(rest)]
+        if not parts:
+            covered = inside.area >= LEAST_AREA
+            outside = "covers less than 1 m²" if row.footprint.area < LEAST_AREA else OUTSIDE
+            notes.append(Note(row.key, "left out", COVERED if covered else outside))
             continue
-        kept[number] = shapely.Polygon(parts[0].exterior)
-        yield {
-            "id": row.model.partition("/")[2],
-            "name": row.name,
-            "model": f"{OWN}{row.model}",
-            "at": row.at,
-            "heading": row.heading,
-            "outline": rings(kept[number])[0].tolist(),
-        }
+        kept[number] = parts
+        cut = sum(part.area for part in parts) < (1 - LEAST_CUT) * row.footprint.area
+        notes.append(Note(row.key, "changed" if cut else "used", CUT if cut else ""))
+        for piece, part in enumerate(parts):
+            short = row.model.partition("/")[2]
+            yield {
+                "id": f"{short}.part-{piece}" if piece else short,
+                "name": row.name,
+                "outline": rings(part)[0].tolist(),
+            } | (
+                {"model": f"{OWN}{row.model}", "at": row.at, "heading": row.heading}
+                if not piece
+                else {"height": row.height}
+            )
 
 
-def _buildings(city: City, stem: str, skipped: list[SkippedModel]) -> Iterator[CityBuilding]:
+def _buildings(city: City, stem: str, notes: list[Note]) -> Iterator[CityBuilding]:
     """Every building whose geometry can be used, where it stands."""
     seen: Counter[str] = Counter()
     for number, key in enumerate(roots_of(city), 1):
@@ -184,13 +228,13 @@ def _buildings(city: City, stem: str, skipped: list[SkippedModel]) -> Iterator[C
         try:
             parts = parts_at(city, key)
         except InputError as error:
-            skipped.append(SkippedModel(short, error.fault))
+            notes.append(Note(key, "left out", error.fault, True))
             continue
         seen[short] += 1
         model = f"{stem}/{short}" + (f"-{seen[short]}" if seen[short] > 1 else "")
         shape = _shadow(parts)
         if shape.is_empty:
-            skipped.append(SkippedModel(short, "covers no ground"))
+            notes.append(Note(key, "left out", "covers no ground"))
             continue
         angle = turn_of(parts)
         points = np.concatenate([part.vertices[np.unique(part.faces)] for part in parts])
@@ -200,7 +244,10 @@ def _buildings(city: City, stem: str, skipped: list[SkippedModel]) -> Iterator[C
         x, y = (back @ ((local.min(0) + local.max(0)) / 2)).tolist()
         attributes = city.objects[key].get("attributes")
         name = clean(attributes.get("name")) if isinstance(attributes, dict) else ""
-        yield CityBuilding(name or f"building {number}", model, shape, (x, y), angle - np.pi / 2)
+        height = max(float(np.ptp(points[:, 2])), 1.0)
+        yield CityBuilding(
+            key, name or f"building {number}", model, shape, (x, y), angle - np.pi / 2, height
+        )
 
 
 def _shadow(parts: tuple[Part, ...]) -> shapely.Polygon:
@@ -218,16 +265,20 @@ def _shadow(parts: tuple[Part, ...]) -> shapely.Polygon:
     return shapely.Polygon(found[0].exterior).simplify(0.01)
 
 
-def _sites(city: City) -> list[tuple[str, shapely.Polygon]]:
+def _sites(city: City, notes: list[Note]) -> list[tuple[str, shapely.Polygon]]:
     """The grounds that a file draws as sites."""
     found = []
     for key in _keys(city, ("LandUse",)):
         attributes = city.objects[key].get("attributes")
-        if isinstance(attributes, dict) and attributes.get("class") == "site":
-            found += [
-                (clean(attributes.get("name")) or clean(key), part)
-                for part in polygons(_area(city, key))[:1]
-            ]
+        if not isinstance(attributes, dict) or attributes.get("class") != "site":
+            continue
+        parts = polygons(_area(city, key))
+        about = "only the largest of its parts was read" if parts[1:] else ""
+        if not parts:
+            notes.append(Note(key, "left out", "covers no ground", True))
+            continue
+        notes.append(Note(key, "changed" if about else "used", about))
+        found.append((clean(attributes.get("name")) or clean(key), parts[0]))
     return found
 
 

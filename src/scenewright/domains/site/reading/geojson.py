@@ -2,12 +2,14 @@
 
 Polygons with the tag ``site`` are sites, and their properties fields of the brief (``setback``,
 ``floor_area_ratio`` …); without one the largest polygon that is no building is the site. Lines
-with ``highway`` become roads and paths as wide as their class, polygons with ``building``
-landmarks, polygons of water holes. What lies outside is cut off; broken features are left out.
+with ``highway`` become roads and paths as wide as their class, polygons with ``building``, or with
+no tag of a map at all, landmarks; water is no ground. What lies outside is cut off. The brief
+carries a report of what became of every feature.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -16,35 +18,40 @@ import shapely
 
 from scenewright.building.outlines import rings
 from scenewright.core.brief import Brief
+from scenewright.core.brief.input_report import InputReport, report_input
 from scenewright.core.errors import InputError
+from scenewright.core.projection import Projection, metres, projection
 from scenewright.domains.site.brief import VERGE
-from scenewright.domains.site.reading.tags import OWN, height_of, is_water, number_of, width_of
+from scenewright.domains.site.reading.road_areas import pieces
+from scenewright.domains.site.reading.standing import (
+    OUTSIDE,
+    DrawnFeature,
+    find_landmarks,
+    note_points,
+)
+from scenewright.domains.site.reading.tags import OWN, is_water, number_of, width_of
+from scenewright.ground.fates import Note, settle
 from scenewright.ground.map_features import Collection, Feature, SkippedFeature, load
-from scenewright.ground.projection import Projection, metres, projection
+from scenewright.ground.map_kinds import kind_of, stands
+from scenewright.ground.outlines import GRID
 
 MOST_SITES = 100
 BEYOND = 10.0
 """Metres to which roads are kept outside the outline."""
 
-LEAST_SITE, LEAST_BUILDING, LARGEST_EXTENT = 10.0, 1.0, 10_000.0
+LEAST_SITE, LARGEST_EXTENT = 10.0, 10_000.0
+UNREAD = "is no site, building, way or water"
 
 
 class SiteReport(NamedTuple):
     """What was read: the brief, how many features there were, how many roads and landmarks came
-    of them, and what was left out and why."""
+    of them, and what was left out or changed and why."""
 
     brief: Brief
     features: int
     roads: int
     landmarks: int
     skipped: tuple[SkippedFeature, ...]
-
-
-class _Drawn(NamedTuple):
-    """A feature with its polygons in metres."""
-
-    feature: Feature
-    shape: shapely.Geometry
 
 
 def read(path: Path, keep: bool = False) -> Brief:
@@ -84,20 +91,40 @@ def report(found: Collection, name: str) -> SiteReport:
         raise InputError(f"holds {len(outlines):,} sites", f"at most {MOST_SITES} are read")
     corners = np.vstack([ring for f in outlines for part in f.polygons for ring in part])
     map_ = projection(corners, found.crs)
-    skipped: list[SkippedFeature] = []
-    drawn = [_Drawn(f, _shape(f, map_, skipped)) for f in found.features if f.polygons]
+    notes: list[Note] = []
+    drawn = [DrawnFeature(f, _shape(f, map_, notes)) for f in found.features if f.polygons]
     sites = []
     for number, feature in enumerate(outlines):
         shape = next(row.shape for row in drawn if row.feature is feature)
-        sites.append(_site(feature, shape, drawn, found, map_, skipped))
+        sites.append(_site(feature, shape, drawn, found, outlines, map_, notes))
         sites[-1].setdefault("name", name if len(outlines) == 1 else f"{name} {number + 1}")
-    brief = Brief.model_validate({"domain": "site", "name": name, "sites": sites})
+    stated = _report(found, map_, notes)
+    brief = Brief.model_validate(
+        {"domain": "site", "name": name, "sites": sites, "input_report": stated}
+    )
+    told = [SkippedFeature(note.name, note.reason) for note in notes if note.outcome != "used"]
     return SiteReport(
         brief,
         len(found.features) + len(found.skipped),
         sum(len(site.roads) for site in brief.part.sites),
         sum(len(site.landmarks) for site in brief.part.sites),
-        (*found.skipped, *skipped),
+        (*found.skipped, *told),
+    )
+
+
+def _report(found: Collection, map_: Projection, notes: list[Note]) -> InputReport:
+    """What became of every feature, those that could not be read last."""
+    kinds = {feature.id: feature.kind for feature in found.features}
+    kinds |= {name: kind_of(tags, "feature") for name, tags in found.broken.items()}
+    broken = [
+        Note(row.feature, "left out", row.reason, stands(found.broken.get(row.feature, {})))
+        for row in found.skipped
+    ]
+    return report_input(
+        settle(kinds, [*notes, *broken], lambda _name: UNREAD),
+        format="GeoJSON",
+        system=map_.system_in_words,
+        unit=map_.unit_in_words,
     )
 
 
@@ -115,14 +142,13 @@ def _extent(feature: Feature) -> float:
     return float(found.area)
 
 
-def _shape(feature: Feature, map_: Projection, skipped: list[SkippedFeature]) -> shapely.Geometry:
+def _shape(feature: Feature, map_: Projection, notes: list[Note]) -> shapely.Geometry:
     """The polygons of a feature in metres; those that cross themselves as what they enclose."""
     parts = [[metres(map_, ring) for ring in part] for part in feature.polygons]
-    shape = shapely.union_all([shapely.Polygon(part[0], part[1:]).buffer(0) for part in parts])
-    if not shapely.union_all([shapely.Polygon(part[0]) for part in parts[:1]]).is_valid:
-        skipped.append(
-            SkippedFeature(feature.id, "crosses itself and was read as what it encloses")
-        )
+    polygons = [shapely.Polygon(part[0], part[1:]) for part in parts]
+    shape = shapely.union_all([polygon.buffer(0) for polygon in polygons])
+    if not all(polygon.is_valid for polygon in polygons):
+        notes.append(Note(feature.id, "left out", "crosses itself: only what it encloses was read"))
     return shape
 
 
@@ -134,41 +160,66 @@ def _largest(shape: shapely.Geometry) -> shapely.Polygon:
 def _site(
     feature: Feature,
     shape: shapely.Geometry,
-    drawn: list[_Drawn],
+    drawn: list[DrawnFeature],
     found: Collection,
+    outlines: list[Feature],
     map_: Projection,
-    skipped: list[SkippedFeature],
+    notes: list[Note],
 ) -> dict[str, Any]:
     """One site as a document of the brief."""
     floor = _largest(shape)
     _check(feature, floor, map_)
-    water = [
-        row.shape for row in drawn if is_water(row.feature.tags) and row.feature is not feature
-    ]
-    holes = [hole for hole in map(_largest, water) if not hole.is_empty and floor.contains(hole)]
-    ground = _largest(shapely.difference(floor, shapely.union_all(holes))) if holes else floor
+    ground = _dry(feature, floor, drawn, notes)
     outline, cut = rings(ground)
+    landmarks = find_landmarks(drawn, ground, outlines, notes)
+    notes += note_points(found.features, map_, ground, landmarks)
+    if shape.area - floor.area > LEAST_SITE:
+        reason = f"only the largest of its {len(feature.polygons)} parts was read"
+        notes.append(Note(feature.id, "changed", reason))
     stated = number_of(feature.tags.get("verge", ""))
     verge = VERGE if stated is None else stated
     document: dict[str, Any] = {
         "id": feature.id,
         "outline": outline.tolist(),
         "holes": [hole.tolist() for hole in cut],
-        "roads": _roads(found.features, floor, map_, verge),
-        "landmarks": _landmarks(drawn, ground, feature, skipped),
+        "roads": _roads(found.features, floor, map_, verge, notes),
+        "landmarks": _unique(landmarks),
     }
     for key, field in OWN.items():
         value = number_of(feature.tags.get(key, ""))
         if value is not None:
             document[field] = round(value) if field == "day" else value
-    if not map_.turns:
-        document |= {"shift": map_.origin, "system": found.crs[:200]}
-    else:
-        document["origin"] = map_.origin
-        document.setdefault("latitude", max(min(map_.origin[1], 89.0), -89.0))
+    if map_.system and not map_.turns:
+        document |= {"shift": map_.origin, "system": map_.system.name}
+    elif map_.where:
+        document["origin"] = map_.where
+    if map_.where:
+        document.setdefault("latitude", max(min(map_.where[1], 89.0), -89.0))
     if feature.tags.get("name"):
         document["name"] = feature.tags["name"]
     return document
+
+
+def _dry(
+    feature: Feature, floor: shapely.Polygon, drawn: list[DrawnFeature], notes: list[Note]
+) -> shapely.Polygon:
+    """The largest piece of a site without its water."""
+    water = [row for row in drawn if is_water(row.feature.tags) and row.feature is not feature]
+    wet = [row for row in water if shapely.intersection(row.shape, floor).area > 0]
+    reached = {row.feature.id for row in wet}
+    notes += [
+        Note(name, "used") if name in reached else Note(name, "left out", OUTSIDE)
+        for name in (row.feature.id for row in water)
+    ]
+    rest = shapely.difference(floor, shapely.union_all([row.shape for row in wet]), grid_size=GRID)
+    ground = _largest(rest) if wet else floor
+    if ground.is_empty:
+        raise InputError("its ground lies under water", "leave the water out", place=feature.id)
+    lost = rest.area - ground.area if wet else 0.0
+    about = f"water cuts {lost:.0f} m² off it: the largest piece was read"
+    cut = lost >= LEAST_SITE
+    notes.append(Note(feature.id, "changed" if cut else "used", about if cut else ""))
+    return ground
 
 
 def _check(feature: Feature, floor: shapely.Polygon, map_: Projection) -> None:
@@ -189,25 +240,36 @@ def _check(feature: Feature, floor: shapely.Polygon, map_: Projection) -> None:
 
 
 def _roads(
-    features: tuple[Feature, ...], floor: shapely.Polygon, map_: Projection, verge: float
+    features: tuple[Feature, ...],
+    floor: shapely.Polygon,
+    map_: Projection,
+    verge: float,
+    notes: list[Note],
 ) -> list[dict[str, Any]]:
     """Roads and paths that reach the site or run beside it, cut off a few metres outside it."""
+    near = shapely.buffer(floor, verge + BEYOND)
     found: list[dict[str, Any]] = []
     for feature in features:
         way = width_of(feature.tags)
-        for line in (row for row in feature.lines if way and len(row) > 1):
-            kind, width = way or ("", 0.0)
-            whole = shapely.LineString(metres(map_, line))
+        if not way:
+            if "highway" in feature.tags and (feature.lines or feature.polygons):
+                reason = f"highway={feature.tags['highway']} is no way there is"
+                notes.append(Note(feature.id, "left out", reason))
+            continue
+        before = len(found)
+        for line, width in _middle_lines(feature, way[1], near, map_):
             found += [
                 {
                     "id": feature.id,
                     "name": feature.tags.get("name", ""),
                     "line": shapely.get_coordinates(part).tolist(),
                     "width": width,
-                    "kind": kind,
+                    "kind": way[0],
                 }
-                for part in _near_parts(whole, width, floor, verge)
+                for part in _near_parts(line, width, floor, verge)
             ]
+        if feature.lines or feature.polygons:
+            notes.append(_note_way(feature, len(found) - before))
     return _unique(found)
 
 
@@ -226,43 +288,24 @@ def _near_parts(
     return found
 
 
-def _landmarks(
-    drawn: list[_Drawn], ground: shapely.Polygon, own: Feature, skipped: list[SkippedFeature]
-) -> list[dict[str, Any]]:
-    """Buildings at least half inside, less what lies outside or in one before."""
-    rows = [
-        r
-        for r in drawn
-        if r.feature.tags.get("building", "no") != "no"
-        and r.feature is not own
-        and not r.shape.is_empty
-    ]
-    rows = [row for row in rows if shapely.intersects(row.shape, ground)]
-    taken = shapely.STRtree([row.shape for row in rows]) if rows else None
-    kept: dict[int, shapely.Polygon] = {}
-    found = []
-    for number, row in enumerate(rows):
-        shape = shapely.Polygon(_largest(row.shape).exterior)
-        near = [kept[k] for k in taken.query(row.shape).tolist() if k in kept] if taken else []
-        rest = shapely.intersection(shape, ground, grid_size=1e-4)
-        if near:
-            rest = shapely.difference(rest, shapely.union_all(near), grid_size=1e-4)
-        rest = shapely.Polygon(_largest(rest).exterior)
-        if rest.area < max(0.5 * shape.area, LEAST_BUILDING):
-            skipped.append(
-                SkippedFeature(row.feature.id, "less than half of it is free inside the site")
-            )
-            continue
-        kept[number] = rest
-        tags = row.feature.tags
-        document = {
-            "id": row.feature.id,
-            "name": tags.get("name", ""),
-            "outline": rings(rest)[0].tolist(),
-        }
-        height = height_of(tags)
-        found.append(document | ({"height": height} if height else {}))
-    return _unique(found)
+def _middle_lines(
+    feature: Feature, width: float, near: shapely.Geometry, map_: Projection
+) -> Iterator[tuple[shapely.LineString, float]]:
+    """The middle lines of a way in metres and their widths; of an area its straight pieces."""
+    for line in feature.lines:
+        yield shapely.LineString(metres(map_, line)), width
+    for part in feature.polygons if not feature.lines else ():
+        area = shapely.Polygon(metres(map_, part[0]), [metres(map_, hole) for hole in part[1:]])
+        for piece in pieces(shapely.intersection(area.buffer(0), near, grid_size=GRID)):
+            yield shapely.LineString(piece.line), min(max(piece.width, 0.5), 100.0)
+
+
+def _note_way(feature: Feature, count: int) -> Note:
+    if not count:
+        return Note(feature.id, "left out", "does not reach the site")
+    area = "" if feature.lines else "is drawn as an area: read as straight pieces"
+    about = "; ".join(filter(None, (area, feature.lost)))
+    return Note(feature.id, "changed" if about else "used", about)
 
 
 def _unique(rows: list[dict[str, Any]]) -> list[dict[str, Any]]:

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import re
+from typing import Any
+
+from scenewright.ground.map_kinds import use_of
 
 ROADS = {
     "motorway": 22.0,
@@ -55,6 +58,19 @@ OWN = {
 }
 """Properties of a site, and the fields of the brief they are."""
 
+ROOFS = {
+    "flat": "flat",
+    "gabled": "gabled",
+    "half-hipped": "gabled",
+    "saltbox": "gabled",
+    "skillion": "flat",
+    "hipped": "hipped",
+    "pyramidal": "hipped",
+    "mansard": "hipped",
+    "gambrel": "gabled",
+}
+"""Shapes of roofs by ``roof:shape``."""
+
 _NUMBER = re.compile(r"\s*([+-]?\d+(?:[.,]\d+)?)\s*(m|metres|meters|ft|feet|')?\s*", re.IGNORECASE)
 
 
@@ -94,16 +110,33 @@ def width_of(tags: dict[str, str]) -> tuple[str, float] | None:
 
 
 def height_of(tags: dict[str, str]) -> float | None:
-    """Height of a building: as it says, else 3.2 m a storey; ``None`` if it says neither.
+    """Height of a building: as it says, else 3.2 m a storey; ``None`` if it says neither, or
+    nothing above 0.
 
     >>> height_of({"height": "12"}), height_of({"building:levels": "5"}), height_of({})
     (12.0, 16.0, None)
     """
     height = number_of(tags.get("height", "") or tags.get("est_height", ""))
     levels = number_of(tags.get("building:levels", "") or tags.get("levels", ""))
-    if height is None and levels is not None:
+    if (height is None or height <= 0) and levels is not None:
         height = round(levels * STOREY, 2)
-    return min(max(height, LOWEST), HIGHEST) if height is not None else None
+    return min(max(height, LOWEST), HIGHEST) if height and height > 0 else None
+
+
+def appearance_of(tags: dict[str, str]) -> dict[str, Any]:
+    """What a standing building looks like, as keys of a landmark of the brief.
+
+    >>> appearance_of({"building": "church", "height": "-1", "building:levels": "2"})
+    {'height': 6.4, 'levels': 2, 'use': 'church'}
+    """
+    levels, roof = number_of(tags.get("building:levels", "")), tags.get("roof:shape", "")
+    found = {
+        "height": height_of(tags),
+        "levels": min(max(round(levels), 1), 300) if levels and levels > 0 else None,
+        "use": use_of(tags)[:80],
+        "roof": ROOFS.get(roof, ""),
+    }
+    return {key: value for key, value in found.items() if value}
 
 
 def is_water(tags: dict[str, str]) -> bool:

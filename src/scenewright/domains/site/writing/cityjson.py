@@ -23,6 +23,8 @@ from scenewright.catalog.loading import catalog_of
 from scenewright.core.atomic_file import write_atomically
 from scenewright.core.brief import Brief
 from scenewright.core.plan import Plan
+from scenewright.core.projection import projection_at
+from scenewright.core.reference_system import address_of
 from scenewright.core.solution import Solution
 from scenewright.core.space import Points
 from scenewright.domains.site.plan import plans_of
@@ -35,7 +37,6 @@ from scenewright.ground.city_objects import (
     prism_object,
 )
 from scenewright.ground.plan import SitePlan
-from scenewright.ground.reference_system import address_of
 from scenewright.ground.surfaces import pave
 from scenewright.ground.works import GroundWorks
 
@@ -68,8 +69,7 @@ def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
             objects[free_key(name, objects)] = made_of
     for row in standing(solution, plans):
         objects[free_key(row.id, objects)] = _building(row, vertices)
-    x, y, system = _frame(solution.brief)
-    return city_document(solution.brief.name, objects, vertices, (x, y), system)
+    return city_document(solution.brief.name, objects, vertices, *_frame(solution.brief))
 
 
 def _laid_out(works: GroundWorks, vertices: Vertices) -> Iterator[tuple[str, dict[str, Any]]]:
@@ -95,11 +95,15 @@ def rings_of(part: shapely.Polygon) -> tuple[Points, ...]:
     return (outline, *holes)
 
 
-def _frame(brief: Brief) -> tuple[float, float, str]:
-    """What all sites add to their coordinates for those of one reference system, and its name."""
-    frames = {(*site.shift, site.system) for site in brief.part.sites}
-    x, y, system = frames.pop() if len(frames) == 1 else (0.0, 0.0, "")
-    return x, y, address_of(system)
+def _frame(brief: Brief) -> tuple[tuple[float, float], str, tuple[float, float, float]]:
+    """What all sites add to their coordinates for those of one reference system, its name, and
+    the metres in a unit of it along x, y and upwards."""
+    frames = {(site.shift, address_of(site.system)) for site in brief.part.sites}
+    shift, address = frames.pop() if len(frames) == 1 else ((0.0, 0.0), "")
+    if not address:
+        return shift, "", (1.0, 1.0, 1.0)
+    map_ = projection_at(shift, address)
+    return shift, address, (*map_.scale, map_.system.height if map_.system else 1.0)
 
 
 def _building(row: StandingBuilding, vertices: Vertices) -> dict[str, Any]:

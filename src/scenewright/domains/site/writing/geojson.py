@@ -20,14 +20,14 @@ from scenewright.core.atomic_file import write_atomically
 from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
 from scenewright.core.plan import Plan
+from scenewright.core.projection import Projection, projection, projection_at
+from scenewright.core.reference_system import urn_of
 from scenewright.core.solution import Solution
 from scenewright.domains.site.brief import Site
 from scenewright.domains.site.plan import plans_of
 from scenewright.domains.site.shapes import StandingBuilding, standing
 from scenewright.ground.map_writing import bearing_of, write_feature, write_points, write_ring
 from scenewright.ground.plan import SitePlan, Way
-from scenewright.ground.projection import Projection, projection
-from scenewright.ground.reference_system import urn_of
 from scenewright.ground.works import Pathway, PavedArea
 
 FIELDS = (
@@ -107,7 +107,7 @@ def _in_degrees(brief: Brief) -> bool:
 def _projection(site: Site, in_degrees: bool) -> Projection:
     if in_degrees:
         return projection(np.array([site.origin], float))
-    return Projection(site.shift, (1.0, 1.0), False)
+    return projection_at(site.shift, site.system)
 
 
 def _site(site: Site, plan: SitePlan, map_: Projection) -> dict[str, Any]:

@@ -16,10 +16,10 @@ import shapely
 
 from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
+from scenewright.core.projection import Projection, metres, projection
 from scenewright.core.space import Points
 from scenewright.domains.village.house import rectangle_about
-from scenewright.ground.map_features import Collection, Feature
-from scenewright.ground.projection import Projection, coordinates_of, metres, projection
+from scenewright.ground.map_features import Collection, Feature, in_degrees
 
 WIDTHS = {"primary": 8.0, "secondary": 7.0, "tertiary": 6.5, "residential": 5.5, "service": 4.0}
 PATHS = ("footway", "path", "steps", "track", "pedestrian", "cycleway")
@@ -46,6 +46,7 @@ def _is_block(feature: Feature) -> bool:
 
 def brief_of(found: Collection, name: str) -> Brief:
     """The brief of a village map; InputError if no block is among its features."""
+    found = in_degrees(found)
     blocks = [feature for feature in found.features if _is_block(feature)]
     if not blocks:
         raise InputError(
@@ -68,8 +69,8 @@ def brief_of(found: Collection, name: str) -> Brief:
             if f.tags.get("building") == LIBRARY
         ],
     }
-    if map_.turns:
-        document["origin"] = coordinates_of(map_, np.zeros((1, 2)))[0].tolist()
+    if map_.where:
+        document["origin"] = map_.where
     return Brief.model_validate(document)
 
 

@@ -17,12 +17,12 @@ from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
 from scenewright.core.piece_outlines import outline_of
 from scenewright.core.plan import Plan
+from scenewright.core.projection import Projection, projection
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
 from scenewright.domains.village.blocks import VillagePlan
 from scenewright.domains.village.plan import plan_village
 from scenewright.ground.map_writing import bearing_of, write_feature, write_points, write_ring
-from scenewright.ground.projection import Projection, projection
 
 STOREY = 2.7
 
