@@ -114,7 +114,7 @@ def test_buildings_that_overlap_share_the_ground(tmp_path):
     assert check(solution).valid
     plan = plans_of(solution.brief)[0]
     areas = [shapely.Polygon(row.footprint).area for row in plan.landmarks]
-    assert areas == pytest.approx([288]) or areas == pytest.approx([288, 216])
+    assert areas == pytest.approx([288, 72])
 
 
 def test_what_is_left_out_of_a_city_is_told(tmp_path):
@@ -124,7 +124,7 @@ def test_what_is_left_out_of_a_city_is_told(tmp_path):
     assert found.buildings == 4
     assert {row.name: row.reason for row in found.skipped} == {
         "far": "has no geometry that can be used",
-        "twin": "less than half of it is free on the ground",
+        "twin": "another building covers it",
     }
     assert found.brief.name == "town"
 
