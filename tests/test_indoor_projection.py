@@ -27,9 +27,9 @@ from indoor_maps import (
     tangent_plane,
 )
 from scenewright.building.plan import spaces
+from scenewright.core.projection import metres, projection
 from scenewright.domains.hall.indoor.geojson import report
 from scenewright.ground.map_features import collection
-from scenewright.core.projection import metres, projection
 
 
 @given(st.floats(-179, 179), st.floats(-80, 80), st.floats(-300, 300), st.floats(-300, 300))
