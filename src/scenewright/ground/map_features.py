@@ -21,6 +21,7 @@ from scenewright.core.errors import InputError
 from scenewright.core.projection import projection
 from scenewright.core.reference_system import to_degrees
 from scenewright.core.space import Points
+from scenewright.ground.imdf import is_imdf, to_indoor_tags
 from scenewright.ground.map_geometry import GEOMETRIES, Shapes, gather, is_closed
 from scenewright.ground.map_kinds import kind_of
 from scenewright.ground.map_tags import LONGEST_TEXT, tags_of
@@ -96,6 +97,7 @@ def collection(document: Any) -> Collection:
         raise InputError(text, 'give {"type": "FeatureCollection", "features": [...]}')
     if len(rows) > MOST_FEATURES:
         raise InputError(f"holds {len(rows)} features", f"at most {MOST_FEATURES} are read")
+    rows = to_indoor_tags(rows) if is_imdf(rows) else rows
     good: list[Feature] = []
     bad: list[SkippedFeature] = []
     broken: dict[str, dict[str, str]] = {}

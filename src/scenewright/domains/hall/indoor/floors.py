@@ -34,6 +34,8 @@ MOST_HOLES = 200
 MOST_CORNERS = 5_000
 MOST_CORNERS_ALL = 150_000
 TOO_FINE = f"has more than {MOST_HOLES} holes or {MOST_CORNERS} corners"
+BUILDING_PARTS = {"hall": "area", "verticalpassage": "room", "shell": "wall"}
+"""Values of ``buildingpart`` that ``indoor`` has other words for."""
 _WAYS = frozenset({"corridor", "area"})
 _WAY_ROOMS = frozenset({"entrance", "corridor", "hall", "lobby", "vestibule"})
 _NAMES = {
@@ -93,8 +95,10 @@ def role(tags: dict[str, str]) -> Role | None:
 
     >>> role({"indoor": "room", "shop": "books"}), role({"indoor": "area"}), role({"shop": "mall"})
     ('unit', 'way', None)
+    >>> role({"indoor": "yes", "room": "office"}), role({"indoor": "yes", "highway": "corridor"})
+    ('room', 'way')
     """
-    indoor = tags.get("indoor", "")
+    indoor = _stated(tags)
     if indoor in ("column", "wall", "pillar"):
         return "solid"
     kind, riser = shop_kind(tags), "elevator" in _telling(tags)
@@ -104,6 +108,21 @@ def role(tags: dict[str, str]) -> Role | None:
         return "unit" if kind and not riser else "room"
     apart = "level" in tags and "building" not in tags
     return "unit" if not indoor and apart and tags.get("shop") and kind else None
+
+
+def _stated(tags: dict[str, str]) -> str:
+    """What ``indoor`` says, or older tags in its place: ``indoor=yes`` with ``room``, with a way or
+    a shop; ``buildingpart``."""
+    indoor = tags.get("indoor", tags.get("buildingpart", ""))
+    if indoor in BUILDING_PARTS:
+        return BUILDING_PARTS[indoor]
+    if indoor != "yes":
+        return indoor
+    if tags.get("room", "no") != "no":
+        return "room"
+    if tags.get("highway") in ("corridor", "footway", "pedestrian"):
+        return "corridor"
+    return "room" if shop_kind(tags) else indoor
 
 
 def floors_of(features: Iterable[Feature], map_: Projection) -> Floors:

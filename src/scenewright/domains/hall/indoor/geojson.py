@@ -2,7 +2,8 @@
 
 Shops become halls with demands by their kind (``scenewright.domains.hall.programme``); other
 rooms, corridors and open areas are what their doors lead to, and stay empty. Broken features are
-left out; :func:`read_report` tells which and why. The map shows the middle lines of walls.
+left out; the brief carries a report of what became of every feature. The map shows the middle lines
+of walls. Levels may be named in words ("EG", "Ground floor").
 """
 
 from __future__ import annotations
@@ -37,8 +38,10 @@ from scenewright.domains.hall.indoor.floors import (
     role,
     with_points,
 )
+from scenewright.domains.hall.indoor.report import report_indoor
 from scenewright.domains.hall.programme import shop_kind
 from scenewright.ground.map_features import Collection, Feature, SkippedFeature, load
+from scenewright.ground.map_levels import number_levels
 
 STOREY = 4.0
 CEILING = 3.2
@@ -99,7 +102,8 @@ def brief_of(found: Collection, name: str) -> Brief:
 
 def report(found: Collection, name: str) -> IndoorReport:
     """The brief and report of features already read; InputError if no room is among them."""
-    drawn = [f for f in found.features if f.polygons and role(f.tags)]
+    features, words = number_levels(found.features)
+    drawn = [f for f in features if f.polygons and role(f.tags)]
     if not drawn:
         raise InputError(
             f"holds no room: none of its {len(found.features) + len(found.skipped)} features is "
@@ -108,15 +112,24 @@ def report(found: Collection, name: str) -> IndoorReport:
         )
     corners = np.vstack([ring for f in drawn for rings_ in f.polygons for ring in rings_])
     map_ = projection(corners, found.crs)
-    floors, skipped, changed = floors_of(found.features, map_)
+    floors, skipped, changed = floors_of(features, map_)
     if not floors:
         first = " ".join(skipped[0])
         raise InputError(f"none of its {len(drawn)} rooms can be used: {first}", "correct the map")
-    named = _assign_room_ids(with_points(floors, _shops(found.features, map_)))
-    openings = _openings(named, found.features, map_, name)
+    named = _assign_room_ids(with_points(floors, _shops(features, map_)))
+    openings = _openings(named, features, map_, name)
     placed = [*openings.found, *openings.fronts, *openings.open_borders]
+    lost = (*skipped, *openings.lost)
+    stated = report_indoor(
+        found._replace(features=features),
+        map_,
+        [floor for _, floor in named],
+        [entry.door.id for entry in openings.found],
+        lost,
+        changed,
+    )
     return IndoorReport(
-        _brief(name, named, placed),
+        _brief(name, named, placed, words).model_copy(update={"input_report": stated}),
         len(found.features) + len(found.skipped),
         sum(floor.role == "unit" for _, floor in named),
         sum(bool(floor.demands) for _, floor in named),
@@ -124,7 +137,7 @@ def report(found: Collection, name: str) -> IndoorReport:
         len(openings.fronts),
         len(openings.open_borders),
         tuple(openings.doorless),
-        (*found.skipped, *skipped, *openings.lost),
+        (*found.skipped, *lost),
         changed,
     )
 
@@ -241,7 +254,12 @@ def _find_joined_floors(
     return pairs
 
 
-def _brief(name: str, floors: list[tuple[str, IndoorFloor]], placed: list[PlacedDoor]) -> Brief:
+def _brief(
+    name: str,
+    floors: list[tuple[str, IndoorFloor]],
+    placed: list[PlacedDoor],
+    words: dict[float, str] | None = None,
+) -> Brief:
     levels = sorted({floor.level for _, floor in floors})
     rooms: list[dict[str, Any]] = []
     for room, floor in floors:
@@ -267,7 +285,12 @@ def _brief(name: str, floors: list[tuple[str, IndoorFloor]], placed: list[Placed
             "outlines": "centre",
             "wall_thickness": WALL,
             "levels": [
-                {"id": f"{z:g}", "name": f"Level {z:g}", "elevation": STOREY * z, "height": CEILING}
+                {
+                    "id": f"{z:g}",
+                    "name": (words or {}).get(z, f"Level {z:g}"),
+                    "elevation": STOREY * z,
+                    "height": CEILING,
+                }
                 for z in levels
             ],
             "rooms": rooms,
