@@ -102,7 +102,7 @@ def test_doors_that_fit_nowhere_are_told() -> None:
         node("far", 5, 30, door="yes", level="0"),
         node("twin", 4.2, 8, door="yes", level="0"),
         node("above", 6, 8, door="yes", level="1"),
-        node("odd", 6, 8, door="yes", level="EG"),
+        node("odd", 6, 8, door="yes", level="somewhere"),
     )
     assert [(s.feature, s.reason.split()[2]) for s in found.skipped] == [
         ("odd", "on"),
