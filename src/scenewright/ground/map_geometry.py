@@ -65,6 +65,7 @@ def gather(geometry: Any, shapes: Shapes, depth: int) -> None:
 
 
 def is_closed(line: Points) -> bool:
+    """Whether a line ends where it begins, round at least three corners."""
     return len(line) >= 4 and bool((line[0] == line[-1]).all())
 
 

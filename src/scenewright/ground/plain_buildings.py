@@ -21,6 +21,17 @@ FULL = 0.7
 """Share of its box that a footprint fills where a model of its own is drawn in that box."""
 
 
+HEIGHTS = {
+    3.0: "garage garages carport shed hut cabin greenhouse kiosk roof bunker toilets static_caravan",
+    4.5: "barn stable cowshed sty farm_auxiliary bungalow",
+    7.5: "house detached semidetached_house terrace farm yes",
+    18.0: "church cathedral mosque",
+}
+"""Usual heights in metres of uses whose buildings say neither height nor storeys."""
+SHED, SHED_HEIGHT = 40.0, 3.0
+"""Square metres below which a building is a shed, and its height in metres."""
+
+
 class Look(NamedTuple):
     """A model that buildings of some uses look like, and from which width, depth and height in
     metres they do."""
@@ -70,6 +81,16 @@ def plain_building(
         return BLOCK
     shape = roof or ("gabled" if size[2] > FLAT else "flat")
     return f"{HOUSES.get(style, HOUSES[''])}_{shape}"
+
+
+def usual_height(use: str, area: float, otherwise: float) -> float:
+    """The height in metres of a building of a use with m² of footprint that does not say.
+
+    >>> usual_height("garage", 60.0, 9.0), usual_height("", 18.0, 9.0), usual_height("", 200.0, 9.0)
+    (3.0, 3.0, 9.0)
+    """
+    known = [height for height, uses in HEIGHTS.items() if use in uses.split()]
+    return known[0] if known else SHED_HEIGHT if area < SHED else otherwise
 
 
 def fits_footprint(asset: str) -> bool:

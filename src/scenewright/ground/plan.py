@@ -82,7 +82,8 @@ class SitePlan(NamedTuple):
 class Standing(NamedTuple):
     """A landmark, or a building that stays: its footprint, the box (x, y, heading, width, depth)
     of its model, height; ``model`` is the id of the asset that draws it, empty if none is named;
-    ``local`` the footprint in the frame of the box, empty where that is the box."""
+    ``local`` the footprint in the frame of the box, empty where that is the box, ``drawn`` the id
+    of the shipped asset that draws one without a model."""
 
     id: str
     name: str
@@ -91,3 +92,4 @@ class Standing(NamedTuple):
     box: tuple[float, float, float, float, float]
     height: float
     local: Footprint = ()
+    drawn: str = ""

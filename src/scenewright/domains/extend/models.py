@@ -1,4 +1,4 @@
-"""What draws a building: the model it names, else one of ours by its size."""
+"""What draws a building: the model it names, else a plain one of ours."""
 
 from __future__ import annotations
 
@@ -16,12 +16,8 @@ from scenewright.core.space import Points
 from scenewright.domains.extend.areas import ExtendPlan
 from scenewright.domains.extend.pattern import BuildingKind, SourcePattern
 from scenewright.domains.extend.problem import Floats
+from scenewright.ground.plain_buildings import HOUSES, plain_building
 
-LOW, SMALL = 12.5, 400.0
-"""Height in metres and floor area in square metres up to which a building is drawn as a house."""
-HOUSES = {"": "house_rural", "rural": "house_rural", "riviera": "house_riviera", "hui": "house_hui"}
-"""The houses of each style a brief may name."""
-BLOCK = "modern_residential"
 BOXY = 0.985
 """The share of its box from which a footprint counts as the box."""
 
@@ -43,18 +39,7 @@ def model_of(kind: BuildingKind, style: str, catalog: Catalog) -> str:
     """The id of the asset that draws a kind of building."""
     if kind.model:
         return find_asset(catalog, kind.model).id
-    return drawn_as(kind.size, float(shapely.Polygon(kind.local).area), style)
-
-
-def drawn_as(size: tuple[float, float, float], area: float, style: str) -> str:
-    """The id of the shipped asset for a building of some size in metres and m² of floor.
-
-    >>> drawn_as((9.0, 7.0, 8.0), 63.0, ""), drawn_as((40.0, 12.0, 18.0), 480.0, "")
-    ('house_rural_gabled', 'modern_residential')
-    """
-    if size[2] > LOW or area > SMALL:
-        return BLOCK
-    return f"{HOUSES.get(style, HOUSES[''])}_{'gabled' if size[2] > 3.2 else 'flat'}"
+    return plain_building(kind.size, float(shapely.Polygon(kind.local).area), style)
 
 
 def check_models(brief: Brief, plan: ExtendPlan) -> Catalog:

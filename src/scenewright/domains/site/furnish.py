@@ -50,11 +50,9 @@ def buildings(
 
 
 def landmark_assets(plan: SitePlan, catalog: Catalog) -> tuple[Asset | None, ...]:
-    """The models that draw the landmarks: those named, else shipped ones of about their size."""
+    """The models that draw the landmarks: those named, else plain ones by what they are."""
     return tuple(
-        catalog.assets[row.model]
-        if row.model
-        else shipped().choose("building", Size(row.box[3], row.box[4], row.height))
+        catalog.assets[row.model] if row.model else shipped().assets.get(row.drawn)
         for row in plan.landmarks
     )
 
@@ -76,6 +74,7 @@ def landmarks(plan: SitePlan, catalog: Catalog) -> tuple[Piece, ...]:
                 group=f"{plan.id}/landmarks",
                 function="landmark",
                 fixed=True,
+                footprint=row.local,
             )
         )
     return tuple(found)

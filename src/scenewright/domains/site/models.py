@@ -13,16 +13,25 @@ from scenewright.catalog.loading import BUILDING, find_asset
 from scenewright.core.catalog import OWN, Asset, Catalog
 from scenewright.core.errors import InputError
 from scenewright.core.footprint import Footprint, place_outline, read_footprint
+from scenewright.core.reference_system import place_of, system_of
 from scenewright.core.scene import Size
 from scenewright.core.space import Points
-from scenewright.domains.site.brief import Building, Landmark, LibraryModel, LockedBuilding
+from scenewright.domains.site.brief import Building, Landmark, LibraryModel, LockedBuilding, Site
 from scenewright.ground import outlines as shapes
 from scenewright.ground.fit import corners_of
+from scenewright.ground.plain_buildings import (
+    fits_footprint,
+    plain_building,
+    style_at,
+    usual_height,
+)
 from scenewright.ground.plan import Standing
 
 OVERLAP = 0.02
-LANDMARK_HEIGHT = 9.0
-"""Height in metres of a landmark that does not say."""
+LANDMARK_HEIGHT, STOREY = 9.0, 3.2
+"""Height in metres of a landmark that does not say, and of a storey."""
+BOXY, TOUCHING = 0.985, 0.02
+"""Share of its box from which a footprint counts as the box; metres to which it fills its box."""
 
 
 def building_models(
@@ -52,13 +61,15 @@ def landmarks_of(
     floor: shapely.Polygon,
     place: str,
     catalog: Catalog,
+    style: str = "",
 ) -> tuple[Standing, ...]:
-    """The landmarks of a site under their names: inside its ground, and apart."""
+    """The landmarks of a site under their names: inside its ground, and apart. Those without a
+    model are drawn by what they are, as houses of a ``style``."""
     found: list[Standing] = []
     for number, name in enumerate(names):
         where = f"{place} landmarks[{number}]"
         try:
-            found.append(_landmark(rows[number], name, catalog))
+            found.append(_landmark(rows[number], name, catalog, style))
         except InputError as error:
             raise error.located(place=where) from None
         out = shapely.difference(shapely.Polygon(found[-1].footprint), floor)
@@ -116,7 +127,7 @@ def footprint_of(
     return read_footprint(given, *size[:2]) if given else model.footprint(size)
 
 
-def _landmark(row: Landmark, name: str, catalog: Catalog) -> Standing:
+def _landmark(row: Landmark, name: str, catalog: Catalog, style: str) -> Standing:
     """The footprint given, or that of a box of its own or its model's size where it stands."""
     model = find_asset(catalog, row.model) if row.model else None
     own = (*model.usual,) if model else None
@@ -132,8 +143,39 @@ def _landmark(row: Landmark, name: str, catalog: Catalog) -> Standing:
         raise InputError(fault, 'give "at" and "size", or "outline"')
     if row.outline is not None:
         footprint = rings(shapes.simple(row.outline, "its outline", 0.01))[0]
-    height = row.height or (size[2] if size else model.usual[2] if model else LANDMARK_HEIGHT)
-    return Standing(name, row.name or name, model.id if model else "", footprint, box, height)
+    height = row.height or (size[2] if size else model.usual[2] if model else 0.0)
+    height = height or _height(row, float(shapely.Polygon(footprint).area))
+    made = Standing(name, row.name or name, model.id if model else "", footprint, box, height)
+    return made if model else _plain(made, row, style)
+
+
+def _height(row: Landmark, area: float) -> float:
+    return row.levels * STOREY if row.levels else usual_height(row.use, area, LANDMARK_HEIGHT)
+
+
+def _plain(made: Standing, row: Landmark, style: str) -> Standing:
+    """A landmark without a model, with what draws it."""
+    width, depth = made.box[3:]
+    area = float(shapely.Polygon(made.footprint).area)
+    drawn = plain_building((width, depth, made.height), area, style, row.use, row.roof or "")
+    if not fits_footprint(drawn) or area > BOXY * width * depth:
+        return made._replace(drawn=drawn)
+    x, y, heading = made.box[:3]
+    cos, sin = np.cos(np.pi / 2 - heading), np.sin(np.pi / 2 - heading)
+    local = (made.footprint - (x, y)) @ np.array([[cos, sin], [-sin, cos]])
+    if np.abs(np.abs(local).max(0) - (width / 2, depth / 2)).max() > TOUCHING:
+        return made._replace(drawn=drawn)
+    return made._replace(drawn=drawn, local=read_footprint(local.tolist(), width, depth))
+
+
+def style_of(site: Site) -> str:
+    """The style of houses where a site lies; empty where that is not known."""
+    where = site.origin
+    try:
+        system = system_of(site.system) if where is None else None
+    except InputError:
+        system = None
+    return style_at(place_of(system, *site.shift) if system else where)
 
 
 def _box_about(footprint: Points, heading: float) -> tuple[float, float, float, float, float]:

@@ -19,7 +19,7 @@ from scenewright.core.errors import InputError
 from scenewright.core.plan import Plan
 from scenewright.core.space import Level, Points, Space
 from scenewright.domains.site.brief import Site, rows_of
-from scenewright.domains.site.models import building_models, fixed_of, landmarks_of
+from scenewright.domains.site.models import building_models, fixed_of, landmarks_of, style_of
 from scenewright.domains.site.paving import Reserved, reserve_areas
 from scenewright.ground import outlines as shapes
 from scenewright.ground.border import open_border
@@ -90,7 +90,7 @@ def _plan(site: Site, name: str, place: str, catalog: Catalog) -> SitePlan:
     models = building_models(rows_of(site), place, catalog)
     roads = _roads(site, floor, place)
     marks = assign_ids(site.landmarks, "landmark", "landmarks", place)
-    landmarks = landmarks_of(site.landmarks, marks, floor, place, catalog)
+    landmarks = landmarks_of(site.landmarks, marks, floor, place, catalog, style_of(site))
     fixed = fixed_of(site.fixed, floor, place, catalog)
     taken = [
         shapes.kept_free(

@@ -31,6 +31,7 @@ from scenewright.domains.village.learned.style import (
 from scenewright.domains.village.library import LOOKS, houses_of
 from scenewright.ground import outlines as shapes
 from scenewright.ground.names import assign_ids
+from scenewright.ground.plain_buildings import plain_building, style_at
 from scenewright.ground.plan import Area, SitePlan, Way
 
 LEVEL = Level("0", "", 0.0, 2.6)
@@ -73,8 +74,9 @@ def plan_village(brief: Brief) -> Plan:
         for k, block in enumerate(brief.part.blocks)
     ]
     lanes = lanes or _implied_lanes(streets, everything)
+    there = look if brief.style else style_at(brief.part.origin) or look
     blocks = tuple(
-        _block(block, name, floor, sides, lanes, f"blocks[{k}]")
+        _block(block, name, floor, sides, lanes, f"blocks[{k}]", there)
         for k, (block, name, floor, sides) in enumerate(
             zip(brief.part.blocks, names, floors, streets, strict=True)
         )
@@ -226,10 +228,13 @@ def _block(
     streets: Points,
     lanes: Sequence[Way],
     place: str,
+    look: str,
 ) -> BlockPlan:
     outline, _ = rings(floor)
     length = float(np.hypot(*(streets[:, 1] - streets[:, 0]).T).sum())
-    fixed = tuple(_standing(row, floor, f"{place} fixed[{k}]") for k, row in enumerate(block.fixed))
+    fixed = tuple(
+        _standing(row, floor, f"{place} fixed[{k}]", look) for k, row in enumerate(block.fixed)
+    )
     label = block.name or name
     return BlockPlan(
         name,
@@ -307,7 +312,8 @@ def _between(streets: Points, lane: shapely.Geometry) -> shapely.Geometry:
     return shapely.union_all(parts)
 
 
-def _standing(row: LockedHouse, floor: shapely.Polygon, place: str) -> StandingHouse:
+def _standing(row: LockedHouse, floor: shapely.Polygon, place: str, look: str) -> StandingHouse:
+    """A house that stands; one without a model is a plain one in the ``look`` of the place."""
     width, depth, height = row.size
     box = (*row.at, row.heading, width, depth)
     local = read_footprint(row.footprint, width, depth) if row.footprint else ()
@@ -318,4 +324,5 @@ def _standing(row: LockedHouse, floor: shapely.Polygon, place: str) -> StandingH
     )
     if not shapely.Polygon(outline).intersects(floor):
         raise InputError("stands outside its block", "move it in or let it go", place=place)
-    return StandingHouse(row.id, row.house, row.model, outline, box, height, local)
+    drawn = row.model or plain_building(row.size, float(shapely.Polygon(outline).area), look)
+    return StandingHouse(row.id, row.house, drawn, outline, box, height, local)

@@ -12,6 +12,8 @@ from scenewright.core.projection import Projection, metres, projection
 from scenewright.core.space import Points
 from scenewright.ground.built import BuiltBuilding, BuiltRoad, BuiltScene
 from scenewright.ground.map_features import Collection, Feature, collection, in_degrees
+from scenewright.ground.map_footprints import find_footprints
+from scenewright.ground.map_kinds import stands
 from scenewright.ground.reading.cleaning import MOST_BUILDINGS, clean_outline, drop_overlaps
 
 STOREY, HEIGHT = 3.0, 7.5
@@ -56,8 +58,9 @@ def buildings_of(
     features: tuple[Feature, ...], map_: Projection, left_out: list[str]
 ) -> Iterator[BuiltBuilding]:
     """The buildings of features; what has no usable footprint is ``left_out``."""
+    bare, _ = find_footprints(features)
     for feature in features:
-        if not feature.polygons or feature.tags.get("building", "no") in ("no", "proposed"):
+        if not feature.polygons or not (stands(feature.tags) or feature.id in bare):
             continue
         for number, rings in enumerate(feature.polygons):
             outline = clean_outline(metres(map_, rings[0]))

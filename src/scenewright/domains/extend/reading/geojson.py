@@ -14,8 +14,14 @@ from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
 from scenewright.core.projection import Projection, metres, projection
 from scenewright.ground.built import BuiltRoad
+from scenewright.ground.fates import Note
 from scenewright.ground.map_features import Collection, Feature, in_degrees
+from scenewright.ground.map_footprints import PARCEL, UNTAGGED, find_footprints
+from scenewright.ground.map_kinds import stands
+from scenewright.ground.map_report import report_map
 from scenewright.ground.reading.maps import buildings_of, number_of, roads_of
+
+UNREAD = "is no area to fill, building or street"
 
 
 def recognises(found: Collection) -> bool:
@@ -34,7 +40,7 @@ def _is_area(feature: Feature) -> bool:
 
 def brief_of(found: Collection, name: str) -> Brief:
     """The brief of a map; InputError if it has no area to fill, or no building to go by."""
-    found = in_degrees(found)
+    given, found = found, in_degrees(found)
     areas = [feature for feature in found.features if _is_area(feature)]
     corners = [ring for f in found.features for p in f.polygons for ring in p]
     if not areas:
@@ -42,10 +48,12 @@ def brief_of(found: Collection, name: str) -> Brief:
             "holds no area to fill", 'draw a polygon with the property "extend": "yes"'
         )
     map_ = projection(np.vstack(corners), found.crs)
-    notes: list[str] = []
-    buildings = list(buildings_of(found.features, map_, notes))
+    lost: list[str] = []
+    buildings = list(buildings_of(found.features, map_, lost))
     if not buildings:
         raise InputError("holds no building to go by", 'tag footprints with "building": "yes"')
+    roads = [road for f in found.features for road in roads_of(f, map_)]
+    notes = note_features(found, areas, {one.id for one in buildings}, map_)
     source = {
         "name": name[:80],
         "stands": True,
@@ -60,18 +68,48 @@ def brief_of(found: Collection, name: str) -> Brief:
             }
             for one in buildings
         ],
-        "roads": [_road(road) for f in found.features for road in roads_of(f, map_)],
+        "roads": [_road(road) for road in roads],
     }
     document: dict[str, Any] = {
         "domain": "extend",
         "name": name,
         "sources": [source],
         "areas": [_area(feature, map_) for feature in areas],
-        "notes": [line[:400] for line in notes[:100]],
+        "notes": [line[:400] for line in lost[:100]],
+        "input_report": report_map(given, map_, notes, lambda _name: UNREAD),
     }
     if map_.where:
         document["origin"] = map_.where
     return Brief.model_validate(document)
+
+
+def note_features(
+    found: Collection, areas: list[Feature], built: set[str], map_: Projection
+) -> list[Note]:
+    """What became of areas, buildings (those ``built``, by their ids) and streets."""
+    notes = list[Note]()
+    bare, parcels = find_footprints(found.features)
+    names = {feature.id for feature in areas}
+    for feature in found.features:
+        parts = [f"{feature.id}.{k}" for k in range(1, len(feature.polygons) + 1)]
+        kept = [name in built for name in (parts if len(parts) > 1 else [feature.id])]
+        if feature.id in names:
+            about = "only the first of its parts was read" if parts[1:] else ""
+            notes.append(Note(feature.id, "changed" if about else "used", about))
+        elif stands(feature.tags) or feature.id in bare:
+            about = [UNTAGGED] * (feature.id in bare)
+            about += [f"{kept.count(False)} of its parts has no usable footprint"] * (not all(kept))
+            about += [feature.lost] * bool(feature.lost)
+            note = Note(feature.id, "changed" if about else "used", "; ".join(about))
+            lost = Note(feature.id, "left out", "has no usable footprint", True)
+            notes.append(note if any(kept) and feature.polygons else lost)
+        elif feature.id in parcels:
+            notes.append(Note(feature.id, "left out", PARCEL))
+        elif "highway" in feature.tags and (feature.lines or feature.polygons):
+            read = any(True for _ in roads_of(feature, map_))
+            about = [] if read else ["is no line with a length"]
+            notes.append(Note(feature.id, "used" if read else "left out", "".join(about)))
+    return notes
 
 
 def _area(feature: Feature, map_: Projection) -> dict[str, Any]:

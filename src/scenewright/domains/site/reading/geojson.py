@@ -18,7 +18,6 @@ import shapely
 
 from scenewright.building.outlines import rings
 from scenewright.core.brief import Brief
-from scenewright.core.brief.input_report import InputReport, report_input
 from scenewright.core.errors import InputError
 from scenewright.core.projection import Projection, metres, projection
 from scenewright.domains.site.brief import VERGE
@@ -30,9 +29,9 @@ from scenewright.domains.site.reading.standing import (
     note_points,
 )
 from scenewright.domains.site.reading.tags import OWN, is_water, number_of, width_of
-from scenewright.ground.fates import Note, settle
+from scenewright.ground.fates import Note
 from scenewright.ground.map_features import Collection, Feature, SkippedFeature, load
-from scenewright.ground.map_kinds import kind_of, stands
+from scenewright.ground.map_report import report_map
 from scenewright.ground.outlines import GRID
 
 MOST_SITES = 100
@@ -98,7 +97,7 @@ def report(found: Collection, name: str) -> SiteReport:
         shape = next(row.shape for row in drawn if row.feature is feature)
         sites.append(_site(feature, shape, drawn, found, outlines, map_, notes))
         sites[-1].setdefault("name", name if len(outlines) == 1 else f"{name} {number + 1}")
-    stated = _report(found, map_, notes)
+    stated = report_map(found, map_, notes, lambda _name: UNREAD)
     brief = Brief.model_validate(
         {"domain": "site", "name": name, "sites": sites, "input_report": stated}
     )
@@ -109,22 +108,6 @@ def report(found: Collection, name: str) -> SiteReport:
         sum(len(site.roads) for site in brief.part.sites),
         sum(len(site.landmarks) for site in brief.part.sites),
         (*found.skipped, *told),
-    )
-
-
-def _report(found: Collection, map_: Projection, notes: list[Note]) -> InputReport:
-    """What became of every feature, those that could not be read last."""
-    kinds = {feature.id: feature.kind for feature in found.features}
-    kinds |= {name: kind_of(tags, "feature") for name, tags in found.broken.items()}
-    broken = [
-        Note(row.feature, "left out", row.reason, stands(found.broken.get(row.feature, {})))
-        for row in found.skipped
-    ]
-    return report_input(
-        settle(kinds, [*notes, *broken], lambda _name: UNREAD),
-        format="GeoJSON",
-        system=map_.system_in_words,
-        unit=map_.unit_in_words,
     )
 
 

@@ -17,6 +17,7 @@ from scenewright.core.projection import Projection, metres
 from scenewright.domains.site.reading.tags import appearance_of
 from scenewright.ground.fates import Note
 from scenewright.ground.map_features import Feature
+from scenewright.ground.map_footprints import UNTAGGED
 from scenewright.ground.map_kinds import PUBLIC, is_footprint, stands
 from scenewright.ground.outlines import GRID
 
@@ -26,7 +27,6 @@ LEAST_CUT = 0.02
 """Share of a building from which a cut is reported."""
 PARCEL = 0.6
 """Share of a site from which an area without tags is its ground."""
-UNTAGGED = 'has no tag that says what it is: taken as a building (else tag it "building": "no")'
 WHOLE = 0.98
 """Share of a site from which a building leaves no site."""
 OUTSIDE = "lies outside the site"

@@ -4,11 +4,13 @@ Polygons with the tag ``block`` are blocks; lines with ``highway`` lanes as wide
 ``width``, else as their class. Sides of a block are streets where a line with ``street_side`` names
 it, else along lanes. Houses (``building``) in a block stay where they stand unless the tag is
 ``building=proposed``. Polygons with ``building=library``, wherever they lie, are the houses to
-choose from (``building:levels``, ``roof:shape``, ``height``), their footprints as drawn.
+choose from (``building:levels``, ``roof:shape``, ``height``), their footprints as drawn. The brief
+carries a report of what became of every feature.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import numpy as np
@@ -19,13 +21,21 @@ from scenewright.core.errors import InputError
 from scenewright.core.projection import Projection, metres, projection
 from scenewright.core.space import Points
 from scenewright.domains.village.house import rectangle_about
+from scenewright.ground.fates import Note
 from scenewright.ground.map_features import Collection, Feature, in_degrees
+from scenewright.ground.map_footprints import PARCEL, UNTAGGED, find_footprints
+from scenewright.ground.map_kinds import stands, use_of
+from scenewright.ground.map_report import report_map
+from scenewright.ground.plain_buildings import fits_footprint, plain_building
 
 WIDTHS = {"primary": 8.0, "secondary": 7.0, "tertiary": 6.5, "residential": 5.5, "service": 4.0}
 PATHS = ("footway", "path", "steps", "track", "pedestrian", "cycleway")
 LANE, PATH, STOREY, HEIGHT = 5.0, 2.0, 2.7, 7.5
 LIBRARY, ROOFS = "library", ("gabled", "hipped", "flat")
 MOST_BLOCKS = 1000
+UNREAD = "is no block, lane or house"
+LEAST_OVER = 1.0
+"""Square metres of a block from which a house across its border stands in it."""
 NEAR = 0.5
 """Metres within which a side of a block is one named as street."""
 
@@ -46,7 +56,7 @@ def _is_block(feature: Feature) -> bool:
 
 def brief_of(found: Collection, name: str) -> Brief:
     """The brief of a village map; InputError if no block is among its features."""
-    found = in_degrees(found)
+    given, found = found, in_degrees(found)
     blocks = [feature for feature in found.features if _is_block(feature)]
     if not blocks:
         raise InputError(
@@ -57,10 +67,11 @@ def brief_of(found: Collection, name: str) -> Brief:
         raise InputError(f"holds {len(blocks):,} blocks", f"at most {MOST_BLOCKS} are read")
     map_ = projection(np.vstack([p[0] for f in blocks for p in f.polygons]), found.crs)
     lanes = [lane for f in found.features for lane in _lanes(f, map_)]
+    notes: list[Note] = []
     document: dict[str, Any] = {
         "domain": "village",
         "name": name,
-        "blocks": [_block(f, found, map_, bool(lanes)) for f in blocks],
+        "blocks": [_block(f, found, map_, bool(lanes), notes) for f in blocks],
         "lanes": lanes,
         "houses": [
             _choice(f, f"{f.tags.get('name') or f.id}", metres(map_, p[0]))
@@ -71,10 +82,44 @@ def brief_of(found: Collection, name: str) -> Brief:
     }
     if map_.where:
         document["origin"] = map_.where
+    notes += _note_others(found, blocks)
+    document["input_report"] = report_map(given, map_, notes, otherwise_of(given))
     return Brief.model_validate(document)
 
 
-def _block(feature: Feature, found: Collection, map_: Projection, lanes: bool) -> dict[str, Any]:
+def otherwise_of(found: Collection) -> Callable[[str], str]:
+    """Why a feature is left out that no note is about, by its name."""
+    houses = {f.id for f in found.features if f.polygons and stands(f.tags)}
+    points = {f.id for f in found.features if not f.polygons and stands(f.tags)}
+
+    def reason(name: str) -> str:
+        if name in points:
+            return "is no outline of a house"
+        return "stands in no block" if name in houses else UNREAD
+
+    return reason
+
+
+def _note_others(found: Collection, blocks: list[Feature]) -> Iterator[Note]:
+    """What became of lanes, sides of streets, houses to choose from and such to be replaced."""
+    names = {name for f in blocks for name in (f.id, f.tags.get("name", ""))} - {""}
+    for feature in found.features:
+        kind = feature.tags.get("building", "")
+        if "highway" in feature.tags and (feature.lines or feature.polygons):
+            area = "" if feature.lines else "is drawn as an area: only lines are read as lanes"
+            yield Note(feature.id, "left out" if area else "used", area)
+        elif "street_side" in feature.tags:
+            known = feature.tags["street_side"] in names
+            yield Note(feature.id, "used" if known else "left out", "" if known else "of no block")
+        elif kind == LIBRARY and feature.polygons:
+            yield Note(feature.id, "used")
+        elif kind == "proposed" and feature.polygons:
+            yield Note(feature.id, "left out", "is proposed: houses are placed anew")
+
+
+def _block(
+    feature: Feature, found: Collection, map_: Projection, lanes: bool, notes: list[Note]
+) -> dict[str, Any]:
     ring = _ring(metres(map_, feature.polygons[0][0]))
     made: dict[str, Any] = {
         "name": feature.tags.get("name", feature.id),
@@ -91,18 +136,38 @@ def _block(feature: Feature, found: Collection, map_: Projection, lanes: bool) -
         made["streets"] = sides
     elif not lanes:
         made["streets"] = list(range(len(ring)))
-    floor = shapely.Polygon(ring)
-    houses = [(f, metres(map_, p[0])) for f in found.features for p in f.polygons if _stays(f)]
-    made["fixed"] = [
-        _house(house, _ring(corners))
-        for house, corners in houses
-        if floor.contains(shapely.Polygon(corners).representative_point())
-    ]
+    parts = len(feature.polygons)
+    about = f"only the first of its {parts} parts was read" if parts > 1 else ""
+    notes.append(Note(feature.id, "changed" if about else "used", about))
+    made["fixed"] = list(_houses(feature, shapely.Polygon(ring), found, map_, notes))
     return made
 
 
+def _houses(
+    block: Feature, floor: shapely.Polygon, found: Collection, map_: Projection, notes: list[Note]
+) -> Iterator[dict[str, Any]]:
+    """The houses that stand in a block."""
+    bare, parcels = find_footprints(found.features)
+    notes += [Note(name, "left out", PARCEL) for name in sorted(parcels)]
+    for feature in found.features:
+        untagged = feature.id in bare
+        if feature is block or not (_stays(feature) or untagged):
+            continue
+        for number, part in enumerate(feature.polygons, 1):
+            corners = _ring(metres(map_, part[0]))
+            shape = shapely.make_valid(shapely.Polygon(corners))
+            if not floor.contains(shape.representative_point()):
+                if shapely.intersection(floor, shape).area >= LEAST_OVER:
+                    notes.append(Note(feature.id, "left out", "lies across a block's border", True))
+                continue
+            reason = "; ".join(filter(None, (UNTAGGED * untagged, feature.lost)))
+            notes.append(Note(feature.id, "changed" if reason else "used", reason))
+            house = _house(feature, corners)
+            yield house | ({"id": f"{house['id']}.{number}"} if number > 1 else {})
+
+
 def _stays(feature: Feature) -> bool:
-    return feature.tags.get("building", "no") not in ("no", "proposed", LIBRARY)
+    return stands(feature.tags) and feature.tags.get("building") != LIBRARY
 
 
 def _choice(feature: Feature, name: str, corners: Points) -> dict[str, Any]:
@@ -164,10 +229,12 @@ def _house(feature: Feature, ring: Points) -> dict[str, Any]:
     levels = _number(feature.tags.get("building:levels"), 0.0)
     height = _number(feature.tags.get("height"), levels * STOREY + 2 if levels else HEIGHT)
     width, depth = (high - low).tolist()
+    area = float(shapely.make_valid(shapely.Polygon(ring)).area)
+    drawn = plain_building((width, depth, height), area, use=use_of(feature.tags))
     return {
         "id": feature.id,
         "house": feature.tags.get("name", ""),
-        "model": feature.tags.get("model", ""),
+        "model": feature.tags.get("model", "" if fits_footprint(drawn) else drawn),
         "at": [round(float(v), 3) for v in middle],
         "heading": float((heading + np.pi) % (2 * np.pi) - np.pi),
         "size": [width, depth, height],

@@ -1,0 +1,36 @@
+"""The input report of a map from what a reader noted of its features."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from scenewright.core.brief.input_report import InputReport, report_input
+from scenewright.core.projection import Projection
+from scenewright.core.reference_system import system_of
+from scenewright.ground.fates import Note, settle
+from scenewright.ground.map_features import Collection
+from scenewright.ground.map_kinds import kind_of, stands
+
+
+def report_map(
+    found: Collection, map_: Projection, notes: Sequence[Note], otherwise: Callable[[str], str]
+) -> InputReport:
+    """What became of every feature of a map, those that could not be read last; ``otherwise``
+    says by the name of one that no note is about why it was left out. ``found`` is the map as the
+    file has it, with its own reference system."""
+    kinds = {feature.id: feature.kind for feature in found.features}
+    kinds |= {name: kind_of(tags, "feature") for name, tags in found.broken.items()}
+    broken = [
+        Note(row.feature, "left out", row.reason, stands(found.broken.get(row.feature, {})))
+        for row in found.skipped
+    ]
+    partly = [Note(f.id, "changed", f.lost) for f in found.features if f.lost]
+    known = {note.name for note in notes if note.outcome != "left out"}
+    stated = system_of(found.crs)
+    plane = stated if stated and not stated.degrees else None
+    return report_input(
+        settle(kinds, [*notes, *broken, *(n for n in partly if n.name in known)], otherwise),
+        format="GeoJSON",
+        system=plane.label if plane else map_.system_in_words,
+        unit=plane.unit if plane and map_.turns else map_.unit_in_words,
+    )
