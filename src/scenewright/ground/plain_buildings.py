@@ -22,7 +22,7 @@ FULL = 0.7
 
 
 HEIGHTS = {
-    3.0: "garage garages carport shed hut cabin greenhouse kiosk roof bunker toilets static_caravan",
+    3.0: "garage garages carport shed hut cabin greenhouse kiosk roof toilets",
     4.5: "barn stable cowshed sty farm_auxiliary bungalow",
     7.5: "house detached semidetached_house terrace farm yes",
     18.0: "church cathedral mosque",
