@@ -26,6 +26,10 @@ BEYOND = 0.35
 RAILING = 0.9
 SLIVER = 0.05
 """What stairs take of a room is left out where it is narrower than this, metres."""
+FLIGHT = 0.2
+"""Depth of a flight of stairs below its steps, metres."""
+TOUCH = 0.01
+"""Treads that overlap by less lie beside each other, metres."""
 WHOLE = 0.999
 """A part of which this share lies in a room is not cut to it."""
 BASEMENT = -0.5
@@ -114,7 +118,8 @@ def with_stairs(
             own = np.array([space.level == level for space in spaces])
             most = rise[stairs.id] if kind == "foot" else RAILING
             tall = [min(most, space.height) for space in spaces]
-            for room, part in _parts(stairs, kind, entries[kind], tree, own, tall):
+            above = [other for other in found if kind == "head" and is_stacked(stairs, other)]
+            for room, part in _parts(stairs, kind, entries[kind], tree, own, tall, above):
                 if part.id in taken:
                     raise InputError(
                         f"the id '{part.id}' is used twice",
@@ -136,16 +141,21 @@ def _parts(
     floors: shapely.STRtree,
     own: NDArray[np.bool_],
     tall: Sequence[float],
+    above: Sequence[Stairs] = (),
 ) -> Iterator[tuple[int, StairPart]]:
     """What stairs take of the ``floors`` of their ``own`` level, cut where rooms part, and nothing
-    where rooms have been drawn round it. The first box holds the foot, the last the head: in the
-    room of the ``entry`` (else the one with most of it) that part is the staircase one steps onto.
+    where rooms have been drawn round it, or stairs stacked ``above`` take it. The first box holds
+    the foot, the last the head: in the room of the ``entry`` (else the one with most of it) that
+    part is the staircase one steps onto.
     """
     boxes = stairs.taken if kind == "foot" else stairs.open
     main = 0 if kind == "foot" else len(boxes) - 1
     name = stairs.id if kind == "foot" else f"{stairs.id}/well"
+    over = shapely.union_all([shapely.Polygon(_outline(b)) for s in above for b in s.taken]).buffer(
+        TOUCH, join_style="mitre"
+    )
     for k, box in enumerate(boxes):
-        shape = shapely.Polygon(_outline(box))
+        shape = shapely.Polygon(_outline(box)).difference(over)
         near = np.sort(floors.query(shape))
         near = near[own[near]]
         inside = shapely.intersection(floors.geometries[near], shape)
@@ -158,6 +168,30 @@ def _parts(
             category = "staircase" if k == main and room == first else "obstacle"
             label += "" if room == first else f"/room-{room + 1}"
             yield room, StairPart(label, category, tuple(part), tall[room])
+
+
+def is_stacked(stairs: Stairs, other: Stairs) -> bool:
+    """Whether other stairs rise from where stairs arrive, above them, and one walks upright below.
+
+    Where treads lie one above the other, at h of stairs that rise by H and at h' of the others, it
+    is H + h' - h less a rise and the depth of the flight, 0.2 m, at least 2 m.
+
+    >>> from scenewright.core.brief.stairs import StairsBrief
+    >>> def up(y, turns, level, to):
+    ...     asked = StairsBrief(at=(0, y), heading=turns * np.pi / 2)
+    ...     return build_stairs(asked, level, level, to, 2.8)
+    >>> first = up(0, 1, "a", "b")
+    >>> is_stacked(first, up(0, 1, "b", "c")), is_stacked(first, up(4, -1, "b", "c"))
+    (True, False)
+    """
+    if other.level != stairs.upper or other.id == stairs.id:
+        return False
+    below, rise = stairs.treads, stairs.rise * stairs.rises
+    tree = shapely.STRtree([shapely.Polygon(tread.outline).buffer(-TOUCH) for tread in below])
+    upper = [shapely.Polygon(tread.outline) for tread in other.treads]
+    pairs = tree.query(upper, predicate="intersects").T.tolist()
+    clear = [rise + other.treads[j].height - below[i].height for j, i in pairs]
+    return bool(clear) and min(clear) - other.rise - FLIGHT >= HEADROOM
 
 
 def _outline(box: Box) -> Floats:
