@@ -13,6 +13,7 @@ from itertools import pairwise
 import numpy as np
 import shapely
 
+from scenewright.core.brief.units import suggest_scale
 from scenewright.core.errors import InputError
 from scenewright.core.space import Points
 
@@ -236,11 +237,12 @@ def _where(shape: shapely.Polygon) -> str:
 
 def _check_extent(floor: shapely.Polygon) -> None:
     x0, y0, x1, y1 = floor.bounds
-    if max(x1 - x0, y1 - y0) > GREATEST_EXTENT:
+    side = max(x1 - x0, y1 - y0)
+    if side > GREATEST_EXTENT:
         raise InputError(
-            f"the room is {max(x1 - x0, y1 - y0):.0f} m long",
-            f"lengths are metres and a room is at most {GREATEST_EXTENT:.0f} m long: add "
-            "--scale 0.01 if they are centimetres",
+            f"the room is {side:.0f} m long",
+            f"lengths are metres and a room is at most {GREATEST_EXTENT:.0f} m long: "
+            f"{suggest_scale(side)}",
         )
 
 

@@ -16,11 +16,14 @@ import shapely
 
 from scenewright.building.door_leaves import TWO
 from scenewright.core.brief import Brief
+from scenewright.core.brief.units import UNITS
 from scenewright.core.space import Space
 
 USUAL = {"door": (0.75, 0.9), "toilet": (0.75, 2.0), "bathtub": (1.0, 2.0)}
 """Usual widths of hinged doors and of toilets, and lengths of bathtubs, in metres."""
 LEAST_DOORS = 2
+NEAR_UNIT = 1.1
+"""By how much doors may differ from usual ones in the unit a plan is said to be drawn in."""
 DOUBTFUL = 1.2
 """A factor of more than this, or of less than its inverse, is no longer within what is built: a
 median leaf under 0.625 m (leaves under some 0.61 m are made for cupboards only) or over 1.08 m."""
@@ -52,8 +55,19 @@ class DrawnScale(NamedTuple):
         return (
             f"hinged doors measure {self.width:.2f} m (median of {self.doors}): the plan seems "
             f"drawn {times} times too {'large' if large else 'small'}; "
-            f"arrange it with --scale {given * self.factor:.2g}"
+            f"arrange it with --scale {_name_scale(self.width, self.factor, given)}"
         )
+
+
+def _name_scale(width: float, factor: float, given: float) -> str:
+    """The factor in all, or the metres of the unit in which doors so wide are usual.
+
+    >>> _name_scale(2.8, 0.32, 1.0), _name_scale(0.35, 2.14, 1.0)
+    ('0.3048 if it is drawn in feet', '2.1')
+    """
+    low, high = USUAL["door"][0] / NEAR_UNIT, USUAL["door"][1] * NEAR_UNIT
+    units = [(word, m) for word, m in UNITS.items() if given == 1.0 and low < width * m < high]
+    return f"{units[0][1]:g} if it is drawn in {units[0][0]}" if units else f"{given * factor:.2g}"
 
 
 def estimate_scale(brief: Brief, spaces: Sequence[Space]) -> DrawnScale | None:

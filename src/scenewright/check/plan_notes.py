@@ -11,6 +11,7 @@ from scenewright.building.labels import tell_labels
 from scenewright.catalog.suggestions import offer_kinds, suggest_kinds
 from scenewright.check.drawn_scale import estimate_scale
 from scenewright.core.brief import Brief, Room
+from scenewright.core.brief.units import suggest_scale
 from scenewright.core.kind import Kind
 from scenewright.core.report import Note
 from scenewright.core.space import Space
@@ -109,12 +110,12 @@ def note_vast_rooms(spaces: Sequence[Space]) -> list[Note]:
     >>> from scenewright.building.plan import spaces
     >>> room = {"id": "bath", "outline": [[0, 0], [250, 0], [250, 180], [0, 180]]}
     >>> note_vast_rooms(spaces(Brief.model_validate({"rooms": [room]})))[0].message
-    'bath has 45000 m²: lengths are metres; add --scale 0.01 if they are centimetres'
+    'bath has 45000 m²: lengths are metres; add --scale 0.0254 if they are inches'
     """
     areas = {space.id: shapely.Polygon(space.outline).area for space in spaces}
     vast = [(area, name) for name, area in areas.items() if area > VAST]
     if not vast:
         return []
     area, name = max(vast)
-    text = f"{name} has {area:.0f} m²: lengths are metres; add --scale 0.01 if they are centimetres"
+    text = f"{name} has {area:.0f} m²: lengths are metres; {suggest_scale(area**0.5)}"
     return [Note("", "plan", "unit", text)]

@@ -12,10 +12,11 @@ KeepOption = Annotated[
 ScaleOption = Annotated[
     float,
     typer.Option(
-        min=0.01,
+        min=0.001,
         max=20,
         help="Multiply all lengths in plan (2: drawn half as large as it is); heights, of sills, "
-        "doors and ceilings too, and sizes of furniture stay. 0.01 reads centimetres.",
+        "doors and ceilings too, and sizes of furniture stay. 0.01 reads centimetres, "
+        "0.001 millimetres, 0.0254 inches.",
     ),
 ]
 HiddenOption = Annotated[

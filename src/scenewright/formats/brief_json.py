@@ -13,7 +13,8 @@ from pydantic import ValidationError
 
 from scenewright.core.brief import Brief, brief_schema
 from scenewright.core.brief.domain_keys import check_parts, is_brief
-from scenewright.core.document_faults import to_input_error
+from scenewright.core.brief.units import suggest_for
+from scenewright.core.document_faults import METRES, to_input_error
 from scenewright.core.errors import InputError
 from scenewright.core.registry import domain_names, domain_of
 from scenewright.formats.catalog_paths import resolve_paths
@@ -64,7 +65,14 @@ def _brief(raw: dict[str, Any], folder: Path, scale: float = 1.0) -> Brief:
             return Brief.model_validate(document | {"scale": scale})
         return apply_scale(Brief.model_validate(document), scale)
     except ValidationError as error:
-        raise to_input_error(error, brief_schema) from None
+        raise _with_unit(to_input_error(error, brief_schema), document) from None
+
+
+def _with_unit(error: InputError, document: dict[str, Any]) -> InputError:
+    """An error about a length that is too great with the scale that helps, if all are."""
+    unit = suggest_for(document) if METRES in error.remedy else ""
+    remedy = f"{error.remedy}: {unit}" if unit else error.remedy
+    return InputError(error.fault, remedy, file=error.file, place=error.place)
 
 
 def holds_brief(path: Path) -> bool:

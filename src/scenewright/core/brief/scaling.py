@@ -20,8 +20,12 @@ if TYPE_CHECKING:
 
 FARTHEST = 1e4
 """Greatest coordinate of a brief, in metres."""
-LEAST, MOST = 0.01, 20.0
+LEAST, MOST = 0.001, 20.0
 """Limits of a scale."""
+FINE = 0.01
+"""Below this scale (millimetres) lengths are brought nearer before they are checked."""
+SPANS = frozenset((("doors", "width"), ("windows", "width"), ("walls", "thickness")))
+POINTS = frozenset(("outline", "holes", "at", "start", "end"))
 WIDTHS = {"doors": (0.3, 20.0), "windows": (0.1, 30.0)}
 """Least and greatest width of an opening, in metres."""
 THICKEST = 5.0
@@ -38,6 +42,7 @@ def scale_widths(document: Mapping[str, Any]) -> dict[str, Any]:
     >>> scale_widths({"scale": 0.01, "rooms": [{"doors": doors}]})["rooms"]
     [{'doors': [{'at': [60, 0], 'width': 0.85}]}]
     """
+    document = _bring_near(document)
     factor = document.get("scale", 1.0)
     if not _is_number(factor) or factor == 1.0 or not LEAST <= factor <= MOST:
         return dict(document)
@@ -48,6 +53,24 @@ def scale_widths(document: Mapping[str, Any]) -> dict[str, Any]:
         **document,
         **{key: [_widen(item, key, factor) for item in items] for key, items in given.items()},
     }
+
+
+def _bring_near(document: Mapping[str, Any]) -> Mapping[str, Any]:
+    """A document in millimetres as one in centimetres, whose coordinates are within the limits."""
+    factor = document.get("scale", 1.0)
+    if not _is_number(factor) or not LEAST <= factor < FINE:
+        return document
+    return {key: _shrink(value, key) for key, value in document.items()} | {"scale": 10 * factor}
+
+
+def _shrink(value: Any, key: str, within: str = "") -> Any:
+    """A value below a key with all points in it, and widths of openings and walls, a tenth."""
+    if isinstance(value, Mapping):
+        return {name: _shrink(inner, name, key) for name, inner in value.items()}
+    if isinstance(value, list | tuple):
+        return [_shrink(inner, key, within) for inner in value]
+    drawn = key in POINTS or (within, key) in SPANS
+    return value / 10 if drawn and _is_number(value) else value
 
 
 def _widen(item: Any, key: str, factor: float) -> Any:
