@@ -68,6 +68,21 @@ def title_of(brief: Brief) -> TitleBlock:
     return TitleBlock(brief.sheet or "1", brief.date)
 
 
+def number_sheets(block: TitleBlock, count: int) -> list[TitleBlock]:
+    """The title blocks of so many sheets of a set: numbered on, a stated number with a part.
+
+    >>> [row.number for row in number_sheets(UNDATED, 2)]
+    ['1', '2']
+    >>> [row.number for row in number_sheets(TitleBlock("A-101"), 2)]
+    ['A-101.1', 'A-101.2']
+    """
+    if count == 1:
+        return [block]
+    plain = block.number == UNDATED.number
+    numbers = [str(k) if plain else f"{block.number}.{k}" for k in range(1, count + 1)]
+    return [block._replace(number=number) for number in numbers]
+
+
 def choose(width: float, height: float, extra_width: float, extra_height: float) -> PaperSheet:
     """The largest scale and then smallest paper on which a drawing fits.
 
@@ -96,14 +111,16 @@ def papers(scale: int, large: int = 200) -> tuple[tuple[float, float], ...]:
 
 def sheet_mark(sheet: PaperSheet, name: str, summary: str, block: TitleBlock = UNDATED) -> Mark:
     """Frame and title strip: name and summary take the room that the scale bar leaves; scale,
-    number of the sheet and date are on the right."""
+    number of the sheet and date are on the right. A sheet of scale 0 (a list, pictures) has
+    neither scale nor north."""
     right, bottom = sheet.width - EDGE, sheet.height - EDGE
     top = bottom - STRIP
     middle = (top + bottom) / 2
     corners = [(EDGE, EDGE), (right, EDGE), (right, bottom), (EDGE, bottom)]
     room = right - 64 - EDGE - 5
-    unit, divisions = _divisions(sheet.scale, 0.45 * room)
-    room -= divisions * unit * 1000 / sheet.scale + 10
+    if sheet.scale:
+        unit, divisions = _divisions(sheet.scale, 0.45 * room)
+        room -= divisions * unit * 1000 / sheet.scale + 10
     words, size = fit_text(shorten_ids(clean(name, 80)), 4.4, room, wide=1.12)
     line_below, small = fit_text(summary, 2.3, room)
     marks = [
@@ -113,15 +130,22 @@ def sheet_mark(sheet: PaperSheet, name: str, summary: str, block: TitleBlock = U
         line([(right - 58, top), (right - 58, bottom)], stroke_width=LINE),
         _words(words, (EDGE + 5, middle - 2.2), size, weight="bold"),
         _words(line_below, (EDGE + 5, middle + 3.6), small, fill=GREY),
-        scale_bar(right - 64, middle + 1.5, sheet.scale, 0.45 * (right - 69 - EDGE)),
-        north_arrow(right - 51, middle + 1.2),
-        _words(f"1:{sheet.scale}", (right - 40, middle - 2.2), 4.4, weight="bold"),
+        *(_scale_marks(sheet, right, middle) if sheet.scale else []),
         _words(f"Sheet {clean(block.number, 8)}", (right - 20, middle - 2.2), 2.3, weight="bold"),
         _words(f"Scenewright {__version__}", (right - 40, middle + 3.6), 2.1, fill=GREY),
     ]
     if block.date:
         marks.append(_words(clean(block.date, 10), (right - 17, middle + 3.6), 2.1))
     return group(marks, fill="none", stroke=INK)
+
+
+def _scale_marks(sheet: PaperSheet, right: float, middle: float) -> list[Mark]:
+    """The scale bar, the arrow to the north and the scale."""
+    return [
+        scale_bar(right - 64, middle + 1.5, sheet.scale, 0.45 * (right - 69 - EDGE)),
+        north_arrow(right - 51, middle + 1.2),
+        _words(f"1:{sheet.scale}", (right - 40, middle - 2.2), 4.4, weight="bold"),
+    ]
 
 
 def shorten_ids(name: str) -> str:

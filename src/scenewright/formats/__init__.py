@@ -177,6 +177,15 @@ def check_output(path: str | os.PathLike[str], brief: Brief) -> None:
         raise error.located(file=str(path)) from None
 
 
+def omissions(path: str | os.PathLike[str], domain: str = "") -> tuple[str, ...]:
+    """What the format of ``path`` does not hold of a solution, where its module says so.
+
+    >>> "lamps and cameras" in omissions("flat.3d.dxf")
+    True
+    """
+    return tuple(getattr(_module(_row(path, "writer", domain).writer, path), "OMITTED", ()))
+
+
 def suffix_of(path: str | os.PathLike[str]) -> str:
     """The suffix by which a file's format is found, as it is written there.
 

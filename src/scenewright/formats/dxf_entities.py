@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import os
 from collections.abc import Iterator
 from itertools import pairwise
@@ -16,6 +17,8 @@ from ezdxf.document import Drawing
 from scenewright.building.drawn.drawing import Arc, Word
 from scenewright.core.errors import InputError
 
+logging.getLogger("ezdxf").addHandler(logging.NullHandler())
+"""What the library mends in a file is no message for the terminal."""
 MOST_ENTITIES, MOST_LINES, MOST_BYTES = 400_000, 1_000_000, 200_000_000
 QUARTER = (70.0, 110.0)
 """Degrees of the arcs that leaves of doors sweep."""
@@ -80,21 +83,9 @@ def _open(path: str | os.PathLike[str]) -> Drawing:
         )
     try:
         return ezdxf.readfile(path)
-    except (
-        ezdxf.DXFError,
-        UnicodeDecodeError,
-        LookupError,
-        ValueError,
-        TypeError,
-        AttributeError,
-        OverflowError,
-        RecursionError,
-        ArithmeticError,
-    ) as error:
-        return _recover(path, error)
-    except OSError as error:
-        if error.errno is not None:
-            raise
+    except (MemoryError, PermissionError):
+        raise
+    except Exception as error:  # a damaged file: the library raises many kinds of error
         return _recover(path, error)
 
 

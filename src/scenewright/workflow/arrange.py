@@ -18,6 +18,7 @@ from scenewright.workflow.request import (
     ArrangeRequest,
     note_heavy,
     note_ineffective,
+    note_omissions,
     note_scale,
     plan_request,
 )
@@ -80,6 +81,7 @@ def arrange_file(
     report = domains.check(solution, plan=plan)
     yield Judged(report)
     yield from write_all([(solution, path) for path in request.outputs], plan, parts)
+    yield from note_omissions(request.outputs, brief.domain)
     yield from note_heavy(solution)
     return Arranged(solution, plan, report)
 

@@ -14,7 +14,14 @@ from scenewright.core.errors import InputError
 from scenewright.core.plan import Plan
 from scenewright.core.solution import Solution
 from scenewright.domains import domain_of, presets, solvers
-from scenewright.formats import SWEET_HOME, brief_json, check_output, read_planned, writer
+from scenewright.formats import (
+    SWEET_HOME,
+    brief_json,
+    check_output,
+    omissions,
+    read_planned,
+    writer,
+)
 from scenewright.workflow.events import Notice, Planned
 
 HEAVY = 50_000
@@ -98,6 +105,13 @@ def note_scale(source: str, brief: Brief, plan: Plan, given: float = 1.0) -> Ite
     found = domain.verb("drawn_scale")(brief, plan.spaces) if domain.has("drawn_scale") else None
     if found is not None and found.is_doubtful:
         yield Notice(f"{source}: {found.describe(given)}")
+
+
+def note_omissions(outputs: Sequence[Path], domain: str) -> Iterator[Notice]:
+    """What the formats of the outputs do not hold of a solution."""
+    for path in outputs:
+        if lacking := omissions(path, domain):
+            yield Notice(f"{path.name} does not hold: {', '.join(lacking)}")
 
 
 def note_heavy(solution: Solution) -> Iterator[Notice]:

@@ -28,14 +28,14 @@ from scenewright.drawing.labels import polygon_of
 from scenewright.drawing.layers import PlanDrawing
 from scenewright.drawing.legend import LegendRow
 from scenewright.drawing.rooms import Overlay, Storey, count_words, plan, split_levels
-from scenewright.drawing.sheet import title_of
+from scenewright.drawing.sheet import TitleBlock, number_sheets, title_of
 from scenewright.drawing.wordings import area_words
 
 
 def draw(solution: Solution, made: Plan, judge: Callable[[], Report]) -> PlanDrawing:
     """The plan of a laid out hall; it shows nothing of the referee's report."""
     del judge
-    return _draw_scene(scene_of_rooms(solution, made), solution)
+    return _draw_scene(scene_of_rooms(solution, made), solution, title_of(solution.brief))
 
 
 def draw_levels(
@@ -44,14 +44,17 @@ def draw_levels(
     """A sheet for each level."""
     del judge
     levels = split_levels(scene_of_rooms(solution, made))
-    return tuple(_draw_scene(level, solution) for level in levels)
+    blocks = number_sheets(title_of(solution.brief), len(levels))
+    return tuple(
+        _draw_scene(level, solution, title) for level, title in zip(levels, blocks, strict=True)
+    )
 
 
-def _draw_scene(scene: Scene, solution: Solution) -> PlanDrawing:
+def _draw_scene(scene: Scene, solution: Solution, title: TitleBlock) -> PlanDrawing:
     catalog = catalog_of(solution.brief.catalogs)
     halls, ids = halls_of(solution), {space.id for space in scene.spaces}
     added = overlay_of(part_of(halls, ids), catalog) if halls else Overlay()
-    return plan(scene, catalog, added._replace(title=title_of(solution.brief)))
+    return plan(scene, catalog, added._replace(title=title))
 
 
 def overlay_of(halls: Halls, catalog: Catalog) -> Overlay:

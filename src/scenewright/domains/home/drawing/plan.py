@@ -20,7 +20,7 @@ from scenewright.drawing.layers import PlanDrawing, PlanLayer
 from scenewright.drawing.legend import LegendRow
 from scenewright.drawing.marks import PaperView
 from scenewright.drawing.rooms import Overlay, Storey, plan, split_levels
-from scenewright.drawing.sheet import title_of
+from scenewright.drawing.sheet import TitleBlock, number_sheets, title_of
 
 OUTLETS = {"power": "Socket", "antenna": "Antenna", "data": "Data", "water": "Tap and drain"}
 """What the symbols of outlets stand for."""
@@ -28,7 +28,7 @@ OUTLETS = {"power": "Socket", "antenna": "Antenna", "data": "Data", "water": "Ta
 
 def draw(solution: Solution, made: Plan, judge: Callable[[], Report]) -> PlanDrawing:
     """The plan of a furnished home; ``judge`` gives the referee's report."""
-    return _draw_scene(scene_of_rooms(solution, made), solution, judge)
+    return _draw_scene(scene_of_rooms(solution, made), solution, judge, title_of(solution.brief))
 
 
 def draw_levels(
@@ -36,13 +36,19 @@ def draw_levels(
 ) -> tuple[PlanDrawing, ...]:
     """A sheet for each level."""
     levels = split_levels(scene_of_rooms(solution, made))
-    return tuple(_draw_scene(level, solution, judge) for level in levels)
+    blocks = number_sheets(title_of(solution.brief), len(levels))
+    return tuple(
+        _draw_scene(level, solution, judge, title)
+        for level, title in zip(levels, blocks, strict=True)
+    )
 
 
-def _draw_scene(scene: Scene, solution: Solution, judge: Callable[[], Report]) -> PlanDrawing:
+def _draw_scene(
+    scene: Scene, solution: Solution, judge: Callable[[], Report], title: TitleBlock
+) -> PlanDrawing:
     turns = turning_of(judge()) if solution.brief.accessible else {}
     catalog = catalog_of(solution.brief.catalogs)
-    return plan(scene, catalog, overlay_of(turns, catalog)._replace(title=title_of(solution.brief)))
+    return plan(scene, catalog, overlay_of(turns, catalog)._replace(title=title))
 
 
 def overlay_of(turns: Turns, catalog: Catalog) -> Overlay:

@@ -1,0 +1,170 @@
+"""DXF in: rooms of drawings as people make them, units, doors, storeys, hostile files."""
+
+from __future__ import annotations
+
+import random
+from contextlib import suppress
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+from shapely import Polygon
+
+from flat import flat_solution
+from scenewright.cli import run
+from scenewright.core.brief import Brief
+from scenewright.core.errors import InputError
+from scenewright.formats import read, write
+
+ezdxf = pytest.importorskip("ezdxf")
+
+
+def areas(brief: Brief) -> list[float]:
+    """Floor areas of the rooms, the largest first."""
+    found = [Polygon(room.outline, room.holes).area for room in brief.rooms]
+    return sorted((round(area, 2) for area in found), reverse=True)
+
+
+def draw(path: Path, unit: int, size: float, layer: str = "0", leaf: bool = True) -> None:
+    """Two rooms of 4 x 3 m and 3 x 3 m side by side, walls 0.2 m thick as double lines, a door of
+    0.8 m between them and one to the outside, drawn ``size`` units a metre, far from the origin."""
+    document = ezdxf.new("R2010")
+    document.header["$INSUNITS"] = unit
+    model = document.modelspace()
+    far = 14_000.0
+
+    def line(*points: tuple[float, float]) -> None:
+        moved = [((x + far) * size, (y - far) * size) for x, y in points]
+        for a, b in pairwise(moved):
+            model.add_line(a, b, dxfattribs={"layer": layer})
+
+    line((0, 1.9), (0, 3), (4, 3), (4, 1.9), (4.2, 1.9), (4.2, 3), (7.2, 3), (7.2, 0), (4.2, 0))
+    line((4.2, 0), (4.2, 1.1), (4, 1.1), (4, 0), (0, 0), (0, 1.1))
+    line((-0.2, 1.1), (-0.2, -0.2), (7.4, -0.2), (7.4, 3.2), (-0.2, 3.2), (-0.2, 1.9), (0, 1.9))
+    line((-0.2, 1.1), (0, 1.1))
+    if leaf:
+        for x in (4.0, 0.0):
+            middle = ((x + far) * size, (1.1 - far) * size)
+            model.add_arc(middle, 0.8 * size, 90, 180, dxfattribs={"layer": layer})
+            line((x, 1.1), (x - 0.8, 1.1))
+    for x, words in ((2.0, "%%uKITCHEN"), (5.7, "Schlafzimmer")):
+        place = ((x + far) * size, (1.5 - far) * size)
+        model.add_text(words, height=0.2 * size).set_placement(place)
+    document.saveas(path)
+
+
+@pytest.mark.parametrize(
+    ("unit", "size"), [(6, 1.0), (4, 1000.0), (4, 1.0), (1, 100.0), (0, 1 / 0.0254), (5, 100.0)]
+)
+def test_rooms_whatever_the_header_says(tmp_path: Path, unit: int, size: float) -> None:
+    draw(tmp_path / "plan.dxf", unit, size)
+    brief = read(tmp_path / "plan.dxf")
+    assert areas(brief) == [12.0, 9.0]
+    assert brief.input_report is not None
+    assert brief.input_report.complete
+
+
+@pytest.mark.parametrize("layer", ["Wände", "墙体", "xref$0$A-WALL", "Стены", "0"])
+def test_layers_in_any_language(tmp_path: Path, layer: str) -> None:
+    draw(tmp_path / "plan.dxf", 6, 1.0, layer)
+    assert areas(read(tmp_path / "plan.dxf")) == [12.0, 9.0]
+
+
+def test_gaps_are_doors_without_a_leaf(tmp_path: Path) -> None:
+    draw(tmp_path / "plan.dxf", 6, 1.0, leaf=False)
+    brief = read(tmp_path / "plan.dxf")
+    doors = [door for room in brief.rooms for door in room.doors]
+    assert areas(brief) == [12.0, 9.0]
+    assert [door.swing for door in doors] == ["none", "none"]
+    assert all(door.width == pytest.approx(0.8, abs=0.01) for door in doors)
+
+
+def test_names_doors_and_their_leaves(tmp_path: Path) -> None:
+    draw(tmp_path / "plan.dxf", 6, 1.0)
+    brief = read(tmp_path / "plan.dxf")
+    kitchen = next(room for room in brief.rooms if room.name == "KITCHEN")
+    assert {room.name for room in brief.rooms} == {"KITCHEN", "Schlafzimmer"}
+    inner = next(door for door in kitchen.doors if door.to)
+    assert (inner.swing, inner.hinge) == ("in", "right")
+    assert inner.at == (pytest.approx(4.0), pytest.approx(1.5))
+
+
+def test_our_own_plans_read_back(tmp_path: Path) -> None:
+    solution = flat_solution()
+    for name in ("flat.dxf", "flat.mm.dxf"):
+        write(solution, tmp_path / name)
+        brief = read(tmp_path / name)
+        assert areas(brief) == areas(solution.brief)
+        assert {room.name for room in brief.rooms} == {"Living room", "Bedroom"}
+
+
+def test_what_is_no_plan_is_refused_with_its_reason(tmp_path: Path) -> None:
+    document = ezdxf.new()
+    for k in range(30):
+        document.modelspace().add_line((k * 1000.0, 0), (k * 900.0, 5e4))
+    document.saveas(tmp_path / "map.dxf")
+    with pytest.raises(InputError, match="holds no floor plan"):
+        read(tmp_path / "map.dxf")
+    (tmp_path / "a.dxf").write_bytes(b"AC1032" + b"\0" * 100)
+    with pytest.raises(InputError, match=r"DWG.*save it as DXF"):
+        read(tmp_path / "a.dxf")
+    (tmp_path / "b.dxf").write_bytes(b"")
+    with pytest.raises(InputError):
+        read(tmp_path / "b.dxf")
+
+
+def test_damaged_files_are_refused_or_read(tmp_path: Path) -> None:
+    draw(tmp_path / "plan.dxf", 6, 1.0)
+    whole = (tmp_path / "plan.dxf").read_bytes()
+    chance = random.Random(7)
+    for _ in range(25):
+        damaged = bytearray(whole)
+        for _ in range(chance.randint(1, 30)):
+            damaged[chance.randrange(len(damaged))] = chance.randrange(256)
+        cut = chance.choice([len(damaged), chance.randrange(len(damaged))])
+        (tmp_path / "bad.dxf").write_bytes(damaged[:cut])
+        with suppress(InputError):
+            read(tmp_path / "bad.dxf")
+
+
+def test_the_command_writes_the_brief_and_a_picture(tmp_path: Path) -> None:
+    draw(tmp_path / "plan.dxf", 4, 1000.0)
+    outputs = [str(tmp_path / name) for name in ("brief.json", "plan.svg")]
+    given = [part for name in outputs for part in ("-o", name)]
+    assert run(["plan", str(tmp_path / "plan.dxf"), *given, "-q"]) == 0
+    assert areas(read(outputs[0])) == [12.0, 9.0]
+    assert "KITCHEN" in Path(outputs[1]).read_text(encoding="utf-8")
+
+
+def test_a_refused_file_leaves_nothing_behind(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "bad.dxf").write_text("0\nSECTION\n2\nENTITIES\n", encoding="utf-8")
+    assert run(["plan", str(tmp_path / "bad.dxf"), "-o", str(tmp_path / "brief.json")]) == 2
+    assert not (tmp_path / "brief.json").exists()
+    assert len(capsys.readouterr().err.strip().splitlines()) == 1
+
+
+@pytest.mark.realdata
+def test_rooms_of_real_drawings(real_data: Path) -> None:
+    """At least 80 % of the rooms counted in real drawings, within 3 % of their area (rooms that
+    are drawn square, by their corners; others by the count of a filled picture)."""
+    folder = real_data / "professional_files" / "dxf"
+    if not folder.is_dir():
+        pytest.skip("the drawings are not there")
+    true = {
+        "small_house_librecad": (35.2, 16.0, 8.0),
+        "rooms_schematic_depthmap": (30.0, 24.3, 24.3, 19.1, 14.5, 14.5),
+        "ship_deck_jupedsim": (390.7, 111.2, 12.8, 12.6, 6.3, 3.7),
+        "house_double_wall_gama": (22.3, 9.6, 8.9, 8.9, 6.5, 3.9, 3.7, 3.4, 2.6),
+    }
+    hits = total = 0
+    for name, listed in true.items():
+        found = areas(read(folder / f"{name}.dxf"))
+        total += len(listed)
+        for area in listed:
+            near = min(found, key=lambda value: abs(value - area))
+            if abs(near - area) <= 0.03 * area + 0.05:
+                hits += 1
+                found.remove(near)
+    assert hits >= 0.8 * total
