@@ -16,6 +16,7 @@ from scenewright import formats
 from scenewright.building.plan import spaces
 from scenewright.core.brief import Brief, Room
 from scenewright.core.brief.input_report import InputReport
+from scenewright.core.errors import InputError
 
 CASES = Path(__file__).parent / "data" / "field_cases"
 PIECES = ("pieceOfFurniture", "light", "doorOrWindow", "shelfUnit", "furnitureGroup")
@@ -230,3 +231,25 @@ def test_every_element_of_real_homes_has_a_fate(real_data: Path) -> None:
         assert walls == counted["wall"], path.name
         assert openings >= counted["doorOrWindow"], path.name
         assert (report.floor_share or 0) >= 0.95, path.name
+
+
+@pytest.mark.parametrize(("unit", "factor"), [("inches", 2.54), ("millimetres", 0.1)])
+def test_a_home_in_another_unit_is_told_its_factor(
+    tmp_path: Path, unit: str, factor: float
+) -> None:
+    def far(value: float) -> str:
+        return f"{value / factor:.4f}"
+
+    ends = [(0, 0, 600, 0), (600, 0, 600, 400), (600, 400, 0, 400), (0, 400, 0, 0)]
+    walls = "".join(
+        f"<wall id='w{k}' xStart='{far(a)}' yStart='{far(b)}' xEnd='{far(c)}' yEnd='{far(d)}' "
+        f"height='{far(250)}' thickness='{far(10)}'/>"
+        for k, (a, b, c, d) in enumerate(ends)
+    )
+    path = tmp_path / "home.xml"
+    path.write_text(f"<home version='7400' wallHeight='{far(250)}'>{walls}</home>")
+    with pytest.raises(InputError, match=f"--scale {factor:g} if it is drawn in {unit}"):
+        formats.read(path)
+    (room,) = spaces(formats.read(path, scale=factor))
+    assert shapely.Polygon(room.outline).area == pytest.approx(5.9 * 3.9, abs=0.01)
+    assert room.height == pytest.approx(2.5, abs=0.01)

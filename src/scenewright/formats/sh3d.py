@@ -18,17 +18,21 @@ from scenewright.core.brief import Brief, LevelBrief, WallBrief
 from scenewright.core.brief.input_report import report_input
 from scenewright.core.document_faults import to_input_error
 from scenewright.core.errors import InputError
+from scenewright.formats.brief_json import apply_scale
 from scenewright.formats.sh3d_archive import home_xml
 from scenewright.formats.sh3d_floors import floors
 from scenewright.formats.sh3d_level import read_level
 from scenewright.formats.sh3d_report import list_fates
+from scenewright.formats.sh3d_units import to_centimetres
 from scenewright.formats.sh3d_xml import Home, HomeLevel, middle_line, parse
 
 
-def read(path: Path, keep: bool = False, hidden_levels: bool = False) -> Brief:
+def read(path: Path, keep: bool = False, hidden_levels: bool = False, scale: float = 1.0) -> Brief:
     """The brief of a home; ``keep`` leaves movable furniture where it is, as fixed items;
-    ``hidden_levels`` includes the levels that are hidden."""
-    return brief_of(parse(home_xml(path)), keep, hidden_levels)
+    ``hidden_levels`` includes the levels that are hidden. Its plan is drawn times ``scale``; if
+    that makes centimetres of the unit of the whole file, so is all else."""
+    home, rest = to_centimetres(parse(home_xml(path)), scale)
+    return apply_scale(brief_of(home, keep, hidden_levels), rest)
 
 
 def brief_of(home: Home, keep: bool = False, hidden_levels: bool = False) -> Brief:
