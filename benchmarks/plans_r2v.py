@@ -178,6 +178,8 @@ def _open(
             rooms[seats[0].face]["doors"].append(_front(faces, seats[0]))
         elif "balcony" not in faces[seats[0].face].functions:
             rooms[seats[0].face]["windows"].append(_window(faces, seats[0]))
+        else:
+            words.append(f"dropped {told}: a balcony has no windows")
 
 
 def _front_doors(faces: list[Face], openings: list[dict[str, Any]]) -> set[int]:

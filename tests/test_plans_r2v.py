@@ -137,3 +137,19 @@ def test_no_flat_is_made_smaller_or_enlarged_beyond_the_limit():
     assert find_factor(enlarge(SMALL, 0.7)) == 1.0  # no door is wide enough to be one
     bare = SMALL | {"openings": []}
     assert rescale(bare) is bare
+
+
+@pytest.mark.realdata
+def test_of_real_flats_every_room_and_opening_is_read_or_said() -> None:
+    raw = raw_plans()
+    for flat in raw[:: len(raw) // 24][:24]:
+        found = adapt(flat)
+        slivers = [words for words in found.words if words.startswith("dropped a sliver")]
+        openings = [words for words in found.words if words.startswith("dropped an opening")]
+        placed = sum(len(room.doors) + len(room.windows) for room in found.brief.rooms)
+        assert len(found.brief.rooms) + len(slivers) == len(flat["rooms"]), flat["id"]
+        assert placed + len(openings) == len(flat["openings"]), flat["id"]
+        lost = sum(float(words.split(", ")[1].split()[0]) for words in slivers)
+        drawn = sum(room["area"] for room in flat["rooms"])
+        assert lost <= 0.05 * drawn, flat["id"]
+        assert len(plan.spaces(found.brief)) == len(found.brief.rooms)
