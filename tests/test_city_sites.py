@@ -16,7 +16,7 @@ from scenewright.core.scene import Scene
 from scenewright.domains import check, scene_of, solve
 from scenewright.domains.site.plan import plans_of
 from scenewright.domains.site.reading.cityjson import read_report
-from scenewright.domains.site.reading.road_areas import pieces
+from scenewright.ground.reading.road_areas import pieces
 from scenewright.formats import read, write
 from scenewright.render.items import things, to_level_coordinates
 

@@ -18,6 +18,8 @@ from scenewright.domains.extend.pattern import BuildingKind, SourcePattern
 from scenewright.domains.extend.problem import Floats
 from scenewright.ground.plain_buildings import HOUSES, plain_building
 
+ROUNDED = 1e-3
+"""Metres by which corners of the same footprint may differ."""
 BOXY = 0.985
 """The share of its box from which a footprint counts as the box."""
 
@@ -65,14 +67,36 @@ def check_models(brief: Brief, plan: ExtendPlan) -> Catalog:
 
 
 def footprint_within(local: Points, size: Size, asset: Asset | None) -> Footprint:
-    """What a building covers in the frame of its box, ``local`` (n, 2); that of its own model
-    where it is drawn by one, so that the model is drawn as it is."""
-    if asset is not None and asset.id.startswith(OWN):
-        return asset.footprint(size)
-    if shapely.Polygon(local).area > BOXY * size.width * size.depth:
-        return ()
+    """What a building covers in the frame of its box, ``local`` (n, 2); the box of its own model
+    where that is not drawn over such a footprint."""
     corners = [(float(x), float(y)) for x, y in local]
-    return read_footprint(read_footprint(corners, *size[:2]) or corners, *size[:2])
+    found = read_footprint(read_footprint(corners, *size[:2]) or corners, *size[:2])
+    if asset is not None and asset.id.startswith(OWN):
+        return found if asset.over and asset.over(size, found) else asset.footprint(size)
+    return () if shapely.Polygon(local).area > BOXY * size.width * size.depth else found
+
+
+def as_drawn(pattern: SourcePattern, catalog: Catalog) -> SourcePattern:
+    """The pattern with what each kind covers as it is drawn, where that is not its footprint."""
+    kinds = []
+    for kind in pattern.kinds:
+        size = Size(*kind.size)
+        asset = catalog.assets.get(model_of(kind, "", catalog))
+        covered = footprint_within(kind.local, size, asset) or rectangle(size.width, size.depth)
+        local = keep_alike(shapely.Polygon(kind.local), shapely.Polygon(covered))
+        kinds.append(kind._replace(local=shapely.get_coordinates(local.exterior)[:-1]))
+    return pattern._replace(kinds=tuple(kinds))
+
+
+def keep_alike(one: shapely.Polygon, other: shapely.Polygon) -> shapely.Polygon:
+    """One of two polygons that are the same but for rounding, else the other."""
+    return one if shapely.hausdorff_distance(one, other) < ROUNDED else other
+
+
+def rectangle(width: float, depth: float) -> Footprint:
+    """The corners of a box about its middle, counter-clockwise."""
+    x, y = width / 2, depth / 2
+    return ((-x, -y), (x, -y), (x, y), (-x, y))
 
 
 def use_catalogue(pattern: SourcePattern, catalog: Catalog) -> SourcePattern:
@@ -85,9 +109,8 @@ def use_catalogue(pattern: SourcePattern, catalog: Catalog) -> SourcePattern:
     for kind in pattern.kinds:
         chosen = min(own, key=lambda asset: _misfit(asset.usual, kind.size))
         width, depth, height = chosen.usual
-        corner = np.array([width, depth]) / 2
-        box = corner * np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
-        local = np.array(chosen.footprint(chosen.usual) or box, float)
+        covered = chosen.footprint(chosen.usual) or rectangle(width, depth)
+        local = np.array(covered, float)
         size = (width, depth, height)
         kinds.append(kind._replace(local=local, size=size, model=chosen.id))
     boxes = pattern.boxes.copy()

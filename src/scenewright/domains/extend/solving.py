@@ -17,13 +17,20 @@ from scenewright._version import __version__
 from scenewright.core.brief import Brief
 from scenewright.core.catalog import Catalog
 from scenewright.core.layout import NamedBox, Watch
+from scenewright.core.piece_outlines import polygons_of
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
 from scenewright.core.solution import LeftOut, Solution, TermValue
 from scenewright.domains.extend.areas import AreaPlan, ExtendPlan
 from scenewright.domains.extend.build_problem import build_problem
 from scenewright.domains.extend.furnish import new_pieces, old_pieces, standing_pieces
-from scenewright.domains.extend.models import check_models, use_catalogue, with_source_models
+from scenewright.domains.extend.models import (
+    as_drawn,
+    check_models,
+    keep_alike,
+    use_catalogue,
+    with_source_models,
+)
 from scenewright.domains.extend.plan import plan_extend
 from scenewright.domains.extend.presets import PRESETS
 from scenewright.domains.extend.problem import ExtendProblem, GrownLayout
@@ -108,11 +115,16 @@ def problems(
 def pose_problem(
     plan: ExtendPlan, area: AreaPlan, settings: GrowthSettings, catalog: Catalog
 ) -> ExtendProblem:
-    """The problem of an area, with the models it asks for."""
+    """The problem of an area, with the models it asks for. What stands and what is placed covers
+    what its pieces will."""
     problem = build_problem(plan, area, settings)
-    if area.row.use == "catalogue":
-        problem = problem._replace(pattern=use_catalogue(problem.pattern, catalog))
-    return problem
+    old, standing = polygons_of(old_pieces(plan, "", catalog)), problem.standing
+    shapes = standing.shapes.copy()
+    shapes[: len(old)] = [keep_alike(a, b) for a, b in zip(shapes[: len(old)], old, strict=True)]
+    change = use_catalogue if area.row.use == "catalogue" else as_drawn
+    return problem._replace(
+        pattern=change(problem.pattern, catalog), standing=standing._replace(shapes=shapes)
+    )
 
 
 def furnish_area(

@@ -61,7 +61,7 @@ def _run_on(end: Points, inner: Points, outline: shapely.Polygon) -> shapely.Lin
         return None
     far = end + step / length * 3000.0
     inside = shapely.intersection(shapely.LineString([end, far]), outline)
-    parts = [p for p in shapely.get_parts(inside) if p.geom_type == "LineString"]
+    parts = [p for p in shapely.get_parts(inside) if p.geom_type == "LineString" and p.length > 0.0]
     if not parts:
         return None
     first = min(parts, key=lambda part: part.distance(shapely.Point(end)))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -14,8 +15,10 @@ from scenewright.catalog.models.gltf_scene import plan_of_parts
 from scenewright.catalog.models.model import clean
 from scenewright.core.catalog import OWN, Part
 from scenewright.core.errors import InputError
-from scenewright.ground.built import BuiltBuilding, BuiltScene
+from scenewright.ground.built import BuiltBuilding, BuiltRoad, BuiltScene
+from scenewright.ground.outlines import GRID
 from scenewright.ground.reading.cleaning import clean_outline, drop_overlaps
+from scenewright.ground.reading.road_areas import NARROW, pieces
 
 
 def city_scene(document: dict[str, Any], path: Path) -> BuiltScene:
@@ -41,9 +44,26 @@ def city_scene(document: dict[str, Any], path: Path) -> BuiltScene:
     return BuiltScene(
         path.stem.removesuffix(".city"),
         kept,
+        tuple(_roads(city)),
         left_out=(*left, *overlapping),
         catalog=str(path.absolute()),
     )
+
+
+def _roads(city: City) -> Iterator[BuiltRoad]:
+    """The roads of a city model, which it draws as areas, in straight pieces."""
+    areas = [_area(city, key) for key, one in city.objects.items() if one.get("type") == "Road"]
+    for piece in pieces(shapely.union_all(areas, grid_size=GRID)):
+        kind = "path" if piece.width < NARROW else "road"
+        yield BuiltRoad(np.array(piece.line), min(max(piece.width, 0.5), 60.0), kind)
+
+
+def _area(city: City, key: str) -> shapely.Geometry:
+    """What an object covers in plan; nothing if its geometry cannot be used."""
+    try:
+        return plan_of_parts(parts_at(city, key))
+    except InputError:
+        return shapely.Polygon()
 
 
 def _building(

@@ -170,6 +170,7 @@ class Canvas:
             t = np.flatnonzero(touching)
             shared = shapely.intersection(shapes[rows[i[t]]], self.shapes[j[t]])
             bad[t] |= np.asarray(shapely.area(shared)) > TOUCH * np.asarray(shapely.length(shared))
+            bad[t] |= measure_thickness(shared) > 2.0 * TOUCH
         good[rows[np.unique(i[bad])]] = False
         return good
 
@@ -250,6 +251,22 @@ class Canvas:
             0 if asked is None else max(asked - int(self.problem.standing.inside.sum()), 0),
             {},
         )
+
+
+def measure_thickness(shapes: NDArray[np.object_]) -> Floats:
+    """The short side (n,) of the least rectangle about each shape, however many pieces it is of; 0
+    for those of less than 1 cm².
+
+    >>> measure_thickness(np.array([shapely.box(0, 0, 3, 0.5), shapely.Point(0, 0)])).tolist()
+    [0.5, 0.0]
+    """
+    found = np.zeros(len(shapes))
+    wide = np.flatnonzero(shapely.area(shapes) > 1e-4)
+    if len(wide):
+        boxes = shapely.get_coordinates(shapely.minimum_rotated_rectangle(shapes[wide]))
+        sides = np.diff(boxes.reshape(-1, 5, 2)[:, :3], axis=1)
+        found[wide] = np.hypot(sides[..., 0], sides[..., 1]).min(1)
+    return found
 
 
 def size_classes(pattern: SourcePattern) -> Indices:

@@ -27,9 +27,9 @@ from scenewright.core.catalog import OWN, Part
 from scenewright.core.errors import InputError
 from scenewright.domains.site.brief import VERGE
 from scenewright.domains.site.reading.city_fates import report_objects
-from scenewright.domains.site.reading.road_areas import pieces
 from scenewright.ground.fates import Note
 from scenewright.ground.outlines import GRID, LEAST_AREA, polygons
+from scenewright.ground.reading.road_areas import NARROW, pieces
 
 MOST_BYTES = 128 * MEBIBYTE
 MARGIN = 12.0
@@ -42,8 +42,6 @@ WAYS = ("Road", "Railway", "Bridge")
 OUTSIDE, COVERED = "lies outside the ground", "another building covers it"
 CUT, LEAST_CUT = "cut at the border of the ground or where another building stands", 0.02
 """What is reported of a building cut, and from which share of it."""
-NARROW = 3.5
-"""Roads narrower than this, in metres, are paths."""
 MOST_ROADS = 5000
 MOST_LANDMARKS = 2000
 

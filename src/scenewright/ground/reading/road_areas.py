@@ -12,6 +12,8 @@ FILLED = 0.8
 """Share of its least rectangle that a straight piece covers."""
 SHORTEST, DEEPEST = 3.0, 9
 """Metres below which a piece is not cut again, and how often one is."""
+NARROW = 3.5
+"""Roads narrower than this, in metres, are paths."""
 LEAST, SPECK = 2.0, 25.0
 """Square metres below which a piece, and a whole area, is left out."""
 
