@@ -16,8 +16,8 @@ from scenewright.core.scene import Scene
 from scenewright.domains import check, scene_of, solve
 from scenewright.domains.site.plan import plans_of
 from scenewright.domains.site.reading.cityjson import read_report
-from scenewright.ground.reading.road_areas import pieces
 from scenewright.formats import read, write
+from scenewright.ground.reading.road_areas import pieces
 from scenewright.render.items import things, to_level_coordinates
 
 L_SHAPE = [(0, 0), (20, 0), (20, 8), (8, 8), (8, 24), (0, 24)]

@@ -82,6 +82,8 @@ def walls_from_brief(brief: Brief, level: str, height: float, first: str) -> tup
     """
     listed = [(i, w) for i, w in enumerate(brief.walls) if (w.level or first) == level]
     listed = [(i, w) for i, w in listed if w.start != w.end]
+    if not listed:
+        return ()
     bodies: list[BaseGeometry] = [_body(wall) for _, wall in listed]
     near = _near(bodies, [wall for _, wall in listed])
     bodies = [body.union(_joints(k, near[k], listed, bodies)) for k, body in enumerate(bodies)]
@@ -186,7 +188,7 @@ def _near(bodies: list[BaseGeometry], walls: list[WallBrief]) -> list[list[int]]
     reach = [wall.thickness / 2 for wall in walls]
     first, second = shapely.STRtree(bodies).query(bodies, predicate="dwithin", distance=reach)
     counts = np.bincount(first, minlength=len(bodies))
-    if len(bodies) and counts.max() > MOST_MEETING:
+    if counts.max() > MOST_MEETING:
         wall = walls[int(counts.argmax())]
         raise InputError(
             f"{counts.max() - 1} walls meet the one from ({wall.start[0]:g}, {wall.start[1]:g}) "

@@ -18,7 +18,8 @@ from scenewright.domains.extend.pattern import BuildingKind, SourcePattern
 from scenewright.domains.extend.problem import Floats
 from scenewright.ground.plain_buildings import HOUSES, plain_building
 
-ROUNDED = 1e-3
+ROUNDED = 0.015
+"""Metres by which corners of the same footprint may differ."""
 """Metres by which corners of the same footprint may differ."""
 BOXY = 0.985
 """The share of its box from which a footprint counts as the box."""

@@ -39,7 +39,7 @@ def find_courts(site: Site, plan: SitePlan, footprints: Sequence[Points]) -> tup
                     ground = shapely.difference(
                         hole.buffer(0.5 * site.court_gap), shapely.union_all(own)
                     )
-                    found.append(_as_area(ground))
+                    found += _as_areas(ground)
     return tuple(found)
 
 
@@ -53,9 +53,11 @@ def list_court_blocks(site: Site, plan: SitePlan) -> list[shapely.Polygon]:
     return [block for block, form in zip(blocks, forms, strict=True) if form == "peripheral"]
 
 
-def _as_area(ground: shapely.Geometry) -> PavedArea:
-    """The largest part of some ground, with few corners."""
+def _as_areas(ground: shapely.Geometry) -> list[PavedArea]:
+    """The largest part of some ground, with few corners; none of what is too narrow."""
     drawn_in = shapely.buffer(ground, -2.0 * FROM_WALLS).buffer(FROM_WALLS)
+    if drawn_in.is_empty:
+        return []
     part = max(shapely.get_parts(drawn_in), key=lambda one: float(one.area))
     ring = shapely.get_coordinates(shapely.simplify(part, 0.5 * FROM_WALLS).exterior)[:-1]
-    return PavedArea("court", tuple((x, y) for x, y in np.round(ring, 3).tolist()))
+    return [PavedArea("court", tuple((x, y) for x, y in np.round(ring, 3).tolist()))]

@@ -219,7 +219,7 @@ def _viewpoints(grounds: JudgedSite, box: Sequence[float], reach: float) -> Floa
 
 def _line_parts(shape: Shape) -> list[Shape]:
     parts = shapely.get_parts(shapely.line_merge(shape) if not shape.is_empty else shape)
-    return [part for part in parts if part.geom_type == "LineString"]
+    return [part for part in parts if part.geom_type == "LineString" and part.length > 0.0]
 
 
 def _find_open_courts(grounds: JudgedSite, bodies: SiteBodies) -> list[Finding]:
@@ -240,7 +240,7 @@ def _court_blocks(grounds: JudgedSite, bodies: SiteBodies) -> list[list[int]]:
         return []
     blocks = [shapely.Polygon(block.outline, block.holes) for block in grounds.plan.free]
     forms: list[str | None] = [site.form] * len(blocks)
-    for row in site.blocks:
+    for row in site.blocks if blocks else ():
         far = [block.distance(shapely.Point(row.at)) for block in blocks]
         forms[int(np.argmin(far))] = row.form
     own = np.flatnonzero(~bodies.landmark)

@@ -21,7 +21,7 @@ from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
 from scenewright.core.projection import Projection, metres, projection
 from scenewright.domains.site.brief import VERGE
-from scenewright.domains.site.reading.road_areas import pieces
+from scenewright.ground.reading.road_areas import pieces
 from scenewright.domains.site.reading.standing import (
     OUTSIDE,
     DrawnFeature,
