@@ -20,7 +20,6 @@ from scenewright.ground.plain_buildings import HOUSES, plain_building
 
 ROUNDED = 0.015
 """Metres by which corners of the same footprint may differ."""
-"""Metres by which corners of the same footprint may differ."""
 BOXY = 0.985
 """The share of its box from which a footprint counts as the box."""
 

@@ -21,7 +21,6 @@ from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
 from scenewright.core.projection import Projection, metres, projection
 from scenewright.domains.site.brief import VERGE
-from scenewright.ground.reading.road_areas import pieces
 from scenewright.domains.site.reading.standing import (
     OUTSIDE,
     DrawnFeature,
@@ -33,6 +32,7 @@ from scenewright.ground.fates import Note
 from scenewright.ground.map_features import Collection, Feature, SkippedFeature, load
 from scenewright.ground.map_report import report_map
 from scenewright.ground.outlines import GRID
+from scenewright.ground.reading.road_areas import pieces
 
 MOST_SITES = 100
 BEYOND = 10.0

@@ -35,7 +35,7 @@ def swarm_site(
 
     def poses(genes: Floats) -> Floats:
         boxes = np.empty((len(genes), n, 5))
-        boxes[..., :3] = genes.reshape(-1, n, 3)
+        boxes[..., :3] = genes.reshape(len(genes), n, 3)
         boxes[..., 2] = lines[0] + 0.5 * math.pi * (np.floor(boxes[..., 2]) % 4)
         boxes[..., 3:] = problem.buildings.sizes[:, :2]
         return boxes
