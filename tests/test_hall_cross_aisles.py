@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -67,6 +68,24 @@ def test_rows_are_broken_by_aisles_of_their_width(seed: int) -> None:
     assert len({piece.id for piece in racks}) == 14
     assert longest_run(racks, 1.8) <= 3
     assert scenewright.check(found).valid
+
+
+def test_a_row_pushed_together_is_named() -> None:
+    found = scenewright.solve(store(aisle={"every": 3, "width": 1.8}), seed=1, threads=1)
+    racks = [piece for piece in found.pieces if piece.category == "wall_shelving"]
+    heading = racks[0].pose.heading
+    c, s = math.cos(heading), math.sin(heading)
+    first = racks[0].pose
+    row = {
+        piece.id: piece.pose._replace(x=first.x + 1.4 * k * s, y=first.y - 1.4 * k * c)
+        for k, piece in enumerate(racks[:4])
+    }
+    pieces = tuple(
+        replace(p, pose=row[p.id]._replace(heading=heading)) if p.id in row else p
+        for p in found.pieces
+    )
+    messages = [f.message for f in scenewright.check(replace(found, pieces=pieces)).findings]
+    assert any("no aisle of 1.8 m" in message for message in messages)
 
 
 def test_tables_with_chairs_of_their_own_are_not_broken() -> None:

@@ -14,6 +14,7 @@ from scenewright.core.catalog import Catalog
 from scenewright.core.plan import Plan
 from scenewright.core.report import Finding, Report
 from scenewright.core.solution import Solution
+from scenewright.domains.hall.check.cross_aisles import find_unbroken_rows
 from scenewright.domains.hall.check.facing import note_seats_turned_away
 from scenewright.domains.hall.check.figures import HallVerdict, judge_halls
 from scenewright.domains.hall.check.halls import JudgedHall, halls_of
@@ -37,7 +38,8 @@ def check(solution: Solution, plan: Plan, kinds: Catalog) -> Report:
         verdict = judge_halls(
             brief, asked, halls, walked.bodies, walked.grounds, walked.walks, walked.narrow
         )
-    findings = (*shared.findings, *faults, *verdict.findings)
+    unbroken = find_unbroken_rows(walked.bodies.pieces, plan.spaces, asked)
+    findings = (*shared.findings, *faults, *verdict.findings, *unbroken)
     doorless = find_doorless(walked.bodies, walked.rooms, _find_visited(asked))
     turned = note_seats_turned_away(walked.bodies, plan.spaces, asked)
     read = (
