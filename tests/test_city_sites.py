@@ -159,10 +159,18 @@ def test_what_is_no_site_is_told(tmp_path, change, told):
     assert "town.json" in str(error.value)
 
 
-def test_buildings_too_far_apart_are_no_site(tmp_path):
+def test_of_buildings_far_apart_those_together_are_the_site(tmp_path):
     far = TOWN | {"lost": [(x + 4000, y + 5000) for x, y in BLOCK]}
-    with pytest.raises(InputError, match=r"4 buildings lie over 5\.\d+ km"):
-        read(saved(tmp_path / "town.json", city(far)))
+    brief = read(saved(tmp_path / "town.json", city(far)))
+    assert {row.id for row in brief.part.sites[0].landmarks} == {"el", "block", "far"}
+    (row,) = [row for row in brief.input_report.rows if row.outcome == "left out"]
+    assert (row.examples, row.reason) == (
+        ["lost"],
+        "stands more than 150 m from the 3 that are the site",
+    )
+    scattered = {str(k): [(x + 3000 * k, y) for x, y in BLOCK] for k in range(5)}
+    with pytest.raises(InputError, match="5 buildings lie over 12 km, none within 150 m"):
+        read(saved(tmp_path / "strewn.json", city(scattered)))
 
 
 def test_ground_under_water_is_no_site(tmp_path):

@@ -197,3 +197,15 @@ def test_real_blocks_are_filled_without_a_fault() -> None:
         report = sw.check(solution)
         assert report.valid, (block.name, [found.message for found in report.findings])
         assert scene_of(solution).surfaces
+
+
+def test_the_data_a_village_was_learned_from_is_credited(tmp_path: Path) -> None:
+    """In the credits, the scene, the map, the city model and the saved solution."""
+    block = {"outline": [[0, 0], [40, 0], [40, 30], [0, 30]], "streets": [0], "count": 1}
+    brief = Brief.model_validate({"domain": "village", "blocks": [block], "origin": [11.5, 48.1]})
+    solution = sw.solve(brief, preset="quick")
+    for name in ("a.credits.txt", "a.glb", "a.geojson", "a.city.json", "a.json"):
+        sw.write(solution, tmp_path / name)
+        content = (tmp_path / name).read_bytes()
+        assert b"OpenStreetMap contributors" in content, name
+        assert b"ODbL-1.0" in content, name

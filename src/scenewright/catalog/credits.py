@@ -1,4 +1,5 @@
-"""Credits: who made the models that draw a solution, and on what terms they may be used."""
+"""Credits: who made the models that draw a solution and the data its layout was learned from, and
+on what terms they may be used."""
 
 from __future__ import annotations
 
@@ -7,7 +8,9 @@ from collections.abc import Iterable
 from typing import NamedTuple
 
 from scenewright.core.catalog import OWN, Catalog, asset_of
+from scenewright.core.registry import domain_of
 from scenewright.core.scene import Piece
+from scenewright.core.solution import Solution
 
 UNKNOWN = "not stated"
 
@@ -38,6 +41,25 @@ def credits_of(pieces: Iterable[Piece], models: Catalog) -> tuple[Credit, ...]:
         Credit(author, licence, tuple(rows[ours, author, licence]))
         for ours, author, licence in sorted(rows)
     )
+
+
+def credits_of_solution(solution: Solution, models: Catalog) -> tuple[Credit, ...]:
+    """The credits of a solution: of the models that draw it, and of the data that its layout was
+    learned from, as its domain names it."""
+    domain = domain_of(solution.brief.domain)
+    sources = domain.verb("sources")(solution.brief) if domain.has("sources") else ()
+    return with_sources(credits_of(solution.pieces, models), sources)
+
+
+def with_sources(
+    rows: tuple[Credit, ...], sources: Iterable[tuple[str, str, str]]
+) -> tuple[Credit, ...]:
+    """Credits with those of data, each by its author, licence and what was learned from it.
+
+    >>> line(with_sources((), [("OpenStreetMap contributors", "ODbL-1.0", "style europe")]))
+    'OpenStreetMap contributors (ODbL-1.0)'
+    """
+    return (*rows, *(Credit(author, licence, ((of, of, 1),)) for author, licence, of in sources))
 
 
 def document(rows: tuple[Credit, ...]) -> list[dict[str, object]]:

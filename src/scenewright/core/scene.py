@@ -100,7 +100,8 @@ class GroundSurface(NamedTuple):
 class Scene:
     """Everything that is drawn: the shell (levels, spaces, walls, openings), what lies on open
     ground, the pieces, and the stairs; ``palette`` names the colours it is drawn in (empty: those
-    of the models)."""
+    of the models); ``sources`` the author and licence of data that the layout was learned from, and
+    what was learned."""
 
     name: str
     levels: tuple[Level, ...]
@@ -111,3 +112,4 @@ class Scene:
     surfaces: tuple[GroundSurface, ...] = ()
     stairs: tuple[Stairs, ...] = ()
     palette: str = ""
+    sources: tuple[tuple[str, str, str], ...] = ()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 
-from scenewright.catalog.credits import UNKNOWN, Credit, credits_of
+from scenewright.catalog.credits import UNKNOWN, Credit, credits_of_solution
 from scenewright.catalog.loading import catalog_of
 from scenewright.core.atomic_file import write_atomically
 from scenewright.core.solution import Solution
@@ -12,7 +12,7 @@ from scenewright.core.solution import Solution
 
 def write(solution: Solution, path: str | os.PathLike[str]) -> None:
     """Write the credits of a solution to ``path``; the file appears whole or not at all."""
-    rows = credits_of(solution.pieces, catalog_of(solution.brief.catalogs))
+    rows = credits_of_solution(solution, catalog_of(solution.brief.catalogs))
     write_atomically(path, text(solution.brief.name, rows))
 
 

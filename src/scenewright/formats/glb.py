@@ -107,7 +107,8 @@ def document_of(scene: Scene, catalog: Catalog) -> tuple[Json, bytes]:
 def _about(scene: Scene, catalog: Catalog) -> Json:
     """The version, and who made the models on what terms."""
     found: Json = {"version": "2.0", "generator": f"Scenewright {__version__}"}
-    authors = authorship.credits_of(scene.pieces, catalog)
+    made = authorship.credits_of(scene.pieces, catalog)
+    authors = authorship.with_sources(made, scene.sources)
     if authors:
         found["copyright"] = authorship.line(authors)
         found["extras"] = {"credits": authorship.document(authors)}

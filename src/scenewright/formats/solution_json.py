@@ -104,7 +104,7 @@ def to_document(solution: Solution) -> dict[str, Any]:
         "terms": [value._asdict() for value in solution.terms],
         **_detail_document(solution),
         "credits": authorship.document(
-            authorship.credits_of(solution.pieces, catalog_of(solution.brief.catalogs))
+            authorship.credits_of_solution(solution, catalog_of(solution.brief.catalogs))
         ),
         "brief": solution.brief.model_dump(mode="json"),
     }

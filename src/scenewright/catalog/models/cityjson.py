@@ -92,7 +92,7 @@ def parts_at(city: City, key: str) -> tuple[Part, ...]:
 
 def city_of(document: Json) -> City:
     """The checked frame of a document: version, objects, corners."""
-    if document.get("type") != "CityJSON":
+    if document.get("type") not in ("CityJSON", "CityModel"):
         raise InputError("is not CityJSON", "give a file of the type 'CityJSON'")
     stated = clean(document.get("version"), "unknown")
     version = _VERSION.fullmatch(stated)

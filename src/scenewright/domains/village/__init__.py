@@ -28,6 +28,7 @@ DOMAIN = Domain(
         "styles": ".library:list_looks",
         "learn_style": ".learning.learn:learn_style",
         "locked": ".locks:lock_village",
+        "sources": ".library:sources_of",
     },
     tables={
         "presets": ".presets:PRESETS",

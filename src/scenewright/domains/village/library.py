@@ -9,13 +9,16 @@ from typing import Any
 import numpy as np
 import shapely
 
+from scenewright.catalog.credits import UNKNOWN
 from scenewright.catalog.loading import BUILDING, find_asset
+from scenewright.core.brief import Brief
 from scenewright.core.catalog import OWN, Asset, Catalog
 from scenewright.core.errors import InputError
 from scenewright.core.footprint import Footprint, read_footprint
 from scenewright.core.space import Points
 from scenewright.domains.village.brief import LibraryHouse
 from scenewright.domains.village.house import House, class_of_area, class_of_shape, to_own_frame
+from scenewright.domains.village.learned.style import style_named
 
 STOREY, SILL = 2.7, 0.4
 """Height of a storey and of the plinth, in metres."""
@@ -86,6 +89,18 @@ def list_looks() -> list[dict[str, Any]]:
     ['rural', 'riviera', 'hui']
     """
     return [{"name": look, "also": "", "palettes": ""} for look in LOOKS]
+
+
+def sources_of(brief: Brief) -> tuple[tuple[str, str, str], ...]:
+    """Author, licence and name of the data that the style of a village was learned from.
+
+    >>> sources_of(Brief(domain="village", blocks=[{"outline": [(0, 0), (9, 0), (9, 9)]}]))[0][:2]
+    ('OpenStreetMap contributors', 'ODbL-1.0')
+    """
+    card = style_named(brief.style).card
+    licence, _, author = str(card.get("licence", UNKNOWN)).partition(", © ")
+    name = f"style of villages learned from {card.get('houses', 'their')} houses"
+    return ((author or UNKNOWN, licence.replace("ODbL 1.0", "ODbL-1.0"), name),)
 
 
 @lru_cache(maxsize=8)

@@ -42,7 +42,7 @@ def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
     """The CityJSON object of a solution of an extension."""
     plan: ExtendPlan = (made or plan_extend(solution.brief)).detail
     models = catalog_of(solution.brief.catalogs)
-    credited = authorship.document(authorship.credits_of(solution.pieces, models))
+    credited = authorship.document(authorship.credits_of_solution(solution, models))
     vertices: Vertices = {}
     objects: dict[str, Any] = {}
     for area in plan.areas:

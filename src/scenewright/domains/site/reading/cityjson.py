@@ -36,6 +36,8 @@ MARGIN = 12.0
 """Metres of ground around the outermost buildings."""
 LARGEST_EXTENT, SPARSE = 10_000.0, 0.01
 """Greatest length of a site in metres, and least share of its hull that buildings cover."""
+TOGETHER = 150.0
+"""Metres up to which buildings strewn over a larger ground are neighbours."""
 SLIVER = 1.5
 """Half of the width, in metres, of what is no ground to build on."""
 WAYS = ("Road", "Railway", "Bridge")
@@ -90,7 +92,7 @@ def report(document: dict[str, Any], path: Path) -> CityReport:
     notes: list[Note] = []
     buildings = list(_buildings(city, clean(path.stem, "model"), notes))
     name = re.sub(r"\.city$", "", path.stem)
-    grounds = _sites(city, notes) or [("", _hull(buildings))]
+    grounds = _sites(city, notes) or [("", _hull(buildings, notes))]
     flat = _Flat(
         {key: _area(city, key) for key in _keys(city, WAYS)},
         {key: _area(city, key) for key in _keys(city, ("WaterBody",))},
@@ -280,23 +282,43 @@ def _sites(city: City, notes: list[Note]) -> list[tuple[str, shapely.Polygon]]:
     return found
 
 
-def _hull(buildings: list[CityBuilding]) -> shapely.Polygon:
-    """The ground of buildings that draw none; InputError if they lie too far apart."""
-    shapes = [row.footprint for row in buildings]
-    if not shapes:
+def _hull(buildings: list[CityBuilding], notes: list[Note]) -> shapely.Polygon:
+    """The ground of buildings that draw none: what lies about them, or, where they are strewn over
+    kilometres, about those that stand together. InputError if none do."""
+    if not buildings:
         raise InputError("holds no building with a footprint", "give another city model")
-    hull = shapely.convex_hull(shapely.union_all(shapes)).buffer(MARGIN, join_style="mitre")
-    west, south, east, north = hull.bounds
-    longest = max(east - west, north - south)
-    share = sum(shape.area for shape in shapes) / hull.area
-    if longest > LARGEST_EXTENT or (share < SPARSE and len(shapes) > 1):
+    shapes = [row.footprint for row in buildings]
+    if _are_together(shapes):
+        return _about(shapes)
+    near = shapely.buffer(np.array(shapes, object), TOGETHER / 2)
+    groups = polygons(shapely.union_all(near, grid_size=0.01))
+    built = [[shape for shape in shapes if shapely.intersects(shape, part)] for part in groups]
+    largest = max(built, key=lambda group: (len(group), sum(shape.area for shape in group)))
+    if len(largest) < 2:
+        west, south, east, north = _about(shapes).bounds
         raise InputError(
-            f"its {len(shapes)} buildings lie over {longest / 1000:.3g} km and cover "
-            f"{100 * share:.2g} % of it",
+            f"its {len(shapes)} buildings lie over {max(east - west, north - south) / 1000:.3g} "
+            f"km, none within {TOGETHER:g} m of another",
             "cut a quarter out, or draw the ground as LandUse with the class 'site'",
         )
-    found: shapely.Polygon = hull
-    return found
+    chosen = {id(shape) for shape in largest}
+    away = f"stands more than {TOGETHER:g} m from the {len(largest)} that are the site"
+    notes += [Note(b.key, "left out", away) for b in buildings if id(b.footprint) not in chosen]
+    return _about(largest)
+
+
+def _about(shapes: list[shapely.Polygon]) -> shapely.Polygon:
+    hull: shapely.Polygon = shapely.convex_hull(shapely.union_all(shapes))
+    return hull.buffer(MARGIN, join_style="mitre")
+
+
+def _are_together(shapes: list[shapely.Polygon]) -> bool:
+    """Whether buildings are dense enough for a site."""
+    hull = _about(shapes)
+    west, south, east, north = hull.bounds
+    share = sum(shape.area for shape in shapes) / hull.area
+    dense = share >= SPARSE or len(shapes) == 1
+    return bool(max(east - west, north - south) <= LARGEST_EXTENT and dense)
 
 
 def _keys(city: City, kinds: tuple[str, ...]) -> list[str]:

@@ -50,7 +50,7 @@ def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
     """The CityJSON object of a solution of sites."""
     plans: tuple[SitePlan, ...] = made.detail if made else plans_of(solution.brief)
     models = catalog_of(solution.brief.catalogs)
-    credited = authorship.document(authorship.credits_of(solution.pieces, models))
+    credited = authorship.document(authorship.credits_of_solution(solution, models))
     vertices: Vertices = {}
     objects: dict[str, Any] = {}
     for plan in plans:

@@ -83,7 +83,7 @@ def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
         "features": features,
     }
     models = catalog_of(solution.brief.catalogs)
-    found["credits"] = authorship.document(authorship.credits_of(solution.pieces, models))
+    found["credits"] = authorship.document(authorship.credits_of_solution(solution, models))
     if not in_degrees:
         name = {"name": urn_of(solution.brief.part.sites[0].system)}
         found["crs"] = {"type": "name", "properties": name}

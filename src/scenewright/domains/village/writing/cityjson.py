@@ -58,7 +58,7 @@ def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
 def _grounds(solution: Solution, plan: VillagePlan, vertices: Vertices) -> dict[str, Any]:
     """Blocks, lanes and free squares."""
     credited = authorship.document(
-        authorship.credits_of(solution.pieces, catalog_of(solution.brief.catalogs))
+        authorship.credits_of_solution(solution, catalog_of(solution.brief.catalogs))
     )
     found: dict[str, Any] = {}
     for block in plan.blocks:

@@ -12,6 +12,8 @@ from typing import Any
 
 import numpy as np
 
+from scenewright.catalog import credits as authorship
+from scenewright.catalog.loading import catalog_of
 from scenewright.core.atomic_file import write_atomically
 from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
@@ -50,7 +52,13 @@ def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
         tags_ = {"highway": kind, "name": way.name, "width": way.width}
         features.append(write_feature(way.id, "LineString", write_points(way.line, map_), tags_))
     features += [_house(p, map_) for p in solution.pieces if p.category == "building"]
-    return {"type": "FeatureCollection", "name": solution.brief.name, "features": features}
+    models = catalog_of(solution.brief.catalogs)
+    return {
+        "type": "FeatureCollection",
+        "name": solution.brief.name,
+        "credits": authorship.document(authorship.credits_of_solution(solution, models)),
+        "features": features,
+    }
 
 
 def check(brief: Brief) -> None:
