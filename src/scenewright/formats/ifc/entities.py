@@ -107,7 +107,7 @@ def extrude(
 
 
 def extrude_prism(model: Model, prism: Prism) -> Entity:
-    """A prism of a wall; one under a slope ends level at its lowest."""
+    """A prism of a wall; one under a slope ends level at its highest."""
     return extrude(model, prism.outline, prism.base, prism.top - prism.base, prism.holes)
 
 
