@@ -87,7 +87,7 @@ def save_brief(**changes: Any) -> str:
             "--format: '.pdf' files cannot be written",
         ),
         (["arrange", "missing.json"], "missing.json: there is no such file"),
-        (["arrange", "plan.dwg"], "use one of: .json"),
+        (["arrange", "plan.dwg"], "is a DWG drawing, which is not read; save it as .dxf"),
         (["arrange", "."], "is a folder; add --batch"),
         (["check", "missing.json"], "missing.json: there is no such file; check the path"),
         (

@@ -85,11 +85,9 @@ def test_what_is_let_go_in_the_file_is_free_again(solved: sw.Solution, tmp_path:
         again, pieces=tuple(replace(p, fixed=p.fixed and p.id not in chosen) for p in again.pieces)
     )
     sw.write(free, tmp_path / "free.json")
-    assert (
-        sw.read(tmp_path / "free.json")
-        == sw.read(save_locked(solved, set(), tmp_path / "none.json"))
-        or solved.brief.domain == "hall"
-    )
+    files = (tmp_path / "free.json", save_locked(solved, set(), tmp_path / "none.json"))
+    freed, never = (sw.read(file).model_copy(update={"input_report": None}) for file in files)
+    assert freed == never or solved.brief.domain == "hall"
 
 
 def test_everything_may_be_locked(solved: sw.Solution, tmp_path: Path) -> None:

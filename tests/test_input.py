@@ -168,7 +168,7 @@ BAD_JSON = {
 BAD_XML = {
     "empty": ("", "is empty"),
     "broken": ("<home><room>", "broken XML"),
-    "another root": ("<svg/>", "is <svg>, not a Sweet Home 3D home"),
+    "another root": ("<page/>", "is <page>, not a Sweet Home 3D home"),
     "a document type": ("<!DOCTYPE home [<!ENTITY a 'b'>]><home>&a;</home>", "document type"),
     "an outside entity": (
         '<!DOCTYPE home [<!ENTITY x SYSTEM "file:///etc/passwd">]><home name="&x;"/>',
@@ -228,7 +228,7 @@ def test_files_that_are_not_there_or_not_files(tmp_path: Path) -> None:
     assert "no such file" in refusal(tmp_path / "none.json")
     assert "is a folder; add --batch" in refusal(tmp_path / "folder.json")
     assert "is a folder; add --batch" in refusal(tmp_path)
-    assert "'.dwg' files cannot be read; use one of: .json, .sh3d, .xml" in refusal("flat.dwg")
+    assert "'.odd' files cannot be read; use one of: .json, .sh3d, .xml" in refusal("flat.odd")
     assert "there is no such file or folder" in refusal("flat")
     (tmp_path / "flat").write_text("{}")
     assert "no suffix" in refusal(tmp_path / "flat")

@@ -19,6 +19,7 @@ from typing import Any, Literal, NamedTuple
 
 from scenewright.core.atomic_file import check_targets, whole_together
 from scenewright.core.errors import InputError
+from scenewright.core.extras import install_line
 from scenewright.workflow.request import check_name
 
 Record = dict[str, Any]
@@ -92,7 +93,18 @@ def measure(
                 records.append(record)
     except KeyboardInterrupt:
         return Measured(tuple(records), True)
+    except ModuleNotFoundError as error:
+        raise _missing_package(name, error) from None
     return Measured(tuple(records), False)
+
+
+def _missing_package(name: str, error: ModuleNotFoundError) -> InputError | ModuleNotFoundError:
+    """The refusal of a benchmark that needs a package of others; a module of ours that is missing
+    is a fault of ours."""
+    package = (error.name or "").partition(".")[0]
+    if package in ("", "benchmarks", "scenewright"):
+        return error
+    return InputError(f"benchmark '{name}' needs the package '{package}'", install_line(package))
 
 
 def _run(

@@ -7,7 +7,6 @@ placed or a rule is broken; 2 the input cannot be used; 130 interrupted, 143 ter
 from __future__ import annotations
 
 import os
-import re
 import sys
 from math import isfinite
 from pathlib import Path
@@ -27,6 +26,7 @@ from scenewright.cli import learn as cli_learn
 from scenewright.cli import plan as cli_plan
 from scenewright.cli import show, tables, terminal
 from scenewright.cli.arguments import check_repeated, check_words
+from scenewright.cli.faults import describe_usage_fault, drop_output, is_output_full, write_fault
 from scenewright.cli.reading import (
     CatalogOption,
     GroupsOption,
@@ -39,7 +39,6 @@ from scenewright.cli.show_input import input_document, print_input, print_warnin
 from scenewright.cli.termination import Terminated, orderly_termination
 from scenewright.core.atomic_file import recorded_run
 from scenewright.core.errors import CancelledError, InputError
-from scenewright.text import printable
 
 app = typer.Typer(
     name="scenewright",
@@ -76,44 +75,35 @@ def run(arguments: list[str] | None = None) -> int:
         command = typer.main.get_command(app)
         check_repeated(sys.argv[1:] if arguments is None else arguments, command)
         with orderly_termination(), recorded_run():
-            return int(command(arguments, standalone_mode=False) or 0)
+            code = int(command(arguments, standalone_mode=False) or 0)
+            sys.stdout.flush()
+            return code
     except Terminated as stop:
-        return _fault("terminated", stop.code)
+        return write_fault("terminated", stop.code)
     except InputError as error:
-        return _fault(str(error))
+        return write_fault(str(error))
     except USAGE_FAULT as error:
-        message = _format_usage_error(error)
-        return _fault(f"{message}; see scenewright --help") if message else 2
+        message = describe_usage_fault(error)
+        return write_fault(f"{message}; see scenewright --help") if message else 2
     except (CancelledError, KeyboardInterrupt, typer.Abort):
-        return _fault("interrupted", 130)
+        return write_fault("interrupted", 130)
     except SystemExit as end:
         if not isinstance(end.__context__, BrokenPipeError):
             raise
         return 0
     except BrokenPipeError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        drop_output()
         return 0
     except Exception as error:
+        if is_output_full(error):
+            drop_output()
+            return write_fault(f"the output cannot be written: {error}; write it elsewhere")
         if os.environ.get("SCENEWRIGHT_DEBUG"):
             raise
         cause = f"{type(error).__name__}: {error}"
-        return _fault(
+        return write_fault(
             f"internal error, please report: {cause} (SCENEWRIGHT_DEBUG=1 shows where)", 3
         )
-
-
-def _format_usage_error(usage_fault: Any) -> str:
-    """The fault in our words; empty if the help was shown instead."""
-    message = str(usage_fault.format_message()).rstrip(".")
-    message = re.sub(r"Input should be a valid integer.*", "give a whole number", message)
-    message = re.sub(r"Input should be a valid number.*", "give a number", message)
-    message = message.replace("Input should be greater than or equal to", "give at least")
-    return message.replace("Input should be less than or equal to", "give at most")
-
-
-def _fault(message: str, code: int = 2) -> int:
-    sys.stderr.write(f"scenewright: {printable(message)}\n")
-    return code
 
 
 def _version(wanted: bool) -> None:
@@ -204,7 +194,7 @@ def _arrange_one(request: Any, console: Console, as_json: bool, quiet: bool) -> 
         tables.print_json(show.arranged_document(request.source, request.outputs, *arranged, code))
     elif not quiet:
         show.print_arranged(tables.output_console(), request.outputs, *arranged, interrupted)
-    return _fault(show.describe_interruption(request.outputs), code) if interrupted else code
+    return write_fault(show.describe_interruption(request.outputs), code) if interrupted else code
 
 
 def _alternatives(request: Any, console: Console, as_json: bool, quiet: bool) -> int:
@@ -242,7 +232,7 @@ def check(
     report = judge(solution, plan=plan)
     read = solution.brief.input_report
     if as_json:
-        tables.print_json({"file": str(file), **report.to_dict(), **input_document(read)})
+        tables.print_json({"file": str(file), **report.to_dict(), **input_document(solution.brief)})
     elif not quiet:
         console = tables.output_console()
         print_input(console, read)
@@ -301,7 +291,7 @@ def bench(
         rows = [{key: record[key] for key in cli_bench.KEYS} for record in measured.records]
         tables.table(tables.output_console(), rows, title=f"bench {name}")
     if measured.interrupted:
-        return _fault(f"interrupted after {len(measured.records)} records", 130)
+        return write_fault(f"interrupted after {len(measured.records)} records", 130)
     return 0
 
 

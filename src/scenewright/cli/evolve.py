@@ -94,13 +94,12 @@ def _run(request: EvolveRequest, as_json: bool, quiet: bool) -> int:
     from scenewright.cli import tables, terminal
     from scenewright.cli.evolve_best import name_picture
     from scenewright.core.atomic_file import check_distinct, check_targets
+    from scenewright.formats import check_outputs
     from scenewright.workflow.evolve import evolve as begin
     from scenewright.workflow.evolve import resume_evolution
-    from scenewright.workflow.request import check_outputs, keep_briefs
 
     pictures = (request.sheet, name_picture(request.sheet))
     check_outputs(request.outputs)
-    keep_briefs(request.outputs)
     check_targets(pictures)
     check_distinct([request.log, *request.outputs, *pictures])
     console = terminal.console(stderr=True, quiet=quiet or as_json)

@@ -20,7 +20,7 @@ def fold(
     source: Annotated[
         str,
         typer.Argument(
-            metavar="INPUT", help='A scene, a model (.glb, .obj) or a string "A B A B".'
+            metavar="INPUT", help='A scene, sample:NAME, a model (.glb) or a string "A B A B".'
         ),
     ],
     to: Annotated[
@@ -39,6 +39,7 @@ def fold(
     """Fold repeated neighbours: rows of a scene, storeys or bays of a model, or a string."""
     if axis not in ("x", "y", "z"):
         raise InputError(f"'{axis}' is no axis", "give x, y or z")
+    source = _find_sample(source)
     suffix = Path(source).suffix.lower()
     if suffix in SCENES:
         rows = scene_rows(Path(source), to)
@@ -61,6 +62,13 @@ def fold(
     if output is not None:
         tables.print_line(console, f"wrote {output}", "dim")
     return 0
+
+
+def _find_sample(source: str) -> str:
+    """The file of a sample, any other source as it is."""
+    from scenewright.formats.opening import SAMPLE, open_source
+
+    return str(open_source(source).path) if source.startswith(SAMPLE) else source
 
 
 def _layout_lines(source: str, suffix: str, axis: str, to: int | None) -> list[str]:

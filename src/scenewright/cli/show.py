@@ -105,7 +105,7 @@ def print_scale(console: Console, file: Path, brief: Brief, plan: Plan) -> None:
     """A line if the plan in a file seems drawn too small or too large."""
     from scenewright.workflow.request import note_scale
 
-    for notice in note_scale(str(file), brief, plan):
+    for notice in note_scale(str(file), brief, plan, domain_of(brief.domain)):
         print_line(console, notice.text, "dim")
 
 
@@ -301,7 +301,7 @@ def explained_document(solution: Solution, plan: Plan | None = None) -> dict[str
         "left_out": [entry._asdict() for entry in solution.left_out],
         "wishes": figures.get("wishes", []),
         "outlets": figures.get("outlets", []),
-        **input_document(solution.brief.input_report),
+        **input_document(solution.brief),
     }
 
 
@@ -333,7 +333,7 @@ def arranged_document(
         "rooms": rooms,
         "left_out": [entry._asdict() for entry in solution.left_out],
         "check": report.to_dict(),
-        **input_document(solution.brief.input_report),
+        **input_document(solution.brief),
     }
 
 

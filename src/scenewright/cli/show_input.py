@@ -10,6 +10,7 @@ from scenewright.cli.tables import print_line
 if TYPE_CHECKING:
     from rich.console import Console
 
+    from scenewright.core.brief import Brief
     from scenewright.core.brief.input_report import InputReport, InputRow
 
 MOST_KINDS = 12
@@ -30,10 +31,11 @@ def print_warnings(console: Console, report: InputReport | None) -> None:
         print_line(console, f"warning: not all of the file was read: {warning}", "bold yellow")
 
 
-def input_document(report: InputReport | None) -> dict[str, Any]:
-    """The report under its key, as plain values; empty if there is none."""
-    if report is None:
-        return {}
+def input_document(brief: Brief) -> dict[str, Any]:
+    """The report of a brief's file under its key, as plain values."""
+    from scenewright.core.brief.own_report import input_report_of
+
+    report = input_report_of(brief)
     return {"input_report": report.model_dump(mode="json") | {"complete": report.complete}}
 
 

@@ -73,6 +73,17 @@ def domain_of(name: str) -> Any:
     return entry.load()
 
 
+@cache
+def part_keys(name: str) -> tuple[str, ...]:
+    """The keys that only briefs of a domain have, empty for what is no domain.
+
+    >>> part_keys("site"), part_keys("castle")
+    (('sites',), ())
+    """
+    model = domain_of(name).part_model() if name in domain_names() else None
+    return tuple(model.model_fields) if model else ()
+
+
 def load_added(group: str, domain: str, kind: type[Row]) -> tuple[Row, ...]:
     """Rows that other packages add to a table of a domain, by name: entry points of ``group``
     called ``domain.name``, each a value of ``kind``.

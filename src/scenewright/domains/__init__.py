@@ -45,6 +45,7 @@ __all__ = [
     "learn_groups",
     "learn_style",
     "plan_of",
+    "plan_valid",
     "presets",
     "problems",
     "reasons_of",
@@ -74,6 +75,17 @@ def plan_of(brief: Brief) -> Plan:
     the brief, for anything that cannot be built."""
     check_domain(brief)
     plan: Plan = domain_of(brief.domain).verb("plan")(brief)
+    return plan
+
+
+def plan_valid(brief: Brief, style: str = "") -> Plan:
+    """The plan of a brief that its domain can lay out, down to its geometry; a ``style`` named
+    beside the brief must be known. Raises :class:`InputError`."""
+    plan, domain = plan_of(brief), domain_of(brief.domain)
+    if style and domain.has("refuse_style"):
+        domain.verb("refuse_style")(brief)
+    if domain.has("validate"):
+        domain.verb("validate")(brief, plan)
     return plan
 
 
@@ -118,9 +130,10 @@ def solve(
     ['desk', 'dining_wall']
     """
     watched = {} if watch is None else {"watch": watch}
+    made = plan or plan_of(brief)
     solution: Solution = domain_of(brief.domain).verb("solve")(
         brief,
-        plan=plan or plan_of(brief),
+        plan=made,
         preset=preset,
         solver=solver,
         seconds=seconds,

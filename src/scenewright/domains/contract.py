@@ -18,7 +18,7 @@ from scenewright.core.brief.fields import FURNITURE
 from scenewright.core.errors import InputError
 from scenewright.core.layout import Watch
 from scenewright.core.plan import Plan
-from scenewright.core.registry import Format
+from scenewright.core.registry import SHIPPED, Format, domain_of
 from scenewright.core.report import Report
 from scenewright.core.scene import Scene
 from scenewright.core.solution import Solution
@@ -186,7 +186,10 @@ class Domain(NamedTuple):
         """The function of a verb; raises :class:`InputError` if the domain has none."""
         if name not in self.verbs:
             words = name.replace("_", " ")
-            raise InputError(f"scenes of the domain '{self.name}' do not support '{words}'")
+            fault = f"scenes of the domain '{self.name}' do not support '{words}'"
+            having = ", ".join(kind for kind in SHIPPED if domain_of(kind).has(name))
+            remedy = f"it is there for: {having}" if having else "leave it out"
+            raise InputError(fault, remedy)
         return self.load(self.verbs[name])
 
     def table(self, name: Table) -> Any:

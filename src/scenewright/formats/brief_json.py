@@ -13,7 +13,9 @@ from pydantic import ValidationError
 
 from scenewright.core.brief import Brief, brief_schema
 from scenewright.core.brief.domain_keys import check_parts, is_brief
+from scenewright.core.brief.own_report import report_changes
 from scenewright.core.brief.units import suggest_for
+from scenewright.core.brief.variations import scale_brief
 from scenewright.core.document_faults import METRES, to_input_error
 from scenewright.core.errors import InputError
 from scenewright.core.registry import domain_names, domain_of
@@ -32,15 +34,8 @@ def read(path: Path, keep: bool = False, scale: float = 1.0) -> Brief:
     for kind in map(domain_of, domain_names()):
         if document.get("type") in kind.documents:
             brief: Brief = kind.load(kind.documents[document["type"]])(document, path)
-            return apply_scale(brief, scale)
+            return scale_brief(brief, scale)
     return _brief(document, path.parent, scale)
-
-
-def apply_scale(brief: Brief, scale: float) -> Brief:
-    """A brief with its lengths in plan times ``scale``."""
-    if scale == 1.0:
-        return brief
-    return Brief.model_validate(brief.model_dump() | {"scale": scale})
 
 
 def loads(text: str | bytes, folder: Path | None = None) -> Brief:
@@ -58,12 +53,15 @@ def _brief(raw: dict[str, Any], folder: Path, scale: float = 1.0) -> Brief:
     if document.get("format") == SOLUTION:
         from scenewright.formats import solution_json
 
-        return apply_scale(solution_json.brief_of(document), scale)
+        return scale_brief(solution_json.brief_of(document), scale)
     check_parts(document)
+    stated = document.get("scale", 1.0)
     try:
         if scale != 1.0 and "scale" not in document:
-            return Brief.model_validate(document | {"scale": scale})
-        return apply_scale(Brief.model_validate(document), scale)
+            brief = Brief.model_validate(document | {"scale": scale})
+        else:
+            brief = scale_brief(Brief.model_validate(document), scale)
+        return report_changes(brief, document, scale * stated)
     except ValidationError as error:
         raise _with_unit(to_input_error(error, brief_schema), document) from None
 
@@ -80,10 +78,11 @@ def holds_brief(path: Path) -> bool:
     if path.suffix.lower() != ".json" or not path.is_file():
         return False
     try:
-        check_size(path, "")
-        return is_brief(parse_document(path.read_bytes(), ""))
+        check_size(path, "split it")
+        document = parse_document(path.read_bytes(), "a brief")
     except (InputError, OSError):
         return False
+    return is_brief(document)
 
 
 def dumps(brief: Brief) -> str:

@@ -7,8 +7,6 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from scenewright.core.brief import Brief
-
 Json = dict[str, Any]
 
 NAMED = ("catalogs", "groups", "sources")
@@ -41,20 +39,14 @@ def absolute(path: str, folder: Path) -> str:
     return path if plain and not whole.exists() else str(whole.absolute())
 
 
-def with_more(
-    brief: Brief, catalogs: Sequence[str], groups: Sequence[str] = (), style: str = ""
-) -> Brief:
-    """A brief with further catalogues and learned groups, below the working folder, and in another
-    style (empty: its own)."""
-    if style:
-        named = absolute(style, Path.cwd()) if style.endswith(STYLE) else style
-        brief = brief.model_copy(update={"style": named})
-    if not catalogs and not groups:
-        return brief
-    more, learned = ([absolute(path, Path.cwd()) for path in paths] for paths in (catalogs, groups))
-    return brief.model_copy(
-        update={"catalogs": [*brief.catalogs, *more], "groups": [*brief.groups, *learned]}
-    )
+def absolute_names(
+    catalogs: Sequence[str], groups: Sequence[str], style: str
+) -> tuple[list[str], list[str], str]:
+    """Catalogues, learned groups and a style as named on the command line, below the working
+    folder."""
+    here = Path.cwd()
+    more, learned = ([absolute(path, here) for path in paths] for paths in (catalogs, groups))
+    return more, learned, absolute(style, here) if style.endswith(STYLE) else style
 
 
 def _resolve_entry(entry: object, folder: Path) -> object:

@@ -18,6 +18,7 @@ from scenewright.catalog import credits as authorship
 from scenewright.catalog.loading import catalog_of
 from scenewright.core.atomic_file import note_read, write_atomically
 from scenewright.core.brief import Brief
+from scenewright.core.brief.own_report import report_pieces
 from scenewright.core.errors import InputError
 from scenewright.core.footprint import read_footprint
 from scenewright.core.plan import Plan
@@ -62,7 +63,8 @@ def read_planned(
     except InputError as error:
         raise error.located(file=str(path)) from None
     except OSError as error:
-        raise InputError(error.strerror or "cannot be read", file=str(path)) from None
+        fault = f"cannot be read: {error.strerror or error}"
+        raise InputError(fault, "check file permissions", file=str(path)) from None
 
 
 def dumps(solution: Solution) -> str:
@@ -152,8 +154,9 @@ def brief_of(document: object) -> Brief:
     """The brief to solve again, with what is locked in the document as its domain keeps it."""
     solution = of_document(document)
     domain = domain_of(solution.brief.domain)
-    brief: Brief = domain.verb("locked")(solution) if domain.has("locked") else solution.brief
-    return brief
+    keeps = domain.has("locked")
+    brief: Brief = domain.verb("locked")(solution) if keeps else solution.brief
+    return report_pieces(brief, [keeps and piece.fixed for piece in solution.pieces])
 
 
 def _piece_document(piece: Piece) -> dict[str, Any]:

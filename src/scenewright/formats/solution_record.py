@@ -120,7 +120,9 @@ def check_document(
     if not isinstance(document, Mapping) or document.get("format") != FORMAT:
         if is_brief(document):
             raise InputError("is not a solution but a brief", "arrange it first, with -o NAME.json")
-        raise InputError(f'is not a solution: "format" must be "{FORMAT}"')
+        raise InputError(
+            f'is not a solution: "format" must be "{FORMAT}"', "give what arrange wrote as .json"
+        )
     if document.get("version") != 1:
         raise InputError(
             f"has version {str(document.get('version'))[:20]!r} of the solution format",
@@ -158,9 +160,15 @@ def _check_names(record: SolutionRecord, plan: Plan) -> None:
     for index, piece in enumerate(record.pieces):
         if piece.space not in plan.names:
             fault = f"the brief has no room with the id {piece.space!r}"
-            raise InputError(fault, place=f"pieces[{index}].space")
+            raise InputError(
+                fault, f"use one of: {', '.join([*plan.names][:6])}", place=f"pieces[{index}].space"
+            )
         if piece.on is not None and piece.on not in known:
-            raise InputError(f"unknown piece {piece.on!r}", place=f"pieces[{index}].on")
+            raise InputError(
+                f"unknown piece {piece.on!r}",
+                "name the piece it stands on, or null",
+                place=f"pieces[{index}].on",
+            )
 
 
 def solution_schema() -> dict[str, Any]:

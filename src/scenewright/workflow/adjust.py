@@ -13,9 +13,8 @@ from scenewright.core.errors import InputError
 from scenewright.core.plan import Plan
 from scenewright.core.report import Report
 from scenewright.core.solution import Solution
-from scenewright.formats import solution_json
+from scenewright.formats import check_outputs, solution_json, writer
 from scenewright.workflow.events import Event, Judged, Planned, Solved
-from scenewright.workflow.request import check_outputs, keep_briefs
 from scenewright.workflow.writing import write_all
 
 
@@ -46,12 +45,12 @@ class AdjustedFile(NamedTuple):
 
 def adjust_file(request: AdjustRequest) -> Generator[Event, None, AdjustedFile]:
     """Change a saved solution, judge it and write its outputs; the file itself may be replaced."""
-    check_outputs(request.outputs)
+    for path in request.outputs:
+        writer(path)
     before, plan = solution_json.read_planned(request.file)
     allow_replacing(request.file)
-    check_outputs(request.outputs)
-    keep_briefs(request.outputs)
-    yield Planned(before.brief, plan)
+    check_outputs(request.outputs, before.brief)
+    yield Planned(before.brief, plan, domains.domain_of(before.brief.domain))
     try:
         solution, changes = domains.adjust(
             before,

@@ -14,7 +14,7 @@ from scenewright.core.report import Report
 from scenewright.core.solution import Solution
 from scenewright.formats import suffix_of
 from scenewright.workflow.events import Event, Judged, Solved
-from scenewright.workflow.request import ArrangeRequest, note_ineffective, note_scale, plan_request
+from scenewright.workflow.request import ArrangeRequest, open_request
 from scenewright.workflow.stream import Cancel, stream_progress
 from scenewright.workflow.writing import write_all
 
@@ -43,11 +43,7 @@ def arrange_alternatives(
 
     ``plan.svg`` becomes ``plan-1.svg``, ``plan-2.svg`` …; all files appear together.
     """
-    planned = plan_request(request)
-    yield planned
-    brief, plan = planned
-    yield from note_ineffective(request, brief)
-    yield from note_scale(request.source, brief, plan, request.scale)
+    brief, plan, _ = yield from open_request(request)
     ranks = range(1, request.alternatives + 1)
     check_targets([number_path(path, rank) for path in request.outputs for rank in ranks])
     try:

@@ -14,14 +14,7 @@ from scenewright.core.plan import Plan
 from scenewright.core.report import Report
 from scenewright.core.solution import Solution
 from scenewright.workflow.events import Event, Hear, Judged, Progress, Solved, run_to_end
-from scenewright.workflow.request import (
-    ArrangeRequest,
-    note_heavy,
-    note_ineffective,
-    note_omissions,
-    note_scale,
-    plan_request,
-)
+from scenewright.workflow.request import ArrangeRequest, note_heavy, note_omissions, open_request
 from scenewright.workflow.stream import Cancel, stream_progress
 from scenewright.workflow.writing import write_all
 
@@ -52,14 +45,10 @@ def arrange_file(
     When ``cancel`` answers true, the best so far is written; if nothing was found yet it raises
     ``CancelledError`` and writes nothing. ``parts`` is the folder of temporary files.
     """
-    planned = plan_request(request)
-    yield planned
-    brief, plan = planned
-    yield from note_ineffective(request, brief)
-    yield from note_scale(request.source, brief, plan, request.scale)
+    brief, plan, domain = yield from open_request(request)
     try:
         solution = yield from stream_progress(
-            lambda tell, cancelled: domains.solve(
+            lambda tell, cancelled: domain.verb("solve")(
                 brief,
                 plan=plan,
                 preset=request.preset,

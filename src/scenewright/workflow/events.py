@@ -11,15 +11,17 @@ from scenewright.core.brief import Brief
 from scenewright.core.plan import Plan
 from scenewright.core.report import Report
 from scenewright.core.solution import Solution
+from scenewright.domains.contract import Domain
 
 T = TypeVar("T")
 
 
 class Planned(NamedTuple):
-    """The brief is read, and can be built: its plan."""
+    """The brief is read, and can be built: its plan, and its domain."""
 
     brief: Brief
     plan: Plan
+    domain: Domain
 
 
 class Progress(NamedTuple):

@@ -2,27 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Generator, Iterator, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
 from scenewright.catalog.loading import catalog_of
-from scenewright.core.atomic_file import check_targets
 from scenewright.core.brief import Brief
 from scenewright.core.catalog import OWN
 from scenewright.core.errors import InputError
 from scenewright.core.plan import Plan
 from scenewright.core.solution import Solution
-from scenewright.domains import domain_of, presets, solvers
-from scenewright.formats import (
-    SWEET_HOME,
-    brief_json,
-    check_output,
-    omissions,
-    read_planned,
-    writer,
-)
-from scenewright.workflow.events import Notice, Planned
+from scenewright.domains import domain_of
+from scenewright.domains.contract import Domain
+from scenewright.formats import SWEET_HOME, check_outputs, omissions, read_planned, writer
+from scenewright.workflow.events import Event, Notice, Planned
 
 HEAVY = 50_000
 """Faces of a model above which it is reported."""
@@ -49,8 +42,9 @@ class ArrangeRequest(NamedTuple):
 
 
 def plan_request(request: ArrangeRequest) -> Planned:
-    """The brief of a request whose outputs and names can be used, and its plan."""
-    check_outputs(request.outputs)
+    """The brief of a request whose outputs and names can be used, its plan and its domain."""
+    for path in request.outputs:
+        writer(path)
     brief, plan = read_planned(
         request.source,
         keep=request.keep,
@@ -60,30 +54,33 @@ def plan_request(request: ArrangeRequest) -> Planned:
         hidden_levels=request.hidden_levels,
         style=request.style,
     )
-    check_targets(request.outputs)
-    keep_briefs(request.outputs)
-    for path in request.outputs:
-        check_output(path, brief)
+    check_outputs(request.outputs, brief)
+    domain: Domain = domain_of(brief.domain)
     if request.accessible:
-        check_can_be_accessible(brief, request.source)
-        brief = make_accessible(brief)
-    check_name("preset", request.preset, presets(brief.domain))
-    if request.solver is not None:
-        check_name("solver", request.solver, solvers(brief.domain))
-    return Planned(brief, plan)
+        brief = make_accessible(brief, domain, request.source)
+    presets, solvers = domain.table("presets"), domain.table("solvers")
+    check_name("preset", request.preset, presets)
+    check_name("solver", request.solver, (*solvers, None))
+    return Planned(brief, plan, domain)
 
 
-def make_accessible(brief: Brief) -> Brief:
-    """The brief with room for wheelchairs, as its domain makes it; the plan stays the same."""
-    changed: Brief = domain_of(brief.domain).verb("accessible")(brief)
-    return changed
+def open_request(request: ArrangeRequest) -> Generator[Event, None, Planned]:
+    """The brief and plan of a request, told, and what the user should know of them."""
+    planned = plan_request(request)
+    yield planned
+    yield from note_ineffective(request, planned.brief)
+    yield from note_scale(request.source, *planned, request.scale)
+    return planned
 
 
-def check_can_be_accessible(brief: Brief, source: str) -> None:
-    """Raise :class:`InputError` for ``--accessible`` with what is no home."""
-    if not domain_of(brief.domain).has("accessible"):
-        fault = f"--accessible is for homes, but the brief is of a {brief.domain}"
+def make_accessible(brief: Brief, domain: Domain, source: str) -> Brief:
+    """The brief with room for wheelchairs, as its domain makes it; the plan stays the same. Raises
+    :class:`InputError` for what is no home."""
+    if not domain.has("accessible"):
+        fault = f"--accessible is for homes, but the brief is of a {domain.name}"
         raise InputError(fault, "leave it out", file=source)
+    changed: Brief = domain.verb("accessible")(brief)
+    return changed
 
 
 def note_ineffective(request: ArrangeRequest, brief: Brief) -> Iterator[Notice]:
@@ -99,9 +96,10 @@ def note_ineffective(request: ArrangeRequest, brief: Brief) -> Iterator[Notice]:
         )
 
 
-def note_scale(source: str, brief: Brief, plan: Plan, given: float = 1.0) -> Iterator[Notice]:
+def note_scale(
+    source: str, brief: Brief, plan: Plan, domain: Domain, given: float = 1.0
+) -> Iterator[Notice]:
     """That the plan of a file, read with a scale ``given``, seems drawn too small or too large."""
-    domain = domain_of(brief.domain)
     found = domain.verb("drawn_scale")(brief, plan.spaces) if domain.has("drawn_scale") else None
     if found is not None and found.is_doubtful:
         yield Notice(f"{source}: {found.describe(given)}")
@@ -124,24 +122,7 @@ def note_heavy(solution: Solution) -> Iterator[Notice]:
             yield Notice(f"{name} has {faces:,} faces: files with it are large")
 
 
-def check_outputs(outputs: Sequence[Path]) -> None:
-    """Every suffix can be written, no file is named twice, none is a folder or a file that is
-    read."""
-    for path in outputs:
-        writer(path)
-    check_targets(outputs)
-
-
-def keep_briefs(outputs: Sequence[Path]) -> None:
-    """Raise :class:`InputError` for an output in the place of a brief, read by this run or not."""
-    for path in outputs:
-        if brief_json.holds_brief(path):
-            raise InputError(
-                "is a brief and would be replaced", "give -o another name", file=str(path)
-            )
-
-
-def check_name(what: str, name: str, known: Collection[str]) -> None:
+def check_name(what: str, name: str | None, known: Collection[str | None]) -> None:
     """Raise :class:`InputError` naming the choices unless ``name`` is one of them.
 
     >>> check_name("preset", "papper", ["default", "paper"])
@@ -149,4 +130,5 @@ def check_name(what: str, name: str, known: Collection[str]) -> None:
     scenewright.core.errors.InputError: unknown preset 'papper'; use one of: default, paper
     """
     if name not in known:
-        raise InputError(f"unknown {what} '{name}'", f"use one of: {', '.join(known)}")
+        choices = ", ".join(filter(None, known))
+        raise InputError(f"unknown {what} '{name}'", f"use one of: {choices}")

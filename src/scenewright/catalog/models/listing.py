@@ -174,7 +174,9 @@ def table_of(file: Path) -> Table:
         rows = _json_rows(content) if file.suffix.lower() == ".json" else _csv_rows(content)
         return {cells["id"]: cells for cells in rows}
     except OSError as error:
-        raise InputError(f"cannot be read: {error.strerror}", file=str(file)) from None
+        raise InputError(
+            f"cannot be read: {error.strerror}", "check file permissions", file=str(file)
+        ) from None
     except InputError as error:
         raise error.located(file=str(file)) from None
 

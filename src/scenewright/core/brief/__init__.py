@@ -47,7 +47,7 @@ from scenewright.core.brief.slope import SlopeBrief
 from scenewright.core.brief.stairs import StairsBrief
 from scenewright.core.brief.wishes import WishBrief
 from scenewright.core.brief.zones import Demand, Link, ZoneBrief
-from scenewright.core.registry import DEFAULT, domain_names, domain_of
+from scenewright.core.registry import DEFAULT, domain_names, domain_of, part_keys
 
 Function = Literal[
     "living",
@@ -212,7 +212,8 @@ class Brief(StrictModel):
     repeats them. ``sheet`` is the number of the plan's sheet, ``date`` its day (2026-11-22): as
     they are printed. ``residents`` is how many live in a home (left out: as many as its bedrooms
     are for). ``accepted`` are findings of the referee that are meant to be so, with reasons.
-    ``input_report`` is written by readers of other files: what became of each of their features.
+    ``input_report`` is written by readers: what became of each feature of the file. Left out in a
+    brief of which nothing was changed (:func:`.own_report.input_report_of` counts what it holds).
     """
 
     format: Literal["scenewright/brief"] = "scenewright/brief"
@@ -328,17 +329,13 @@ def _defaults(domain: Any, document: Mapping[str, Any]) -> dict[str, Any]:
 def _gather(domain: Any, document: dict[str, Any]) -> dict[str, Any]:
     """The keys of a domain's part below ``part``; empty keys of other domains, which older files
     list, are dropped."""
-    own = _part_keys(domain)
-    others = {key for name in domain_names() for key in _part_keys(domain_of(name))} - own
+    own = part_keys(domain.name)
+    others = {key for name in domain_names() for key in part_keys(name)} - set(own)
     kept = {key: value for key, value in document.items() if key not in others or value}
     if not own:
         return kept
     part = {key: value for key, value in kept.items() if key in own}
     return {key: value for key, value in kept.items() if key not in own} | {"part": part}
-
-
-def _part_keys(domain: Any) -> set[str]:
-    return set(domain.part_model().model_fields) if domain.part else set()
 
 
 def brief_schema() -> dict[str, Any]:

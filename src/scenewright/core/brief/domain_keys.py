@@ -7,7 +7,7 @@ from typing import Any
 
 from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
-from scenewright.core.registry import DEFAULT, SHIPPED, domain_names, domain_of
+from scenewright.core.registry import DEFAULT, SHIPPED, domain_names, domain_of, part_keys
 
 FORMAT = Brief.model_fields["format"].default
 
@@ -40,12 +40,11 @@ def check_parts(document: Mapping[str, Any]) -> None:
 out, or set "domain": "site"
     """
     own = document.get("domain", DEFAULT)
-    shared = set(domain_of(own).part_model().model_fields) if _has_part(own) else set()
+    if own not in domain_names():
+        return
     for name in domain_names():
-        if name == own or own not in domain_names() or not domain_of(name).part:
-            continue
-        for key in domain_of(name).part_model().model_fields:
-            if document.get(key) and key not in shared:
+        for key in part_keys(name):
+            if document.get(key) and key not in part_keys(own):
                 raise _foreign(own, (name,), key)
 
 
@@ -58,13 +57,8 @@ def is_brief(document: object) -> bool:
     """
     if not isinstance(document, Mapping) or document.get("format", FORMAT) != FORMAT:
         return False
-    parts = (domain_of(name).part_model() for name in domain_names() if _has_part(name))
-    keys = {"rooms"}.union(*(part.model_fields for part in parts))
+    keys = {"rooms"}.union(*map(part_keys, domain_names()))
     return "format" in document or not keys.isdisjoint(document)
-
-
-def _has_part(name: object) -> bool:
-    return name in domain_names() and bool(domain_of(str(name)).part)
 
 
 def _knowing(field: str, key: str) -> tuple[str, ...]:

@@ -13,14 +13,11 @@ from scenewright.core.scene import Piece, Pose, Scene, Size
 from scenewright.core.solution import Solution
 from scenewright.domains.extend.areas import OLD, AreaPlan, ExtendPlan
 from scenewright.domains.extend.models import footprint_within, model_of
-from scenewright.domains.extend.pattern import SourcePattern
+from scenewright.domains.extend.pattern import STOREY, SourcePattern
 from scenewright.domains.extend.problem import GrownLayout
 from scenewright.domains.extend.works import lay_walks
 from scenewright.ground.built import to_frames
 from scenewright.ground.surfaces import surfaces
-
-STOREY = 3.0
-"""Metres of a storey that is added."""
 
 
 def new_pieces(

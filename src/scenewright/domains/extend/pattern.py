@@ -35,6 +35,8 @@ TOUCHING, TERRACED = 0.5, 0.35
 rule."""
 TIGHT = 0.05
 """The quantile of gaps below which nothing is built."""
+STOREY = 3.0
+"""Metres of a storey that is added or counted."""
 
 
 class BuildingKind(NamedTuple):

@@ -26,7 +26,7 @@ from scenewright.domains.extend.brief import (
     SourceScene,
     StreetLine,
 )
-from scenewright.domains.extend.pattern import learn_pattern
+from scenewright.domains.extend.pattern import STOREY, learn_pattern
 from scenewright.domains.extend.streets import continue_streets
 from scenewright.ground import outlines as shapes
 from scenewright.ground.built import BuiltBuilding, BuiltRoad, BuiltScene, ground_of
@@ -40,6 +40,8 @@ SKY = 400.0
 BESIDE = 80.0
 """Metres from an area within which a source stands beside it."""
 LEAST_SOURCE = 2
+LEAST_ROW = 1.0
+"""Metres of a drawn row."""
 GAP = 30.0
 """Metres between old and new ground that are closed."""
 MARGIN = 8.0
@@ -60,6 +62,7 @@ def plan_extend(brief: Brief) -> Plan:
     )
     shares = tuple(row.share for row in part.sources)
     pattern = learn_pattern(sources, shares)
+    _check_storeys(part.areas, max(kind.size[2] for kind in pattern.kinds))
     old = [scene for scene, there in zip(sources, stands, strict=True) if there]
     names = assign_ids(part.areas, "area", "areas")
     areas = tuple(
@@ -154,6 +157,7 @@ def _area(
     row: GrowthArea, name: str, outline: shapely.Polygon, old: Sequence[BuiltScene], place: str
 ) -> AreaPlan:
     drawn = tuple(_road(one, f"{place} roads") for one in row.roads)
+    _check_rows(row, place)
     built = [shapely.Polygon(one.outline) for scene in old for one in scene.buildings]
     theirs = [road for scene in old for road in scene.roads]
     continued: tuple[BuiltRoad, ...] = ()
@@ -172,6 +176,30 @@ def _area(
     floor = shapely.multipolygons(rest)
     fixed = tuple(_lock(one, outline, f"{place} fixed[{k}]") for k, one in enumerate(row.fixed))
     return AreaPlan(name, row.name or name, outline, floor, roads, continued, fixed, row)
+
+
+def _check_storeys(areas: Sequence[GrowthArea], tallest: float) -> None:
+    """No area lowers what is grown there below one storey: of the ``tallest`` building, in metres,
+    one must be left."""
+    for number, row in enumerate(areas):
+        if tallest + row.storeys * STOREY < STOREY:
+            least = -int(max(tallest / STOREY - 1, 0))
+            raise InputError(
+                f"{row.storeys} storeys leave nothing of its tallest building, {tallest:.1f} m",
+                f"give at least {least}",
+                place=f"areas[{number}].storeys",
+            )
+
+
+def _check_rows(row: GrowthArea, place: str) -> None:
+    """Every drawn row has a line along which houses can stand."""
+    for number, one in enumerate(row.rows):
+        if shapely.LineString(one.line).length < LEAST_ROW:
+            raise InputError(
+                "its line has no length",
+                f"draw it from end to end, at least {LEAST_ROW:g} m",
+                place=f"{place}.rows[{number}]",
+            )
 
 
 def _lock(row: LockedGrowth, outline: shapely.Polygon, place: str) -> StandingLock:

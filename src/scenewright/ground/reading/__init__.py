@@ -17,7 +17,7 @@ def read_built(
     path: Path, origin: tuple[float, float] | None = None, scale: float = 1.0
 ) -> BuiltScene:
     """What is built in a file: GeoJSON, CityJSON, a glTF scene (or a folder of them; ``scale`` is
-    metres a unit) or a saved solution of buildings.
+    metres a unit), a saved solution of buildings or a brief that draws some.
 
     Maps in degrees become metres about ``origin`` (longitude, latitude), else about their own
     middle. InputError, naming the file, for what holds no building.
@@ -32,6 +32,7 @@ def read_built(
 
 
 def _read(path: Path, origin: tuple[float, float] | None, scale: float) -> BuiltScene:
+    from scenewright.ground.reading.briefs import drawn_scene, draws_buildings
     from scenewright.ground.reading.city import city_scene
     from scenewright.ground.reading.maps import map_scene
     from scenewright.ground.reading.models import SUFFIXES, model_scene
@@ -54,9 +55,11 @@ def _read(path: Path, origin: tuple[float, float] | None, scale: float) -> Built
         found = map_scene(document, path.stem, origin)
     elif isinstance(document.get("pieces"), list):
         found = saved_scene(document)
+    elif draws_buildings(document):
+        found = drawn_scene(document)
     else:
         raise InputError(
-            "is no map, city model or solution",
+            "is no map, city model or solution and draws no building",
             "give .geojson, .city.json, or what arrange wrote as .json",
         )
     return _with_buildings(found)

@@ -21,6 +21,7 @@ from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
 from scenewright.domains.extend.areas import OLD, ExtendPlan
+from scenewright.domains.extend.pattern import STOREY
 from scenewright.domains.extend.plan import plan_extend
 from scenewright.ground.city_objects import (
     Vertices,
@@ -29,8 +30,6 @@ from scenewright.ground.city_objects import (
     free_key,
     prism_object,
 )
-
-STOREY = 3.0
 
 
 def write(solution: Solution, path: str | os.PathLike[str], plan: Plan | None = None) -> None:

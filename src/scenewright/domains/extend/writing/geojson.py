@@ -23,10 +23,9 @@ from scenewright.core.projection import Projection, projection
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
 from scenewright.domains.extend.areas import OLD, ExtendPlan
+from scenewright.domains.extend.pattern import STOREY
 from scenewright.domains.extend.plan import plan_extend
 from scenewright.ground.map_writing import bearing_of, write_feature, write_points, write_ring
-
-STOREY = 3.0
 
 
 def write(solution: Solution, path: str | os.PathLike[str], plan: Plan | None = None) -> None:

@@ -1,0 +1,25 @@
+"""Packages that are not installed: the line that installs one, by the extra that brings it."""
+
+from __future__ import annotations
+
+EXTRAS = {
+    "bim": ("ifcopenshell",),
+    "draco": ("DracoPy",),
+    "dxf": ("ezdxf",),
+    "learn": ("torch",),
+    "pdf": ("fpdf", "fontTools", "fontpkg_noto_sans"),
+    "peers": ("scipy", "cma", "pymoo", "deap"),
+    "solve": ("ortools",),
+}
+"""Our extras and the modules that each brings."""
+
+
+def install_line(module: str) -> str:
+    """The command that installs the package of a module, by an extra of ours if one brings it.
+
+    >>> install_line("pymoo.core"), install_line("some.module")
+    ("pip install 'scenewright[peers]'", 'pip install some')
+    """
+    top = module.partition(".")[0]
+    extra = next((extra for extra, modules in EXTRAS.items() if top in modules), "")
+    return f"pip install 'scenewright[{extra}]'" if extra else f"pip install {top}"

@@ -1,0 +1,225 @@
+"""Files of other programs that are not read: each is named, with what makes it readable.
+
+A row tells how a format is recognised, by what its files begin with or hold, else by suffix, and
+the way from it to one that is read. The table is asked wherever a reader refuses.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import NamedTuple
+
+from scenewright.core.errors import InputError
+
+SEARCHED = 8 * 2**20
+"""Bytes at the beginning of a file in which words are looked for."""
+DRAW = (
+    "draw its rooms in Sweet Home 3D (.sh3d), or write them as a brief (scenewright schema brief)"
+)
+TRACE = (
+    "trace it in Sweet Home 3D (Plan, Import background image) and save that as .sh3d, or write "
+    "its rooms as a brief (scenewright schema brief)"
+)
+MODEL = "give the brief of a place, and this file beside it: --catalog {file}"
+IFC = "export it as .ifc, or its plan as .dxf"
+CONVERT = "save it as .glb; models join a brief with --catalog MODEL.glb"
+OGR = "ogr2ogr -t_srs EPSG:4326 map.geojson {file} makes a map that is read"
+OSMIUM = "osmium export {file} -o map.geojson makes a map that is read"
+
+
+class ForeignFormat(NamedTuple):
+    """What files of a format are, in words after "is", and what to do with ``{file}``.
+
+    They begin with one of ``begins`` and hold all of ``holds``; ``suffixes`` count only where
+    nobody reads that suffix. ``read_as`` is the suffix under which such a file would be read."""
+
+    what: str
+    remedy: str
+    suffixes: tuple[str, ...] = ()
+    begins: tuple[bytes, ...] = ()
+    holds: tuple[bytes, ...] = ()
+    read_as: tuple[str, ...] = ()
+
+
+FOREIGN = (
+    ForeignFormat(
+        "a map of units in the Indoor Mapping Data Format (IMDF)",
+        'give each unit the properties "indoor": "room" and "level": 0, as in simple indoor '
+        "tagging",
+        holds=(b'"feature_type"', b'"unit"'),
+    ),
+    ForeignFormat(
+        "GeoJSON", "name it .geojson", holds=(b'"FeatureCollection"',), read_as=(".geojson",)
+    ),
+    ForeignFormat(
+        "a city model (CityJSON)",
+        "name it .city.json",
+        holds=(b'"CityJSON"',),
+        read_as=(".json", ".jsonl"),
+    ),
+    ForeignFormat(
+        "a ProcTHOR house",
+        "write it as a brief: floorPolygon (x, z) as outline, roomType as function "
+        "(scenewright schema brief)",
+        holds=(b'"roomType"', b'"floorPolygon"'),
+    ),
+    ForeignFormat(
+        "a Blueprint3D plan",
+        DRAW,
+        (".blueprint3d",),
+        holds=(b'"floorplan"', b'"corners"', b'"walls"'),
+    ),
+    ForeignFormat(
+        "a plan of floorspace.js",
+        DRAW,
+        holds=(b'"stories"', b'"floor_to_ceiling_height"', b'"spaces"'),
+    ),
+    ForeignFormat(
+        "a scan of RoomPlan",
+        DRAW,
+        holds=(b'"walls"', b'"openings"', b'"objects"', b'"dimensions"', b'"transform"'),
+    ),
+    ForeignFormat(
+        "a plan of react-planner",
+        DRAW,
+        holds=(b'"layers"', b'"vertices"', b'"areas"', b'"prototype"'),
+    ),
+    ForeignFormat(
+        "a Honeybee model", DRAW, (".hbjson", ".dfjson"), holds=(b'"Room', b"PropertiesAbridged")
+    ),
+    ForeignFormat(
+        "a scene of the Pascal editor", DRAW, holds=(b'"scene"', b'"nodes"', b'"parentId"')
+    ),
+    ForeignFormat(
+        "a scene of 3D-FRONT", DRAW, holds=(b'"design_version"', b'"furniture"', b'"scene"')
+    ),
+    ForeignFormat("a plan of HouseExpo", DRAW, holds=(b'"room_category"', b'"verts"')),
+    ForeignFormat("a glTF model", MODEL, (".gltf", ".glb"), holds=(b'"asset"', b'"accessors"')),
+    ForeignFormat("a glTF model", MODEL, begins=(b"glTF",)),
+    ForeignFormat(
+        "an IFC building model",
+        "name it .ifc",
+        begins=(b"ISO-10303-21",),
+        holds=(b"IFC",),
+        read_as=(".ifc",),
+    ),
+    ForeignFormat("an IFC building model as XML or zipped", IFC, (".ifcxml", ".ifczip")),
+    ForeignFormat("an IFC building model as XML", IFC, holds=(b"<ifcXML",)),
+    ForeignFormat("a STEP model", CONVERT, (".step", ".stp"), (b"ISO-10303-21",)),
+    ForeignFormat("a DWG drawing", "save it as .dxf", (".dwg",), (b"AC10",)),
+    ForeignFormat(
+        "a DXF drawing",
+        "name it .dxf",
+        holds=(b"SECTION", b"ENTITIES", b"ENDSEC", b"EOF"),
+        read_as=(".dxf",),
+    ),
+    ForeignFormat(
+        "a SketchUp model", CONVERT, (".skp",), (b"\xff\xfe\xff\x0eS\x00k\x00e\x00t\x00c\x00h",)
+    ),
+    ForeignFormat("a Revit model", IFC, (".rvt", ".rfa")),
+    ForeignFormat("an ArchiCAD plan", IFC, (".pln", ".pla")),
+    ForeignFormat(
+        "a USD scene", CONVERT, (".usd", ".usda", ".usdc", ".usdz"), (b"PXR-USDC", b"#usda")
+    ),
+    ForeignFormat("a USD scene", CONVERT, begins=(b"PK",), holds=(b".usdc",)),
+    ForeignFormat(
+        "OpenStreetMap data",
+        OSMIUM,
+        (".osm", ".osm.gz", ".osm.bz2", ".pbf", ".osc"),
+        holds=(b"<osm ", b"<node "),
+    ),
+    ForeignFormat("OpenStreetMap data", OSMIUM, holds=(b"OSMHeader",)),
+    ForeignFormat(
+        "a CityGML model",
+        "citygml-tools to-cityjson {file} makes a city model that is read",
+        (".citygml",),
+        holds=(b"opengis.net/citygml",),
+    ),
+    ForeignFormat("an IndoorGML map", DRAW, holds=(b"opengis.net/indoorgml",)),
+    ForeignFormat("a gbXML building model", DRAW, (".gbxml",), holds=(b"<gbXML",)),
+    ForeignFormat("a KML map", OGR, (".kml", ".kmz"), holds=(b"<kml",)),
+    ForeignFormat("a GPX track", OGR, (".gpx",), holds=(b"<gpx",)),
+    ForeignFormat("a GML map", OGR, (".gml",), holds=(b"opengis.net/gml",)),
+    ForeignFormat(
+        "a GeoPackage",
+        "ogr2ogr -t_srs EPSG:4326 map.geojson {file} LAYER makes a map that is read",
+        (".gpkg",),
+        (b"SQLite format 3",),
+        (b"gpkg_",),
+    ),
+    ForeignFormat("a shapefile", OGR, (".shp", ".shx", ".dbf"), (b"\0\0\x27\x0a",)),
+    ForeignFormat(
+        "a zipped shapefile",
+        "unzip {file}, then: ogr2ogr -t_srs EPSG:4326 map.geojson LAYER.shp",
+        begins=(b"PK",),
+        holds=(b".shp",),
+    ),
+    ForeignFormat("a FlatGeobuf map", OGR, (".fgb",), (b"fgb",)),
+    ForeignFormat("a GeoParquet map", OGR, (".parquet", ".geoparquet"), (b"PAR1",)),
+    ForeignFormat("a TopoJSON map", OGR, (".topojson",), holds=(b'"Topology"', b'"arcs"')),
+    ForeignFormat("a Sweet Home 3D furniture library", MODEL, (".sh3f",)),
+    ForeignFormat(
+        "a home of Sweet Home 3D",
+        "name it .sh3d",
+        begins=(b"PK",),
+        holds=(b"Home",),
+        read_as=(".sh3d",),
+    ),
+    ForeignFormat("a model", MODEL, (".obj", ".stl")),
+    ForeignFormat(
+        "a 3D model",
+        CONVERT,
+        (".fbx", ".dae", ".3ds", ".3dm", ".3mf", ".blend", ".max", ".ply", ".c4d"),
+        (b"Kaydara FBX", b"BLENDER", b"ply\n"),
+    ),
+    ForeignFormat("a PDF document", TRACE, (".pdf",), (b"%PDF",)),
+    ForeignFormat(
+        "a picture",
+        TRACE,
+        (".png", ".jpg", ".jpeg", ".gif", ".bmp", ".tif", ".tiff", ".webp"),
+        (b"\x89PNG", b"\xff\xd8\xff", b"GIF8", b"BM", b"II*\0", b"MM\0*"),
+    ),
+    ForeignFormat("a drawing in SVG", TRACE, (".svg",), holds=(b"<svg",)),
+    ForeignFormat("compressed with gzip", "gunzip {file} first", (".gz",), (b"\x1f\x8b",)),
+    ForeignFormat(
+        "an archive",
+        "unpack it and give a file in it",
+        (".zip", ".7z", ".rar", ".tar", ".tgz"),
+        (b"PK", b"7z\xbc\xaf", b"Rar!"),
+        read_as=(".sh3d",),
+    ),
+)
+
+
+def find_format(path: Path, by_suffix: bool = False) -> ForeignFormat | None:
+    """The format of another program that a file is in, by its content, or ``by_suffix``."""
+    head = _head(path)
+    name = path.name.lower()
+    for row in FOREIGN:
+        known = row.begins or row.holds
+        content = known and head.startswith(row.begins or b"") and all(w in head for w in row.holds)
+        suffix = by_suffix and name.endswith(row.suffixes)
+        if (content or suffix) and not (row.read_as and name.endswith(row.read_as)):
+            return row
+    return None
+
+
+def name_foreign(path: Path, refusal: InputError, by_suffix: bool = False) -> InputError:
+    """The refusal of a file: if it is one of another program that says so, else as it was."""
+    row = find_format(path, by_suffix)
+    if row is None:
+        return refusal
+    file = path.name if " " not in path.name else f"'{path.name}'"
+    what = row.what if row.read_as else f"{row.what}, which is not read"
+    return InputError(f"is {what}", row.remedy.format(file=file), file=str(path))
+
+
+def _head(path: Path) -> bytes:
+    """The beginning of a file, nothing if there is no such plain file."""
+    if not path.is_file():
+        return b""
+    try:
+        with path.open("rb") as file:
+            return file.read(SEARCHED)
+    except OSError:
+        return b""

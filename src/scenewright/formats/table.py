@@ -1,0 +1,140 @@
+"""The table of formats: a row a suffix, and the module that reads or writes it, loaded on use."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from importlib import import_module
+from pathlib import Path
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
+
+from scenewright.core.errors import InputError
+from scenewright.core.extras import install_line
+from scenewright.core.registry import Format, domain_names, domain_of
+
+if TYPE_CHECKING:
+    from scenewright.domains.contract import Domain
+
+SWEET_HOME = (".sh3d", ".xml")
+"""Suffixes of files whose levels may be hidden."""
+
+
+FORMATS = (
+    Format(
+        ".json",
+        "brief (read), solution (read as a brief with its locked pieces, written)",
+        "scenewright.formats.brief_json",
+        "scenewright.formats.solution_json",
+    ),
+    Format(".sh3d", "Sweet Home 3D home", "scenewright.formats.sh3d"),
+    Format(".xml", "Home.xml of a Sweet Home 3D home", "scenewright.formats.sh3d"),
+    Format(".geojson", "indoor map or site (OpenStreetMap, read)", "scenewright.formats.geojson"),
+    Format(".glb", "3D scene, binary glTF 2.0", writer="scenewright.formats.glb"),
+    Format(
+        ".ifc",
+        "building model (IFC2x3 or IFC4, read; IFC4, written)",
+        "scenewright.formats.ifc",
+        "scenewright.formats.ifc",
+    ),
+    Format(".svg", "plan drawing", writer="scenewright.formats.svg"),
+    Format(
+        ".dxf",
+        "plan for CAD (read; written in metres)",
+        "scenewright.formats.dxf_plan",
+        "scenewright.formats.dxf",
+    ),
+    Format(".mm.dxf", "plan for CAD in millimetres", writer="scenewright.formats.dxf_millimetres"),
+    Format(".3d.dxf", "3D scene for CAD, meshes", writer="scenewright.formats.dxf_3d"),
+    Format(".pdf", "set of sheets to print", writer="scenewright.formats.pdf"),
+    Format(
+        ".credits.txt", "authors and licences of the models", writer="scenewright.formats.credits"
+    ),
+    Format(".png", "picture from above", writer="scenewright.formats.png"),
+)
+
+
+def suffix_of(path: str | os.PathLike[str]) -> str:
+    """The suffix by which a file's format is found, as it is written there.
+
+    >>> suffix_of("a/site.street.png"), suffix_of("site.png"), suffix_of("notes.txt")
+    ('.street.png', '.png', '.txt')
+    """
+    name = Path(path).name
+    fitting = [len(row.suffix) for row in formats() if _fits(row, name.lower())]
+    return name[-max(fitting) :] if fitting else Path(name).suffix
+
+
+def formats() -> tuple[Format, ...]:
+    """All formats: the rows above, those of the domains, and those other packages add."""
+    from importlib.metadata import entry_points
+
+    own = tuple(row for kind in domains() for row in kind.formats)
+    return (
+        FORMATS
+        + own
+        + tuple(
+            _read_row(entry.name, entry.value)
+            for entry in entry_points(group="scenewright.formats")
+        )
+    )
+
+
+def _read_row(suffix: str, module: str) -> Format:
+    """The row of a module of another package, which may only read or only write. One that cannot
+    be imported is said to do both, so that its fault is reported when it is used."""
+    try:
+        found: ModuleType | None = import_module(module)
+    except ImportError:
+        found = None
+    reads, writes = (found is None or hasattr(found, name) for name in ("read", "write"))
+    return Format(suffix, module, module * reads, module * writes)
+
+
+def domains() -> tuple[Domain, ...]:
+    """All domains."""
+    return tuple(domain_of(name) for name in domain_names())
+
+
+def row_of(path: str | os.PathLike[str], part: str, domain: str = "") -> Format:
+    """The row of the longest suffix that fits, and of those the one of the domain, of the rows that
+    have the ``part``, ``reader`` or ``writer``; InputError if there is none."""
+    name = Path(path).name.lower()
+    suffix = Path(name).suffix
+    rows = [row for row in formats() if getattr(row, part)]
+    fitting = [row for row in rows if _fits(row, name)]
+    if not fitting:
+        usable = dict.fromkeys(row.suffix for row in rows if not domain or row.holds(domain))
+        verb = "read" if part == "reader" else "written"
+        text = f"'{suffix}' files cannot be {verb}" if suffix else "the name has no suffix"
+        raise InputError(text, f"use one of: {', '.join(usable)}", file=str(path))
+    return min(fitting, key=lambda row: (-len(row.suffix), not row.holds(domain)))
+
+
+def _fits(row: Format, name: str) -> bool:
+    """Whether a file's name ends in a row's suffix, and has more than that."""
+    return name.endswith(row.suffix) and len(name) > len(row.suffix)
+
+
+def load_function(module: str, name: str, path: str | os.PathLike[str]) -> Callable[..., Any]:
+    """A function of the module of a format."""
+    found: Callable[..., Any] | None = getattr(load_module(module, path), name, None)
+    if found is None:
+        raise InputError(
+            f"the format's module {module} has no function '{name}'",
+            "use another format",
+            file=str(path),
+        )
+    return found
+
+
+def load_module(name: str, path: str | os.PathLike[str]) -> ModuleType:
+    """The module of a format; InputError with the line that installs what it lacks."""
+    try:
+        return import_module(name)
+    except ModuleNotFoundError as error:
+        raise InputError(
+            f"this format needs the package '{error.name}'",
+            install_line(error.name or ""),
+            file=str(path),
+        ) from None
