@@ -82,18 +82,6 @@ def test_a_file_is_named_by_its_content_whatever_its_suffix(
     assert remedy in refusal(path)
 
 
-def test_units_of_imdf_are_named(tmp_path: Path) -> None:
-    unit = {
-        "type": "Feature",
-        "feature_type": "unit",
-        "properties": {"category": "retail", "level_id": "a"},
-        "geometry": {"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [1, 1], [0, 0]]]},
-    }
-    path = tmp_path / "unit.geojson"
-    path.write_text(json.dumps({"type": "FeatureCollection", "features": [unit]}))
-    assert "Indoor Mapping Data Format (IMDF)" in refusal(path)
-
-
 def test_a_zipped_shapefile_is_no_home(tmp_path: Path) -> None:
     for name in ("map.zip", "map.sh3d"):
         with zipfile.ZipFile(tmp_path / name, "w") as archive:

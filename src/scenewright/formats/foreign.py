@@ -43,12 +43,6 @@ class ForeignFormat(NamedTuple):
 
 FOREIGN = (
     ForeignFormat(
-        "a map of units in the Indoor Mapping Data Format (IMDF)",
-        'give each unit the properties "indoor": "room" and "level": 0, as in simple indoor '
-        "tagging",
-        holds=(b'"feature_type"', b'"unit"'),
-    ),
-    ForeignFormat(
         "GeoJSON", "name it .geojson", holds=(b'"FeatureCollection"',), read_as=(".geojson",)
     ),
     ForeignFormat(

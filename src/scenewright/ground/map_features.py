@@ -162,21 +162,23 @@ def levels_of(tags: dict[str, str]) -> tuple[float, ...]:
         elif LEVEL.fullmatch(part):
             found.add(float(part))
         else:
-            raise InputError(f"its level '{part[:40]}' is not a number")
+            raise InputError(f"its level '{part[:40]}' is not a number", "correct it in the map")
         if len(found) > MOST_LEVELS:
-            raise InputError(f"it lies on more than {MOST_LEVELS} levels")
+            raise InputError(f"it lies on more than {MOST_LEVELS} levels", "correct it in the map")
     return tuple(sorted(found))
 
 
 def _feature(row: Any, name: str) -> Feature:
     geometry = row.get("geometry") if isinstance(row, dict) else None
     if not isinstance(geometry, dict):
-        raise InputError("has no geometry")
+        raise InputError("has no geometry", "correct it in the map")
     shapes = Shapes([], [], [], [])
     gather(geometry, shapes, 0)
     whole = len(shapes.points) + len(shapes.lines) + len(shapes.polygons)
     if not whole:
-        raise InputError(shapes.faults[0] if shapes.faults else "has an empty geometry")
+        raise InputError(
+            shapes.faults[0] if shapes.faults else "has an empty geometry", "correct it in the map"
+        )
     lost, count = "", len(shapes.faults)
     if shapes.faults:
         lost = f"{count} of its {whole + count} parts left out: one {shapes.faults[0]}"

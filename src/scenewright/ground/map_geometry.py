@@ -45,7 +45,7 @@ def gather(geometry: Any, shapes: Shapes, depth: int) -> None:
     """Adds the parts of a geometry; InputError for one of a kind there is not."""
     kind = geometry.get("type") if isinstance(geometry, dict) else None
     if not isinstance(kind, str) or kind not in GEOMETRIES or depth > DEEPEST:
-        raise InputError(f"has a geometry of type {json.dumps(kind)[:40]}")
+        raise InputError(f"has a geometry of type {json.dumps(kind)[:40]}", "correct it in the map")
     if kind == "GeometryCollection":
         for one in _to_list(geometry.get("geometries")):
             gather(one, shapes, depth + 1)
@@ -72,7 +72,7 @@ def is_closed(line: Points) -> bool:
 def _line(coordinates: Any) -> Points:
     line = _positions(coordinates)
     if len(line) < 2 or not np.ptp(line, axis=0).any():
-        raise InputError("has a line of fewer than two points")
+        raise InputError("has a line of fewer than two points", "correct it in the map")
     return line
 
 
@@ -80,7 +80,7 @@ def _rings(coordinates: Any, faults: list[str]) -> tuple[Points, ...]:
     """The rings of a polygon, closed; holes that are none are ``faults``."""
     listed = _to_list(coordinates)
     if not listed:
-        raise InputError("has a polygon without rings")
+        raise InputError("has a polygon without rings", "correct it in the map")
     found = [_ring(listed[0])]
     for hole in listed[1:]:
         try:
@@ -96,11 +96,13 @@ def _ring(coordinates: Any) -> Points:
     if len(ring) and not (ring[0] == ring[-1]).all():
         ring = np.vstack([ring, ring[:1]])
     if len(np.unique(ring, axis=0)) < 3:
-        raise InputError("has a ring of fewer than three corners")
+        raise InputError("has a ring of fewer than three corners", "correct it in the map")
     away = ring - ring[0]
     flat = np.abs(away[:, :1] * away[:, 1] - away[:, 1:] * away[:, 0]).max()
     if flat <= FLATTEST * np.square(np.ptp(ring, axis=0).max()):
-        raise InputError("has a ring without area: its corners lie on one line")
+        raise InputError(
+            "has a ring without area: its corners lie on one line", "correct it in the map"
+        )
     return ring
 
 
@@ -109,20 +111,22 @@ def _positions(listed: Any) -> Points:
     flat = [axis for position in _to_list(listed) for axis in _pair(position)]
     found = np.array(flat, float).reshape(-1, 2)
     if not (np.abs(found) < 1e9).all():  # also false for what is not a number
-        raise InputError("has a coordinate that is out of range")
+        raise InputError("has a coordinate that is out of range", "correct it in the map")
     return found
 
 
 def _pair(position: Any) -> Iterator[float]:
     if not isinstance(position, list) or len(position) < 2:
-        raise InputError("has a position that is not a pair of numbers")
+        raise InputError("has a position that is not a pair of numbers", "correct it in the map")
     for axis in position[:2]:
         if isinstance(axis, bool) or not isinstance(axis, int | float):
-            raise InputError("has a position that is not a pair of numbers")
+            raise InputError(
+                "has a position that is not a pair of numbers", "correct it in the map"
+            )
         yield float(axis) if abs(axis) < 1e9 else np.nan
 
 
 def _to_list(value: Any) -> list[Any]:
     if not isinstance(value, list):
-        raise InputError("has coordinates that are no list")
+        raise InputError("has coordinates that are no list", "correct it in the map")
     return value

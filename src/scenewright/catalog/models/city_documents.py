@@ -173,16 +173,18 @@ def _instance(
     """A template and its corners (n, 3) where an instance places them."""
     number, at = geometry.get("template"), _listed(geometry.get("boundaries"))[:1]
     if type(number) is not int or not 0 <= number < len(templates):
-        raise InputError("names a template that is not there")
+        raise InputError("names a template that is not there", "correct it in the city model")
     template = templates[number]
     if not isinstance(template, dict) or not len(table):
-        raise InputError("is of a template without corners")
+        raise InputError("is of a template without corners", "correct it in the city model")
     if not at or type(at[0]) is not int or not 0 <= at[0] < len(corners):
-        raise InputError("is placed at a corner that is not there")
+        raise InputError("is placed at a corner that is not there", "correct it in the city model")
     matrix = _matrix(geometry.get("transformationMatrix"))
     turned = np.column_stack([table, np.ones(len(table))]) @ matrix.T
     if not (np.abs(turned) <= FARTHEST).all():
-        raise InputError("is placed by a matrix that leads out of the world")
+        raise InputError(
+            "is placed by a matrix that leads out of the world", "correct it in the city model"
+        )
     return template, turned[:, :3] + corners[at[0]]
 
 
@@ -195,7 +197,9 @@ def _matrix(rows: Any) -> Floats:
     except (ValueError, TypeError, OverflowError):
         found = np.zeros(0)
     if found.shape != (16,) or not np.isfinite(found).all():
-        raise InputError("is placed by a matrix that is not 16 numbers")
+        raise InputError(
+            "is placed by a matrix that is not 16 numbers", "correct it in the city model"
+        )
     return found.reshape(4, 4)
 
 

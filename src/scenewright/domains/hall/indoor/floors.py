@@ -183,11 +183,13 @@ def _floors(feature: Feature, map_: Projection, changed: list[SkippedFeature]) -
         return []
     if not feature.polygons:
         if feature.open_line and what != "solid":
-            raise InputError("its line is not closed")
+            raise InputError("its line is not closed", "correct it in the map")
         return []
     levels = levels_or_ground(feature.tags)
     if len(levels) * len(feature.polygons) > MOST_FLOORS:
-        raise InputError(f"has {len(feature.polygons)} parts on {len(levels)} levels")
+        raise InputError(
+            f"has {len(feature.polygons)} parts on {len(levels)} levels", "correct it in the map"
+        )
     if not levels_of(feature.tags):
         changed.append(SkippedFeature(feature.id, "names no level: put on level 0"))
     kind = shop_kind(feature.tags) if what == "unit" else ""
@@ -206,17 +208,17 @@ def _polygon(
 ) -> shapely.Polygon:
     """The polygon of one part, mended if only slivers of it are wrong."""
     if len(rings) - 1 > MOST_HOLES or max(map(len, rings)) > MOST_CORNERS:
-        raise InputError(TOO_FINE)
+        raise InputError(TOO_FINE, "correct it in the map")
     away = max(float(np.abs(ring).max()) for ring in rings)
     if away > FARTHEST:
-        raise InputError(f"lies {away / 1000:.0f} km from the rest")
+        raise InputError(f"lies {away / 1000:.0f} km from the rest", "correct it in the map")
     shape = shapely.Polygon(rings[0].round(3), [ring.round(3) for ring in rings[1:]])
     if shape.is_valid:
         return shape
     parts = _parts(shapely.make_valid(shape))
     whole = sum(part.area for part in parts)
     if not parts or parts[0].area < 0.99 * whole:
-        raise InputError("its outline crosses or touches itself")
+        raise InputError("its outline crosses or touches itself", "correct it in the map")
     changed.append(SkippedFeature(feature.id, "its outline crossed itself: slivers were left out"))
     return parts[0]
 
