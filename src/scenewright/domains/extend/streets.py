@@ -13,7 +13,7 @@ from scenewright.ground.built import BuiltRoad
 NEAR = 25.0
 """Metres from an area within which a street that ends counts as ending at its border."""
 LEAST = 15.0
-"""Metres of new street that are worth building."""
+"""Metres of new street that are worth building, and of a street that is worth continuing."""
 CLEAR = 1.0
 """Metres kept from buildings."""
 JOINED = 8.0
@@ -37,7 +37,7 @@ def continue_streets(
     found: list[BuiltRoad] = []
     taken = shapely.union_all([b.buffer(CLEAR) for b in buildings])
     others = [shapely.LineString(road.line) for road in (*roads, *drawn)]
-    for road in roads:
+    for road in (one for one in roads if shapely.LineString(one.line).length >= LEAST):
         for end, inner in ((road.line[-1], road.line[-2]), (road.line[0], road.line[1])):
             line = _run_on(end, inner, outline)
             if line is None or (line.distance(taken) < road.width / 2 and line.crosses(taken)):
