@@ -83,8 +83,8 @@ def save_brief(**changes: Any) -> str:
         (["arrange", "sample:hall-exhibition", "--accessible"], "--accessible is for homes"),
         (["arrange", "--batch", "sample:home-flat", "-o", "a.svg"], "give it with -o FOLDER"),
         (
-            ["arrange", "--batch", "sample:home-flat", "-o", "all", "--format", "pdf"],
-            "--format: '.pdf' files cannot be written",
+            ["arrange", "--batch", "sample:home-flat", "-o", "all", "--format", "odd"],
+            "--format: '.odd' files cannot be written",
         ),
         (["arrange", "missing.json"], "missing.json: there is no such file"),
         (["arrange", "plan.dwg"], "is a DWG drawing, which is not read; save it as .dxf"),

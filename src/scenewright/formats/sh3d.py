@@ -16,9 +16,9 @@ from pydantic import ValidationError
 
 from scenewright.core.brief import Brief, LevelBrief, WallBrief
 from scenewright.core.brief.input_report import report_input
+from scenewright.core.brief.variations import scale_brief
 from scenewright.core.document_faults import to_input_error
 from scenewright.core.errors import InputError
-from scenewright.formats.brief_json import apply_scale
 from scenewright.formats.sh3d_archive import home_xml
 from scenewright.formats.sh3d_floors import floors
 from scenewright.formats.sh3d_level import read_level
@@ -32,7 +32,7 @@ def read(path: Path, keep: bool = False, hidden_levels: bool = False, scale: flo
     ``hidden_levels`` includes the levels that are hidden. Its plan is drawn times ``scale``; if
     that makes centimetres of the unit of the whole file, so is all else."""
     home, rest = to_centimetres(parse(home_xml(path)), scale)
-    return apply_scale(brief_of(home, keep, hidden_levels), rest)
+    return scale_brief(brief_of(home, keep, hidden_levels), rest)
 
 
 def brief_of(home: Home, keep: bool = False, hidden_levels: bool = False) -> Brief:
