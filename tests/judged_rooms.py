@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from scenewright.building.standing import item_of
 from scenewright.catalog.kinds import KINDS
 from scenewright.core.brief import Brief
 from scenewright.core.catalog import Catalog
@@ -72,11 +73,19 @@ def piece(
 
 
 def judge(*pieces: Piece, spaces: tuple[Space, ...] | None = None, route: float = 0.6) -> Report:
-    brief = Brief.model_validate(
-        {"rooms": [{"outline": [[0, 0], [4, 0], [4, 3]]}], "route_width": route}
-    )
+    spaces = spaces or (room(),)
+    rooms = [given(s, pieces) for s in spaces if any(p.fixed and p.space == s.id for p in pieces)]
+    rooms = rooms or [{"outline": [[0, 0], [4, 0], [4, 3]]}]
+    levels = [{"id": level} for level in dict.fromkeys(s.level for s in spaces)]
+    brief = Brief.model_validate({"rooms": rooms, "levels": levels, "route_width": route})
     solution = Solution(brief, pieces, (), (), (), {}, "", "", 0, "", "", 0.0, 0)
-    return check(solution, spaces=spaces or (room(),), catalog=CATALOG)
+    return check(solution, spaces=spaces, catalog=CATALOG)
+
+
+def given(space: Space, pieces: tuple[Piece, ...]) -> dict[str, object]:
+    """A room of a brief in which the fixed ones of some pieces stand."""
+    fixed = [item_of(p).model_dump() for p in pieces if p.fixed and p.space == space.id]
+    return {"id": space.id, "level": space.level, "outline": space.outline, "fixed": fixed}
 
 
 def kinds(report: Report) -> set[str]:

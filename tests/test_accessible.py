@@ -12,6 +12,7 @@ import shapely
 from benchmarks.shapely_home import rectangle
 
 from scenewright import cli
+from scenewright.building.standing import item_of
 from scenewright.core.brief import Brief
 from scenewright.core.report import Report
 from scenewright.core.scene import Piece, Pose, Size
@@ -34,6 +35,8 @@ def brief(width: float, depth: float, function: str, door: float = 0.95) -> Brie
 
 
 def judged(asked: Brief, *pieces: Piece) -> Report:
+    fixed = [item_of(piece) for piece in pieces if piece.fixed]
+    asked = asked.model_copy(update={"rooms": [asked.rooms[0].model_copy(update={"fixed": fixed})]})
     empty = Solution(asked, (), (), (), (), {}, "default", "anneal", 0, "", "", 0.0, 0)
     return check(replace(empty, pieces=pieces))
 

@@ -24,6 +24,7 @@ from tests.judged_halls import (
 )
 
 from hall_floors import EAST_DOOR, SOUTH_DOOR, figures, gap, two_zones
+from scenewright.building.standing import item_of
 from scenewright.domains.hall.check.escape import walking_distance
 from scenewright.domains.hall.check.passages import clear_width
 
@@ -96,8 +97,11 @@ def test_a_link_of_the_brief_counts_even_if_the_graph_lacks_it():
     assert not kinds(judge(closed))
     assert kinds(judge(silent)) == {"narrow_passage"}
     fixed = tuple(replace(p, fixed=True) for p in silent.pieces)
-    assert [f.given for f in judge(replace(silent, pieces=fixed)).findings] == [True]
-    drawn_by_us = two_zones(*fixed, width=1.5)
+    assert [f.given for f in judge(replace(silent, pieces=fixed)).findings] == [False]
+    items = [item_of(p).model_dump() for p in fixed]
+    drawn = replace(silent, brief=two_zones(*fixed, **asked, fixed=items).brief)
+    assert [f.given for f in judge(drawn).findings] == [True]
+    drawn_by_us = two_zones(*fixed, width=1.5, fixed=items)
     assert [f.given for f in judge(drawn_by_us).findings] == [False]
 
 

@@ -37,8 +37,10 @@ def test_a_solution_saved_earlier_keeps_all_it_holds(text: bytes) -> None:
 
 
 def test_a_solution_saved_earlier_is_judged(text: bytes) -> None:
-    report = check(solution_json.loads(text))
-    assert report.valid, report.findings
+    """All that broke no rule still breaks none; sites did not say what is laid out on them."""
+    solution = solution_json.loads(text)
+    unstated = solution.brief.domain == "site"
+    assert {f.kind for f in check(solution).findings} == ({"missing"} if unstated else set())
 
 
 def test_a_solution_saved_earlier_writes_and_reads_again(text: bytes, tmp_path: Path) -> None:

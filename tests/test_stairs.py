@@ -249,11 +249,12 @@ def test_the_referee_knows_of_stairs_that_no_piece_stands_for(furnished: Solutio
         piece("wardrobe", "landing", 0.6, 3.0, 0.8, 0.6),
     ):
         report = check(replace(furnished, pieces=(thing,)))
-        (found,) = report.of("blocked_stairs")
-        assert not report.valid
-        assert found.other.startswith("stairs")
+        (found,) = report.of("collision")
+        assert {found.piece, found.other} & {"stairs", "stairs/well"}
+        missing = {found.piece for found in report.of("changed_given")}
+        assert missing == {"stairs", "stairs/well"}
     beside = piece("wardrobe", "landing", 1.5, 3.0, 0.8, 0.6)
-    assert not check(replace(furnished, pieces=(beside,))).of("blocked_stairs")
+    assert not check(replace(furnished, pieces=(beside,))).of("collision")
 
 
 def storeys(**more: Any) -> dict[str, Any]:

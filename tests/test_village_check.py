@@ -24,17 +24,34 @@ def house(name: str, x: float, y: float, w=10.0, d=8.0, heading=SOUTH, **more) -
         "b",
         Pose(x, y, more.pop("z", 0.0), heading),
         Size(w, d, 7.0),
-        function="House",
+        function=f"House {w:g} x {d:g}",
         **more,
     )
 
 
-def judged(*pieces: Piece, patches: tuple[Patch, ...] = ()) -> sw.Report:
+def judged(*pieces: Piece, patches: tuple[Patch, ...] = (), given: bool = False) -> sw.Report:
     outline = [[0, 0], [60, 0], [60, 50], [0, 50]]
     block = {"id": "b", "outline": outline, "streets": [0], "count": 0}
     brief = Brief.model_validate({"domain": "village", "blocks": [block]})
     solved: Solution = sw.solve(brief, plan=plan_of(brief), steps=1)
-    return sw.check(replace(solved, pieces=pieces, patches=patches))
+    block |= {"count": len(pieces), "fixed": [locked(p) for p in pieces] if given else []}
+    library = {p.function: of_library(p) for p in pieces}
+    houses = [*library.values()]
+    brief = Brief.model_validate({"domain": "village", "blocks": [block], "houses": houses})
+    return sw.check(replace(solved, brief=brief, pieces=pieces, patches=patches))
+
+
+def of_library(piece: Piece) -> dict[str, object]:
+    """A house as the library of a brief has it."""
+    width, depth, height = piece.size
+    outline = [[0, 0], [width, 0], [width, depth], [0, depth]]
+    return {"name": piece.function, "footprint": outline, "height": height}
+
+
+def locked(piece: Piece) -> dict[str, object]:
+    """A house as a brief has it where it stands."""
+    keep = {"id": piece.id, "model": piece.asset, "at": piece.pose[:2]}
+    return keep | {"heading": piece.pose.heading, "size": piece.size}
 
 
 def kinds(report: sw.Report) -> list[str]:
@@ -93,9 +110,14 @@ def test_the_square_stays_free() -> None:
 
 
 def test_what_came_with_the_brief_is_not_blamed() -> None:
-    report = judged(house("a", 10, 10, fixed=True), house("c", 19.5, 10, fixed=True))
+    pair = house("a", 10, 10, fixed=True), house("c", 19.5, 10, fixed=True)
+    report = judged(*pair, given=True)
     assert kinds(report) == ["collision"]
     assert report.valid
+    said = judged(*pair)
+    assert kinds(said) == ["collision"]
+    assert not said.valid
+    assert said.findings[0].locked
 
 
 def test_broken_pieces_become_findings() -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 import shapely
 
@@ -11,6 +11,7 @@ from scenewright.core.brief import Brief, FixedItem, Room
 from scenewright.core.catalog import Catalog, footprint_of
 from scenewright.core.footprint import read_footprint
 from scenewright.core.piece_outlines import polygons_of
+from scenewright.core.plan import Plan
 from scenewright.core.scene import STAIRS, Piece, Pose, Size
 from scenewright.core.solution import Solution
 from scenewright.core.space import Radiator, Space
@@ -52,6 +53,12 @@ def fixed_pieces(room: Room, space: Space, catalog: Catalog) -> list[Piece]:
             )
         )
     return [*found, *stair_pieces(space)]
+
+
+def given_pieces(brief: Brief, plan: Plan, catalog: Catalog) -> tuple[Piece, ...]:
+    """What stands in all rooms of a brief before anything is placed."""
+    each = zip(brief.rooms, plan.spaces, strict=True)
+    return tuple(piece for room, space in each for piece in fixed_pieces(room, space, catalog))
 
 
 def reaching_in(
@@ -147,6 +154,21 @@ def item_of(piece: Piece, name: str = "") -> FixedItem:
     )
 
 
+def find_item(items: Iterable[FixedItem], piece: Piece) -> FixedItem | None:
+    """The item of a brief that a piece is, if any."""
+    return next((item for item in items if is_item(item, piece)), None)
+
+
+def lock_item(piece: Piece, before: FixedItem | None) -> FixedItem:
+    """A piece that stays as the item of a brief: locked by hand, but where it stands as the brief
+    had it ``before``."""
+    item = item_of(piece, before.name if before else "")
+    place = (piece.pose.x, piece.pose.y), piece.pose.z, piece.pose.heading
+    if before is not None and (before.at, before.z, before.heading) == place:
+        return item.model_copy(update={"locked": before.locked})
+    return item.model_copy(update={"locked": True})
+
+
 def locked_rooms(solution: Solution) -> Brief:
     """The brief to solve again: locked pieces are its fixed items, everything else is free.
 
@@ -163,9 +185,8 @@ def locked_rooms(solution: Solution) -> Brief:
 
 def _room_with_locked(room: Room, here: list[Piece]) -> Room:
     here = [piece for piece in here if not is_radiator(piece)]
-    names = {item.id: item.name for item in room.fixed if item.id}
     groups = {p.group for p in here if p.fixed and p.function not in ("", "fixed", "light")}
     kept = [p for p in here if (p.fixed or p.group in groups) and p.function != STAIRS]
-    locked = [item_of(piece, names.get(piece.id, "")) for piece in kept]
+    locked = [lock_item(piece, find_item(room.fixed, piece)) for piece in kept]
     unplaced = [item for item in room.fixed if not any(is_item(item, piece) for piece in here)]
     return room.model_copy(update={"fixed": [*locked, *unplaced]})

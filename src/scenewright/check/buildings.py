@@ -9,11 +9,14 @@ import shapely
 
 from scenewright.check.bodies import TOLERANCE, Shape, Shapes
 from scenewright.check.shared_ground import intersect_footprints
+from scenewright.core.piece_outlines import outline_of
 from scenewright.core.report import Finding
 from scenewright.core.scene import Piece
 
 LARGEST = 1e5
 """Metres beyond which a pose or size is none."""
+ALIKE = 0.02
+"""The share by which the ground a building covers may differ from that of its kind."""
 LEVEL = 0.02
 """Metres a building may stand off the ground."""
 
@@ -81,6 +84,15 @@ def measure_shared(shared: Shape) -> tuple[float, float]:
         return 0.0, area
     frame = shapely.get_coordinates(shapely.minimum_rotated_rectangle(shared))
     return float(np.hypot(*np.diff(frame[:3], axis=0).T).min()), area
+
+
+def is_like(piece: Piece, area: float, height: float) -> bool:
+    """Whether a building covers an ``area`` in square metres, within :data:`ALIKE`, and is as high
+    as ``height`` in metres; what is malformed is not judged here."""
+    if _find_fault(piece, (piece.space,), ""):
+        return True
+    covered = float(shapely.Polygon(outline_of(piece)).area)
+    return abs(covered - area) <= ALIKE * area and abs(piece.size.height - height) <= TOLERANCE
 
 
 def find_off_ground(piece: Piece) -> list[Finding]:

@@ -12,55 +12,21 @@ from scenewright.check.spaces import lived_in, with_stairs
 from scenewright.core.brief import Brief
 from scenewright.core.report import Finding, Note
 from scenewright.core.scene import STAIRS
-from scenewright.core.space import StairEnd, StairPart
+from scenewright.core.space import StairEnd
 
 LANDING = 0.6
 """Depth of the floor that is to be free before the foot and the head of stairs, in metres."""
 
 
 def find_blocked_stairs(bodies: Bodies, rooms: Rooms) -> list[Finding]:
-    """A finding for every piece that stands before the foot or head of stairs by more than 1 cm, or
-    on the stairs or in their well."""
-    found = _on_stairs(bodies, rooms)
+    """A finding for every piece that stands before the foot or head of stairs by more than 1 cm;
+    what stands on stairs or in their well collides with the pieces that stand for these."""
+    found = []
     for number, space in enumerate(rooms.spaces):
         for end in space.stairs:
             zone = shapely.intersection(_landing(end), rooms.shapes[number])
             for row, shape in _standing(bodies, rooms, number, zone, HEAD_HEIGHT):
                 found.append(_finding(bodies, rooms, number, end, row, shape))
-    return found
-
-
-def _on_stairs(bodies: Bodies, rooms: Rooms) -> list[Finding]:
-    """Pieces on stairs or in wells that no piece of the answer stands for (where one does, it is a
-    collision)."""
-    found = []
-    for number, space in enumerate(rooms.spaces):
-        for part in space.stair_parts:
-            zone = _outline(part)
-            if any(
-                p.id == part.id
-                and p.space == space.id
-                and zone.buffer(TOLERANCE).covers(shape)
-                and shape.buffer(TOLERANCE).covers(zone)
-                for p, shape in zip(bodies.pieces, bodies.footprints, strict=True)
-            ):
-                continue
-            for row, shape in _standing(bodies, rooms, number, zone, part.height):
-                piece = bodies.pieces[row]
-                text = f"{piece.id} stands where {part.id} is ({shape.area:.2f} m²)"
-                found.append(
-                    Finding(
-                        "blocked_stairs",
-                        space.level,
-                        space.id,
-                        piece.id,
-                        part.id,
-                        text,
-                        0.0,
-                        round(float(shape.area), 4),
-                        piece.fixed,
-                    )
-                )
     return found
 
 
@@ -75,17 +41,6 @@ def _standing(
     for row, shape in zip(rows.tolist(), shared.tolist(), strict=True):
         if shape.area > 0.0:
             yield row, shape
-
-
-def _outline(part: StairPart) -> Shape:
-    """The floor a part of stairs takes."""
-    x, y, heading, width, depth = part.box
-    ahead = np.array([np.cos(heading), np.sin(heading)])
-    front, side = ahead * depth / 2, np.array([-ahead[1], ahead[0]]) * width / 2
-    middle = np.array([x, y])
-    return shapely.Polygon(
-        [middle - front - side, middle + front - side, middle + front + side, middle - front + side]
-    )
 
 
 def _landing(end: StairEnd) -> Shape:

@@ -135,7 +135,7 @@ def _excuse(found: Finding) -> str:
     """Why the answer is not to blame for a finding, if it is not."""
     if found.accepted:
         return f" (accepted: {found.accepted})"
-    return " (given)" if found.given else ""
+    return " (given)" if found.given else " (locked by you)" if found.locked else ""
 
 
 def _usability(console: Console, figures: Mapping[str, Any]) -> None:

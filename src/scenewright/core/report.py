@@ -8,6 +8,9 @@ from typing import Any
 
 KINDS = (
     "malformed",
+    "changed_given",
+    "missing",
+    "surplus",
     "collision",
     "out_of_bounds",
     "blocked_door",
@@ -53,9 +56,10 @@ class Finding:
     for a blocked opening ``other`` is the opening, for something unreachable or narrow what blocks
     it, several ids joined by commas; outside a zone, the zone). ``amount`` is the size of the
     fault in metres (depth of an overlap, distance outside, gap beneath, width missing) and
-    ``area`` in square metres. ``given`` findings concern only pieces that came fixed with the
-    brief: they are reported, but the answer is not to blame for them; nor for those ``accepted`` by
-    the user, for the reason stated there (empty: not accepted).
+    ``area`` in square metres. ``given`` findings concern only what stands by the brief: they are
+    reported, but the answer is not to blame for them; nor for those ``accepted`` by the user, for
+    the reason stated there (empty: not accepted). ``locked`` findings concern something that a
+    person locked: that is said, and excuses nothing.
     """
 
     kind: str
@@ -68,6 +72,7 @@ class Finding:
     area: float = 0.0
     given: bool = False
     accepted: str = ""
+    locked: bool = False
 
     @property
     def is_blamed(self) -> bool:
@@ -90,15 +95,23 @@ class Note:
 class Report:
     """The verdict on a solution.
 
-    ``figures`` holds ``pieces`` and ``counts`` (findings by kind), ``navigable_share`` and
-    ``reachable_share`` by level, ``usability`` (of the occupancy grid), ``rooms`` (pieces, floor
-    area in square metres and density of each space) and, for answers with a scene graph, ``halls``
+    ``unplaced`` counts what is required and stated as left out, with a reason: such an answer
+    breaks no rule and is not ``complete``. ``figures`` holds ``pieces`` and ``counts`` (findings by
+    kind), ``navigable_share`` and ``reachable_share`` by level, ``usability`` (of the occupancy
+    grid), ``rooms`` (pieces, floor area in square metres and density of each space) and, for
+    answers with a scene graph, ``halls``
     (measures, passages, tour, ways out of each space).
     """
 
     findings: tuple[Finding, ...]
     notes: tuple[Note, ...] = ()
     figures: dict[str, Any] = field(default_factory=dict)
+    unplaced: int = 0
+
+    @property
+    def complete(self) -> bool:
+        """Whether it is valid and all that is required stands."""
+        return self.valid and not self.unplaced
 
     @property
     def valid(self) -> bool:
@@ -113,10 +126,12 @@ class Report:
         """Plain values, ready for JSON.
 
         >>> Report(()).to_dict()
-        {'valid': True, 'findings': [], 'notes': [], 'figures': {}}
+        {'valid': True, 'complete': True, 'unplaced': 0, 'findings': [], 'notes': [], 'figures': {}}
         """
         return {
             "valid": self.valid,
+            "complete": self.complete,
+            "unplaced": self.unplaced,
             "findings": [_plain(found) for found in self.findings],
             "notes": [_plain(note) for note in self.notes],
             "figures": self.figures,
@@ -134,6 +149,7 @@ class Report:
         given = len(self.findings) - blamed.total() - accepted
         tail = f" ({given} more in what was given)" if given else ""
         tail += f" ({accepted} accepted)" if accepted else ""
+        tail += f", not complete: {self.unplaced} not placed" if self.unplaced else ""
         return (f"not valid: {counted}" if counted else "valid") + tail
 
 

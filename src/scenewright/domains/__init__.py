@@ -7,10 +7,12 @@ what a domain does not support is refused by name.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from scenewright.check.given import locked_ids, mark_locked, restore_footprints, restore_given
 from scenewright.core.acceptance import accept_findings
 from scenewright.core.breeding import Breeder, Gene
 from scenewright.core.brief import Brief
@@ -175,16 +177,23 @@ def check(
 
     ``plan`` is that of the solution's brief (made unless given), ``spaces`` take the place of its
     spaces; ``catalog`` tells how each category is used (that of the brief unless given). Nothing
-    the pieces hold, however broken, raises an error: it becomes a finding. Findings that the brief
-    has ``accepted`` say why.
+    the pieces hold, however broken, raises an error: it becomes a finding. What is given, and what
+    is asked for, follows from the brief alone. Findings that the brief has ``accepted`` say why.
     """
     from scenewright.catalog.loading import catalog_of
 
-    made = plan or plan_of(solution.brief)
+    brief, made = solution.brief, plan or plan_of(solution.brief)
+    kinds, domain = catalog or catalog_of(brief.catalogs), domain_of(brief.domain)
+    given = domain.verb("given")(brief, made, kinds) if domain.has("given") else ()
+    pieces = restore_footprints(solution.pieces, kinds) if domain.rooms else solution.pieces
+    restored = restore_given(pieces, given, locked_ids(brief))
+    judged = replace(solution, pieces=restored.pieces)
     made = made if spaces is None else made._replace(spaces=spaces)
-    kinds = catalog or catalog_of(solution.brief.catalogs)
-    report: Report = domain_of(solution.brief.domain).verb("check")(solution, made, kinds)
-    return accept_findings(report, solution.brief.accepted, solution.pieces)
+    report: Report = domain.verb("check")(judged, made, kinds)
+    found = mark_locked((*restored.findings, *report.findings), restored.locked)
+    unplaced = sum(out.required for out in solution.left_out)
+    report = replace(report, findings=found, unplaced=unplaced)
+    return accept_findings(report, brief.accepted, solution.pieces)
 
 
 def scene_of(solution: Solution, plan: Plan | None = None) -> Scene:

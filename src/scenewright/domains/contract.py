@@ -32,6 +32,7 @@ Verb = Literal[
     "problems",
     "solve",
     "solution",
+    "given",
     "check",
     "scene",
     "draw",
@@ -58,14 +59,14 @@ Verb = Literal[
     "sources",
 ]
 """What can be asked of a domain. :data:`NEEDED` are those without which nothing can be arranged; of
-the others ``validate``, ``refuse_style`` (a style named on the command line that it does not know),
-``alternatives``, ``compare``, ``describe``, ``locked``, ``groups``, ``styles`` (rows to list),
-``floors`` (the least the energy of each space could be), ``drawn_scale`` (how much too small or too
-large the plan is drawn, of a brief and its spaces), ``programme`` (what was decided for the
-whole, in words), ``appearance`` (its style, and what chose it), ``draw_levels`` (a sheet a
-level; else the plan is one sheet), ``sources`` (author, licence and name of what a layout
-is learned from, of a brief), ``features``, ``breeder`` and the two of the detail are passed over
-where a domain has none, the rest refused by name."""
+the others ``given`` (what a brief says stands, as pieces), ``validate``, ``refuse_style`` (a style
+named on the command line that it does not know), ``alternatives``, ``compare``, ``describe``,
+``locked``, ``groups``, ``styles`` (rows to list), ``floors`` (the least the energy of each space
+could be), ``drawn_scale`` (how much too small or too large the plan is drawn, of a brief and its
+spaces), ``programme`` (what was decided for the whole, in words), ``appearance`` (its style, and
+what chose it), ``draw_levels`` (a sheet a level; else the plan is one sheet), ``sources`` (author,
+licence and name of what a layout is learned from, of a brief), ``features``, ``breeder`` and the
+two of the detail are passed over where a domain has none, the rest refused by name."""
 Table = Literal["presets", "solvers", "terms", "meanings", "patterns", "labels", "reasons"]
 
 NEEDED: tuple[Verb, ...] = ("plan", "solve", "check", "scene", "draw")

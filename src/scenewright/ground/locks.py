@@ -33,7 +33,8 @@ def lock_areas(
 ) -> list[AreaT]:
     """The parts of a brief to solve again: what is locked in each, as ``keep`` writes it (``None``:
     it stands by the brief), is ``fixed``, with what was before and has no piece; all else is free.
-    Words as of :func:`check_lockable`.
+    What the brief did not have there is marked as ``locked`` by hand. Words as of
+    :func:`check_lockable`.
     """
     for piece in solution.pieces:
         check_lockable(piece, dressing, what) if piece.fixed else None
@@ -41,10 +42,23 @@ def lock_areas(
     for area, name in zip(areas, names, strict=True):
         here = [piece for piece in solution.pieces if piece.space == name]
         ids = {piece.id for piece in here}
-        locked = [row for piece in here if piece.fixed and (row := keep(piece)) is not None]
+        before = {row.id: row for row in area.fixed}
+        kept = (keep(piece) for piece in here if piece.fixed)
+        locked = [_lock(row, before.get(row.id)) for row in kept if row is not None]
         unplaced = [row for row in area.fixed if row.id not in ids]
         updated.append(area.model_copy(update={"fixed": [*locked, *unplaced]}))
     return updated
+
+
+def _lock(row: Any, before: Any | None) -> Any:
+    """A row for what stands: that of ``before`` if it stands as it did, else locked by hand."""
+    if before is not None and (before.at, before.heading, before.size) == (
+        row.at,
+        row.heading,
+        row.size,
+    ):
+        return before
+    return row.model_copy(update={"locked": True})
 
 
 def count_buildings(

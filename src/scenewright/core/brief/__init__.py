@@ -115,7 +115,9 @@ class FixedItem(StrictModel):
     ``heading`` of its front, in radians; ``z`` the height of its underside above the floor;
     ``on`` the id of the fixed item it stands on. ``group`` and ``function`` tell the
     furniture group it belongs to, if any. ``footprint`` is the polygon it covers, x to its right
-    and y to its front, stretched to its width and depth (left out: its model's, else its box)."""
+    and y to its front, stretched to its width and depth (left out: its model's, else its box).
+    ``locked`` things were placed by a solver and kept there by a person: they are judged as what
+    is placed, not as what is given."""
 
     category: str
     at: Point
@@ -129,6 +131,7 @@ class FixedItem(StrictModel):
     on: str | None = None
     group: str = ""
     function: str = ""
+    locked: Annotated[Switch, Field(exclude_if=not_)] = False
 
 
 class Ask(StrictModel):

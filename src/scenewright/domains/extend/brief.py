@@ -6,6 +6,7 @@ A source is a small neighbourhood; an area is ground that is to be built on as t
 
 from __future__ import annotations
 
+from operator import not_
 from typing import Annotated, Literal
 
 from pydantic import Field
@@ -87,6 +88,7 @@ class LockedGrowth(StrictModel):
     heading: Heading = 0.0
     size: tuple[Span, Span, Span]
     footprint: Annotated[FootprintOutline | None, Field(exclude_if=is_left_out)] = None
+    locked: Annotated[Switch, Field(exclude_if=not_)] = False
 
 
 class GrowthArea(StrictModel):

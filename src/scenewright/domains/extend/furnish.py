@@ -2,21 +2,18 @@
 
 from __future__ import annotations
 
-import math
-
-import numpy as np
-import shapely
+from dataclasses import replace
 
 from scenewright.core.catalog import Catalog
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece, Pose, Scene, Size
 from scenewright.core.solution import Solution
-from scenewright.domains.extend.areas import OLD, AreaPlan, ExtendPlan
-from scenewright.domains.extend.models import footprint_within, model_of
+from scenewright.domains.extend.areas import AreaPlan, ExtendPlan
+from scenewright.domains.extend.given import footprint_within, source_pieces, wrap_angle
+from scenewright.domains.extend.models import model_of
 from scenewright.domains.extend.pattern import STOREY, SourcePattern
 from scenewright.domains.extend.problem import GrownLayout
 from scenewright.domains.extend.works import lay_walks
-from scenewright.ground.built import to_frames
 from scenewright.ground.surfaces import surfaces
 
 
@@ -61,62 +58,12 @@ def grow_upwards(size: Size, storeys: int) -> Size:
     return size._replace(height=max(size.height + storeys * STOREY, STOREY))
 
 
-def standing_pieces(area: AreaPlan) -> tuple[Piece, ...]:
-    """The buildings of an area that stay where they stand."""
-    return tuple(
-        Piece(
-            id=row.id,
-            category="building",
-            asset=row.model,
-            space=area.id,
-            pose=Pose(*row.box[:2], 0.0, row.box[2]),
-            size=Size(row.box[3], row.box[4], row.height),
-            group=f"{area.id}/buildings",
-            function=row.kind or "building",
-            fixed=True,
-            footprint=row.local,
-        )
-        for row in area.fixed
-    )
-
-
 def old_pieces(plan: ExtendPlan, style: str, catalog: Catalog) -> tuple[Piece, ...]:
-    """The buildings of the sources that stand; they are given, and belong to no area."""
-    pattern, found = plan.pattern, []
-    for number, (box, k) in enumerate(zip(pattern.boxes.tolist(), pattern.kind, strict=True)):
-        source = int(pattern.source[number])
-        if not plan.stands[source]:
-            continue
-        kind = pattern.kinds[int(k)]
-        asset = model_of(kind, style, catalog)
-        size = Size(box[3], box[4], kind.size[2])
-        ring = shapely.get_coordinates(pattern.shapes[number].exterior)[:-1]
-        local = to_frames(ring, np.array([box]))
-        prefix = OLD if source == 0 else f"{OLD}{source + 1}"
-        found.append(
-            Piece(
-                id=f"{prefix}/{kind.name}_{number + 1}",
-                category="building",
-                asset=asset,
-                space=OLD,
-                pose=Pose(box[0], box[1], 0.0, wrap_angle(box[2])),
-                size=size,
-                group=OLD,
-                function=kind.name,
-                fixed=True,
-                footprint=footprint_within(local, size, catalog.assets.get(asset)),
-            )
-        )
-    return tuple(found)
-
-
-def wrap_angle(angle: float) -> float:
-    """An angle in [-π, π).
-
-    >>> round(wrap_angle(4.0), 3)
-    -2.283
-    """
-    return (angle + math.pi) % (2 * math.pi) - math.pi
+    """The buildings of the sources that stand, with the models that draw them."""
+    return tuple(
+        replace(piece, asset=model_of(kind, style, catalog))
+        for kind, piece in source_pieces(plan, catalog)
+    )
 
 
 def scene_of_extension(solution: Solution, plan: Plan) -> Scene:

@@ -8,20 +8,18 @@ import shapely
 from scenewright.catalog.loading import BUILDING, catalog_of, find_asset
 from scenewright.core.brief import Brief
 from scenewright.core.brief.catalog import CatalogBrief, entry_of
-from scenewright.core.catalog import OWN, Asset, Catalog
+from scenewright.core.catalog import OWN, Catalog
 from scenewright.core.errors import InputError
-from scenewright.core.footprint import Footprint, read_footprint
+from scenewright.core.footprint import Footprint
 from scenewright.core.scene import Size
-from scenewright.core.space import Points
 from scenewright.domains.extend.areas import ExtendPlan
+from scenewright.domains.extend.given import footprint_within
 from scenewright.domains.extend.pattern import BuildingKind, SourcePattern
 from scenewright.domains.extend.problem import Floats
 from scenewright.ground.plain_buildings import HOUSES, plain_building
 
 ROUNDED = 0.015
 """Metres by which corners of the same footprint may differ."""
-BOXY = 0.985
-"""The share of its box from which a footprint counts as the box."""
 
 
 def with_source_models(brief: Brief, plan: ExtendPlan) -> Brief:
@@ -64,16 +62,6 @@ def check_models(brief: Brief, plan: ExtendPlan) -> Catalog:
         except InputError as error:
             raise error.located(place=f"sources[{kind.source}]") from None
     return catalog
-
-
-def footprint_within(local: Points, size: Size, asset: Asset | None) -> Footprint:
-    """What a building covers in the frame of its box, ``local`` (n, 2); the box of its own model
-    where that is not drawn over such a footprint."""
-    corners = [(float(x), float(y)) for x, y in local]
-    found = read_footprint(read_footprint(corners, *size[:2]) or corners, *size[:2])
-    if asset is not None and asset.id.startswith(OWN):
-        return found if asset.over and asset.over(size, found) else asset.footprint(size)
-    return () if shapely.Polygon(local).area > BOXY * size.width * size.depth else found
 
 
 def as_drawn(pattern: SourcePattern, catalog: Catalog) -> SourcePattern:

@@ -23,7 +23,8 @@ from scenewright.core.scene import Piece
 from scenewright.core.solution import LeftOut, Solution, TermValue
 from scenewright.domains.extend.areas import AreaPlan, ExtendPlan
 from scenewright.domains.extend.build_problem import build_problem
-from scenewright.domains.extend.furnish import new_pieces, old_pieces, standing_pieces
+from scenewright.domains.extend.furnish import new_pieces, old_pieces
+from scenewright.domains.extend.given import standing_pieces
 from scenewright.domains.extend.models import (
     as_drawn,
     check_models,

@@ -18,6 +18,7 @@ DOMAIN = Domain(
         "problems": ".solving:problems",
         "solve": ".solving:solve",
         "solution": ".solution:solution_of",
+        "given": "scenewright.building.standing:given_pieces",
         "check": ".check.judge:check",
         "scene": ".islands:scene_of_hall",
         "draw": ".drawing.overlay:draw",

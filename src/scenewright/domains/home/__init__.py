@@ -15,6 +15,7 @@ DOMAIN = Domain(
         "problems": ".solving:problems",
         "solve": ".solving:solve",
         "solution": ".solution:solution_of",
+        "given": "scenewright.building.standing:given_pieces",
         "check": ".check.judge:check",
         "scene": ".furnishing.look:scene_of_home",
         "draw": ".drawing.plan:draw",

@@ -21,7 +21,8 @@ from scenewright.core.plan import Plan
 from scenewright.core.solution import Solution
 from scenewright.domains.site.brief import Site
 from scenewright.domains.site.features import DEVELOPED, measure_features
-from scenewright.domains.site.furnish import buildings, fixed_buildings, landmarks
+from scenewright.domains.site.furnish import buildings, landmarks
+from scenewright.domains.site.given import fixed_buildings
 from scenewright.domains.site.holdings import BuildingDemand
 from scenewright.domains.site.plan import plan_sites
 from scenewright.domains.site.presets import PRESETS

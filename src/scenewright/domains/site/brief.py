@@ -154,6 +154,7 @@ class LockedBuilding(StrictModel):
     heading: Heading = -pi / 2
     size: tuple[Metres, Metres, Metres]
     footprint: Annotated[FootprintOutline | None, Field(exclude_if=is_left_out)] = None
+    locked: Annotated[Switch, Field(exclude_if=not_)] = False
 
 
 VERGE = 8.0

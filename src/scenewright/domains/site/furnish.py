@@ -80,25 +80,6 @@ def landmarks(plan: SitePlan, catalog: Catalog) -> tuple[Piece, ...]:
     return tuple(found)
 
 
-def fixed_buildings(plan: SitePlan) -> tuple[Piece, ...]:
-    """The buildings that stay where they stand."""
-    return tuple(
-        Piece(
-            id=row.id,
-            category="building",
-            asset=row.model,
-            space=plan.id,
-            pose=Pose(*row.box[:2], 0.0, row.box[2]),
-            size=Size(row.box[3], row.box[4], row.height),
-            group=f"{plan.id}/buildings",
-            function=row.name,
-            fixed=True,
-            footprint=row.local,
-        )
-        for row in plan.fixed
-    )
-
-
 def wrap_angle(angle: float) -> float:
     """An angle in [-π, π)."""
     return (angle + math.pi) % (2 * math.pi) - math.pi

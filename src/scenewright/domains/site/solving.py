@@ -30,7 +30,8 @@ from scenewright.domains.site.amounts import find_target
 from scenewright.domains.site.brief import Site
 from scenewright.domains.site.build_problem import Looks, build_problem
 from scenewright.domains.site.doors import ServedLayout, serve_doors
-from scenewright.domains.site.furnish import buildings, fixed_buildings, landmark_assets, landmarks
+from scenewright.domains.site.furnish import buildings, landmark_assets, landmarks
+from scenewright.domains.site.given import fixed_buildings
 from scenewright.domains.site.holdings import BuildingDemand, collect_buildings
 from scenewright.domains.site.paving import list_missing_areas
 from scenewright.domains.site.plan import site_plans

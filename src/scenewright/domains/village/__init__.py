@@ -21,6 +21,7 @@ DOMAIN = Domain(
         "solve": ".solving:solve",
         "problems": ".solving:problems",
         "solution": ".solution:solution_of",
+        "given": ".given:given_pieces",
         "check": ".check.judge:check",
         "scene": ".furnish:scene_of_village",
         "draw": ".drawing.plan:draw",

@@ -7,6 +7,7 @@ Li 2022): each a real house of the library, none invented.
 from __future__ import annotations
 
 from math import pi
+from operator import not_
 from typing import Annotated, Literal
 
 from pydantic import Field
@@ -20,6 +21,7 @@ from scenewright.core.brief.fields import (
     Outline,
     Point,
     StrictModel,
+    Switch,
     Whole,
     is_left_out,
 )
@@ -68,6 +70,7 @@ class LockedHouse(StrictModel):
     heading: Heading = -pi / 2
     size: tuple[Stretch, Stretch, Stretch]
     footprint: Annotated[FootprintOutline | None, Field(exclude_if=is_left_out)] = None
+    locked: Annotated[Switch, Field(exclude_if=not_)] = False
 
 
 class VillageBlock(StrictModel):

@@ -95,25 +95,6 @@ def _frame(outline: bytes, front: float) -> FrontFrame:
     return FrontFrame(width, depth, read_footprint(corners, width, depth), middle)
 
 
-def standing_pieces(plan: BlockPlan) -> tuple[Piece, ...]:
-    """The houses that stay where they stand."""
-    return tuple(
-        Piece(
-            id=row.id,
-            category="building",
-            asset=row.asset,
-            space=plan.id,
-            pose=Pose(*row.box[:2], 0.0, row.box[2]),
-            size=Size(row.box[3], row.box[4], row.height),
-            group=f"{plan.id}/houses",
-            function=row.house or "house",
-            fixed=True,
-            footprint=row.local,
-        )
-        for row in plan.fixed
-    )
-
-
 def square_patch(plan: BlockPlan, corners: Points) -> Patch:
     """A free square (4, 2) as a patch of the solution."""
     step = corners[1] - corners[0]

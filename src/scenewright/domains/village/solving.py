@@ -24,7 +24,8 @@ from scenewright.core.solution import LeftOut, Patch, Solution, TermValue
 from scenewright.domains.village.blocks import BlockPlan, VillagePlan
 from scenewright.domains.village.brief import VillageBlock
 from scenewright.domains.village.build_problem import build_problem, find_square
-from scenewright.domains.village.furnish import pieces_of, square_patch, standing_pieces
+from scenewright.domains.village.furnish import pieces_of, square_patch
+from scenewright.domains.village.given import standing_pieces
 from scenewright.domains.village.house import House
 from scenewright.domains.village.plan import plan_village
 from scenewright.domains.village.planting import plant

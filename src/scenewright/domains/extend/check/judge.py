@@ -6,7 +6,7 @@ places buildings. What stood before is given.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -16,18 +16,23 @@ from scenewright.check.bodies import TOLERANCE, Shapes
 from scenewright.check.buildings import (
     find_collisions,
     find_off_ground,
+    is_like,
     measure_shared,
     split_sound,
     state_fault,
 )
+from scenewright.check.owed import ALL, Owed, find_owed
 from scenewright.check.rooms import count_findings
-from scenewright.core.catalog import Catalog
+from scenewright.core.catalog import OWN, Catalog
 from scenewright.core.piece_outlines import polygons_of
 from scenewright.core.plan import Plan
 from scenewright.core.report import Finding, Report
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
 from scenewright.domains.extend.areas import OLD, AreaPlan, ExtendPlan
+
+STOREY = 3.0
+"""Metres of a storey that is added to what is grown."""
 
 
 def check(solution: Solution, plan: Plan, kinds: Catalog) -> Report:
@@ -41,9 +46,42 @@ def check(solution: Solution, plan: Plan, kinds: Catalog) -> Report:
     findings += find_collisions(sound, shapes)
     for area in detail.areas:
         findings += find_outside(area, sound, shapes)
+    findings += find_owed([*list_owed(detail, solution.pieces)], solution.left_out)
     figures = {area.id: figures_of(area, detail, sound, shapes) for area in detail.areas}
     found = {**count_findings(solution.pieces, findings), "areas": figures}
     return Report(tuple(findings), (), found)
+
+
+def list_owed(plan: ExtendPlan, pieces: Sequence[Piece]) -> Iterator[Owed]:
+    """The buildings of each area, at least one where it states no number, all of kinds of the
+    sources; and none beside those that the brief says stood before."""
+    for area in plan.areas:
+        known = _list_sizes(area, plan)
+        here = [p for p in pieces if p.space == area.id and p.category == "building"]
+        count, stay = area.row.count, {row.id for row in area.fixed}
+        least = 1 if count is None else max(count, len(stay))
+        yield Owed(area.id, "buildings", len(here), least, ALL if count is None else least)
+        strange = sum(
+            not any(size is None or is_like(p, *size) for size in known.get(p.function, ()))
+            for p in here
+            if p.id not in stay
+        )
+        yield Owed(area.id, "buildings of no source", strange, 0, 0)
+    added = sum(p.space == OLD and not p.fixed for p in pieces)
+    yield Owed(OLD, "buildings beside those that stood before", added, 0, 0)
+
+
+def _list_sizes(area: AreaPlan, plan: ExtendPlan) -> dict[str, list[tuple[float, float] | None]]:
+    """Square metres and height of what may be grown in an area, by the names of kinds; ``None``
+    where a model of its own or of a catalogue is as large as it is."""
+    sizes: dict[str, list[tuple[float, float] | None]] = {}
+    for kind in plan.pattern.kinds:
+        floor = float(shapely.Polygon(kind.local).area)
+        grown = max(kind.size[2] + STOREY * area.row.storeys, STOREY)
+        height = grown if area.row.storeys else kind.size[2]
+        drawn = area.row.use == "catalogue" or kind.model.startswith(OWN)
+        sizes.setdefault(kind.name, []).append(None if drawn else (floor, height))
+    return sizes
 
 
 def find_outside(area: AreaPlan, pieces: Sequence[Piece], shapes: Shapes) -> list[Finding]:

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from scenewright.building.plan import room_ids
+from scenewright.check.owed import find_owed
 from scenewright.check.plan_notes import note_cut_openings, note_reading, note_unknown_kinds
 from scenewright.check.rooms import count_findings, judge_rooms, walk_rooms
 from scenewright.check.spaces import find_doorless
@@ -15,6 +16,7 @@ from scenewright.core.plan import Plan
 from scenewright.core.report import Finding, Report
 from scenewright.core.solution import Solution
 from scenewright.domains.hall.check.cross_aisles import find_unbroken_rows
+from scenewright.domains.hall.check.demands import find_changed_zones, find_misplaced, list_owed
 from scenewright.domains.hall.check.facing import note_seats_turned_away
 from scenewright.domains.hall.check.figures import HallVerdict, judge_halls
 from scenewright.domains.hall.check.halls import JudgedHall, halls_of
@@ -38,8 +40,13 @@ def check(solution: Solution, plan: Plan, kinds: Catalog) -> Report:
         verdict = judge_halls(
             brief, asked, halls, walked.bodies, walked.grounds, walked.walks, walked.narrow
         )
+    changed = find_changed_zones(halls, asked)
+    known = [found for found in verdict.findings if found.kind == "outside_zone"]
+    misplaced = [f for hall in halls for f in find_misplaced(hall, asked, walked.bodies, known)]
+    owed = find_owed([*list_owed(asked, walked.bodies)], solution.left_out)
     unbroken = find_unbroken_rows(walked.bodies.pieces, plan.spaces, asked)
-    findings = (*shared.findings, *faults, *verdict.findings, *unbroken)
+    rules = (*faults, *verdict.findings, *unbroken)
+    findings = (*shared.findings, *rules, *changed, *misplaced, *owed)
     doorless = find_doorless(walked.bodies, walked.rooms, _find_visited(asked))
     turned = note_seats_turned_away(walked.bodies, plan.spaces, asked)
     read = (

@@ -35,7 +35,7 @@ def find_outside_zone(bodies: Bodies, hall: JudgedHall) -> list[Finding]:
             continue
         outside = ~shapely.covers(wider[group.zone], bodies.footprints[group.rows])
         for row in group.rows[outside]:
-            found.append(_finding(bodies, hall, group.zone, int(row)))
+            found.append(state_outside(bodies, hall, group.zone, int(row)))
     return found
 
 
@@ -51,7 +51,8 @@ def note_zone_sizes(hall: JudgedHall, asked: Mapping[str, Room]) -> list[Note]:
     return notes
 
 
-def _finding(bodies: Bodies, hall: JudgedHall, zone: int, row: int) -> Finding:
+def state_outside(bodies: Bodies, hall: JudgedHall, zone: int, row: int) -> Finding:
+    """The finding that a piece (its row) leaves a zone (its number)."""
     piece = bodies.pieces[row]
     rest = shapely.difference(bodies.footprints[row], hall.areas[zone])
     edge = shapely.points(shapely.get_coordinates(shapely.segmentize(rest, 0.02)))

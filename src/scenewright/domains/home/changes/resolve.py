@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.building.plan import plan_rooms
-from scenewright.building.standing import is_item, item_of, reaching_in
+from scenewright.building.standing import is_item, lock_item, reaching_in
 from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief, Room
 from scenewright.core.edits import Adjusted, Edits
@@ -88,6 +88,8 @@ def adjust(
     found = open_ways(found, rooms, floors, start, change.pieces)
     spent = time.perf_counter() - started
     after = assemble_home(start, rooms, floors, found, change, spent)
+    released = _without_released(after.brief, rooms, solution.pieces, after.pieces)
+    after = replace(after, brief=released)
     again = {room.id for room in rooms if {room.id, room.name} & set(edits.again)}
     reasons = {k: why for revised in found.values() for k, why in revised.reasons.items()}
     return Adjusted(after, changes_of(solution, after, change, again, reasons))
@@ -240,6 +242,25 @@ def _settle_swapped(
     return firm
 
 
+def _without_released(
+    brief: Brief, rooms: Sequence[Space], before: Sequence[Piece], after: Sequence[Piece]
+) -> Brief:
+    """The brief without fixed items that were let go, or had to give way to what was moved."""
+    stay = {piece.id for piece in after if piece.fixed}
+    gone = [piece for piece in before if piece.fixed and piece.id not in stay]
+    listed = [
+        [i for i in room.fixed if not any(is_item(i, p) for p in gone if p.space == space.id)]
+        for room, space in zip(brief.rooms, rooms, strict=True)
+    ]
+    if all(len(kept) == len(room.fixed) for kept, room in zip(listed, brief.rooms, strict=True)):
+        return brief
+    updated = [
+        room.model_copy(update={"fixed": kept})
+        for room, kept in zip(brief.rooms, listed, strict=True)
+    ]
+    return brief.model_copy(update={"rooms": updated})
+
+
 def _with_moved(
     brief: Brief, rooms: Sequence[Space], pieces: Sequence[Piece], change: EditedHome
 ) -> Brief:
@@ -255,7 +276,7 @@ def _with_moved(
             if was is None:
                 stays.append(item)
             else:
-                carried[after[was.id].space].append(item_of(after[was.id], item.name))
+                carried[after[was.id].space].append(lock_item(after[was.id], item))
         listed.append(stays)
     if not any(carried.values()):
         return brief

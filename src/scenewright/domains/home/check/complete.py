@@ -19,7 +19,8 @@ from scenewright.building.room_needs import ESSENTIALS, USABLE
 from scenewright.check.bodies import Bodies, Rooms, Shape
 from scenewright.check.spaces import inscribed_width, under_ceiling
 from scenewright.core.brief import Room
-from scenewright.core.report import Note
+from scenewright.core.report import Finding, Note
+from scenewright.core.solution import LeftOut
 from scenewright.domains.home.household import BEDS
 
 SHARED = frozenset(("living", "dining", "kitchen", "hall"))
@@ -114,6 +115,34 @@ def find_short_beds(residents: int | None, bodies: Bodies) -> list[Note]:
         return []
     text = f"there are beds for {held or 'none'} of the {residents} residents"
     return [Note("", "sleeping", "beds", text)]
+
+
+def find_missing(
+    lacking: Sequence[Note], asked: Mapping[str, Room], rooms: Rooms, left_out: Sequence[LeftOut]
+) -> list[Finding]:
+    """A finding for each room that lacks something essential or asked for, where nothing is said to
+    be left out of it, nor of one that is open to it, with a reason. Essentials of rooms that state
+    what they are to hold, or are not to, are not owed."""
+    told = {out.space for out in left_out if out.reason.strip()}
+    open_to = [[rooms.spaces[k].id for k in parts] for parts in _open_parts(rooms)]
+    beside = dict(zip((space.id for space in rooms.spaces), open_to, strict=True))
+    found: dict[str, list[Note]] = {}
+    for note in lacking:
+        room = asked.get(note.space)
+        own = room is not None and room.ask is not None and note.function != note.missing
+        barred = room is not None and any(wish.forbid for wish in room.wishes)
+        everywhere = told if not note.space else told & {*beside[note.space]}
+        if not (own or barred or everywhere):
+            found.setdefault(note.space, []).append(note)
+    return [
+        Finding("missing", "", space, "", "", f"{notes[0].message}{_and_more(notes)}")
+        for space, notes in found.items()
+    ]
+
+
+def _and_more(notes: Sequence[Note]) -> str:
+    rest = f" and lacks {len(notes) - 1} more" if len(notes) > 1 else ""
+    return f"{rest}, and nothing says why"
 
 
 def find_idle_hoods(bodies: Bodies, rooms: Rooms) -> list[Note]:

@@ -23,6 +23,7 @@ from scenewright.domains.home.check.accessible import Barriers, find_barriers
 from scenewright.domains.home.check.complete import (
     find_idle_hoods,
     find_incomplete,
+    find_missing,
     find_short_beds,
     find_unknown,
     find_unmet_asks,
@@ -38,8 +39,14 @@ def check(solution: Solution, plan: Plan, kinds: Catalog) -> Report:
     rooms, bodies = walked.rooms, walked.bodies
     shared = judge_rooms(walked)
     barriers = _barriers(solution, walked, kinds) if brief.accessible else Barriers([], [], {})
-    findings = (*shared.findings, *barriers.findings)
     asked = dict(zip(room_ids(brief), brief.rooms, strict=True))
+    lacking = [
+        *find_incomplete(bodies, rooms),
+        *find_unmet_asks(asked, bodies, rooms),
+        *find_short_beds(brief.residents, bodies),
+    ]
+    missing = find_missing(lacking, asked, rooms, solution.left_out)
+    findings = (*shared.findings, *barriers.findings, *missing)
     notes = (
         *note_reading(brief),
         *note_unknown_kinds(brief, kinds.kinds),
@@ -51,9 +58,7 @@ def check(solution: Solution, plan: Plan, kinds: Catalog) -> Report:
         *note_colours(brief, kinds),
         *find_doorless(bodies, rooms),
         *find_cut_off(brief, bodies, rooms),
-        *find_incomplete(bodies, rooms),
-        *find_unmet_asks(asked, bodies, rooms),
-        *find_short_beds(brief.residents, bodies),
+        *lacking,
         *find_idle_hoods(bodies, rooms),
         *find_unknown(asked, bodies, rooms),
         *shared.notes,

@@ -20,6 +20,7 @@ from scenewright.check.buildings import (
     split_sound,
     state_fault,
 )
+from scenewright.check.owed import find_owed
 from scenewright.check.rooms import count_findings
 from scenewright.check.shared_ground import intersect_footprints
 from scenewright.core.catalog import Catalog
@@ -31,6 +32,7 @@ from scenewright.core.scene import Piece
 from scenewright.core.solution import Patch, Solution
 from scenewright.domains.village.blocks import BlockPlan
 from scenewright.domains.village.brief import Lane
+from scenewright.domains.village.check.demands import list_owed
 from scenewright.domains.village.check.lanes import find_on_lanes
 
 DOOR, COURT = 0.9, 1.0
@@ -59,9 +61,12 @@ def check(solution: Solution, plan: Plan, kinds: Catalog) -> Report:
     """Judge the houses of every block; see :func:`scenewright.domains.check`. Houses have no
     ``kinds``."""
     del kinds
+    part = solution.brief.part
     findings, figures = judge_blocks(
-        solution.pieces, solution.patches, plan.detail.blocks, solution.brief.part.lanes
+        solution.pieces, solution.patches, plan.detail.blocks, part.lanes
     )
+    owed = [*list_owed(part.blocks, plan.detail, solution.pieces, solution.patches)]
+    findings += find_owed(owed, solution.left_out)
     totals = {**count_findings(solution.pieces, findings), "blocks": figures}
     return Report(tuple(findings), (), totals)
 

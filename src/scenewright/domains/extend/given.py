@@ -1,0 +1,94 @@
+"""What an extension's brief says stands already, as pieces: its sources, and what stays."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+import shapely
+
+from scenewright.core.brief import Brief
+from scenewright.core.catalog import OWN, Asset, Catalog
+from scenewright.core.footprint import Footprint, read_footprint
+from scenewright.core.plan import Plan
+from scenewright.core.scene import Piece, Pose, Size
+from scenewright.core.space import Points
+from scenewright.domains.extend.areas import OLD, AreaPlan, ExtendPlan
+from scenewright.domains.extend.pattern import BuildingKind
+from scenewright.ground.built import to_frames
+
+BOXY = 0.985
+"""The share of its box from which a footprint counts as the box."""
+
+
+def given_pieces(_brief: Brief, plan: Plan, kinds: Catalog) -> tuple[Piece, ...]:
+    """What stood before and what stays in the areas of a plan, by its brief alone."""
+    stay = (piece for area in plan.detail.areas for piece in standing_pieces(area))
+    return (*stay, *(piece for _, piece in source_pieces(plan.detail, kinds)))
+
+
+def standing_pieces(area: AreaPlan) -> tuple[Piece, ...]:
+    """The buildings of an area that stay where they stand."""
+    return tuple(
+        Piece(
+            id=row.id,
+            category="building",
+            asset=row.model,
+            space=area.id,
+            pose=Pose(*row.box[:2], 0.0, row.box[2]),
+            size=Size(row.box[3], row.box[4], row.height),
+            group=f"{area.id}/buildings",
+            function=row.kind or "building",
+            fixed=True,
+            footprint=row.local,
+        )
+        for row in area.fixed
+    )
+
+
+def source_pieces(plan: ExtendPlan, catalog: Catalog) -> Iterator[tuple[BuildingKind, Piece]]:
+    """The buildings of the sources that stand, each with its kind; they belong to no area. Which
+    model draws each is not said here."""
+    pattern = plan.pattern
+    for number, (box, k) in enumerate(zip(pattern.boxes.tolist(), pattern.kind, strict=True)):
+        source = int(pattern.source[number])
+        if not plan.stands[source]:
+            continue
+        kind = pattern.kinds[int(k)]
+        size = Size(box[3], box[4], kind.size[2])
+        ring = shapely.get_coordinates(pattern.shapes[number].exterior)[:-1]
+        local = to_frames(ring, np.array([box]))
+        prefix = OLD if source == 0 else f"{OLD}{source + 1}"
+        piece = Piece(
+            id=f"{prefix}/{kind.name}_{number + 1}",
+            category="building",
+            asset="",
+            space=OLD,
+            pose=Pose(box[0], box[1], 0.0, wrap_angle(box[2])),
+            size=size,
+            group=OLD,
+            function=kind.name,
+            fixed=True,
+            footprint=footprint_within(local, size, catalog.assets.get(kind.model)),
+        )
+        yield kind, piece
+
+
+def footprint_within(local: Points, size: Size, asset: Asset | None) -> Footprint:
+    """What a building covers in the frame of its box, ``local`` (n, 2); the box of its own model
+    where that is not drawn over such a footprint."""
+    corners = [(float(x), float(y)) for x, y in local]
+    found = read_footprint(read_footprint(corners, *size[:2]) or corners, *size[:2])
+    if asset is not None and asset.id.startswith(OWN):
+        return found if asset.over and asset.over(size, found) else asset.footprint(size)
+    return () if shapely.Polygon(local).area > BOXY * size.width * size.depth else found
+
+
+def wrap_angle(angle: float) -> float:
+    """An angle in [-π, π).
+
+    >>> round(wrap_angle(4.0), 3)
+    -2.283
+    """
+    return (angle + math.pi) % (2 * math.pi) - math.pi
