@@ -41,7 +41,7 @@ def faults(document: Document) -> set[Fault]:
         if "setback" in area:
             found |= {*_too_near(area, here, mine, floor), *_fire(area, here, mine, floor)}
         if "classes" in area:
-            found |= {*_doors(here, mine), *_cut_off(area, brief["lanes"], here, mine, floor)}
+            found |= {*_doors(here, mine), *_cut_off(brief["lanes"], here, mine, floor)}
     return found | {*_sources(brief, pieces, shapes)}
 
 
@@ -173,7 +173,7 @@ def _fire(site: Document, here: list[Document], mine: list[Any], floor: Any) -> 
 
 
 def _cut_off(
-    block: Document, lanes: list[Document], here: list[Document], mine: list[Any], floor: Any
+    lanes: list[Document], here: list[Document], mine: list[Any], floor: Any
 ) -> Iterator[Fault]:
     """Houses of a block to whose door no way leads that is half as wide as asked for."""
     strips = [shapely.LineString(r["line"]).buffer(r["width"] / 2 + 6.0) for r in lanes]

@@ -1,4 +1,4 @@
-"""A plain referee of homes and halls: what is grossly wrong, from the saved JSON with shapely alone.
+"""A plain referee of homes and halls: what is grossly wrong, from the saved JSON alone.
 
 It shares nothing with the product's referee, and looks at less: solid things that stand on the
 floor, outlines, doors, ways on a raster, and what the brief says stands or asks for. Its tolerances

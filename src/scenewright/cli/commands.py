@@ -238,7 +238,7 @@ def check(
         print_input(console, read)
         show.print_report(console, report, show.SCALE)
         print_warnings(console, read)
-    return 0 if report.valid and solution.brief.is_read_whole else 1
+    return 0 if report.complete and solution.brief.is_read_whole else 1
 
 
 @app.command()

@@ -123,6 +123,8 @@ def find_missing(
     """A finding for each room that lacks something essential or asked for, where nothing is said to
     be left out of it, nor of one that is open to it, with a reason. Essentials of rooms that state
     what they are to hold, or are not to, are not owed."""
+    if not lacking:
+        return []
     told = {out.space for out in left_out if out.reason.strip()}
     open_to = [[rooms.spaces[k].id for k in parts] for parts in _open_parts(rooms)]
     beside = dict(zip((space.id for space in rooms.spaces), open_to, strict=True))
