@@ -38,8 +38,6 @@ def complete_account(
 ) -> list[LeftOut]:
     """What a room lacks: as ``listed`` by the search, with what is essential marked as such, and
     what is not listed; ``pieces`` are all that stand."""
-    if not task.preset.settings.exact:
-        return [*listed, *_smaller(listed, room, task, answer)]
     found = [*listed, *_smaller(listed, room, task, answer)]
     for need in list_lacking(task.space, pieces, task.catalog) if room.ask is None else ():
         serving = groups_serving(kinds_serving(need.name))

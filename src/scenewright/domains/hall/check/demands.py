@@ -25,11 +25,14 @@ def list_owed(asked: Mapping[str, Room], bodies: Bodies) -> Iterator[Owed]:
     """What each hall is to hold; objects answer the demand that is their function."""
     for space, room in asked.items():
         here = [piece for piece in bodies.pieces if piece.space == space]
+        kept = {item.id for item in room.fixed}
         for demand, name in zip(room.demands, ids_of(room.demands), strict=True):
             category = demand.category
-            there = sum(p.function == name and p.category == category for p in here)
+            mine = [p for p in here if p.function == name and p.category == category]
+            stay = sum(p.fixed or p.id in kept for p in mine)
+            least, most = _count_asked(demand)
             words = (demand.name or demand.id or name_of(category),)
-            yield Owed(space, name, there, *_count_asked(demand), words)
+            yield Owed(space, name, len(mine), least, max(most, stay), words)
 
 
 def _count_asked(demand: Demand) -> tuple[int, int]:

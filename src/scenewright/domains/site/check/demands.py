@@ -26,6 +26,7 @@ def list_owed(
         here = [p for p in pieces if p.space == plan.id and p.category == "building"]
         marks = {name for row in plan.landmarks for name in (row.id, f"{plan.id}/{row.id}")}
         here = [p for p in here if p.id not in marks]
+        kept = {row.id for row in site.fixed}
         if not site.buildings:
             yield Owed(plan.id, "buildings", len(here), 1)
             continue
@@ -35,13 +36,14 @@ def list_owed(
             name = row.name or (kinds.assets[model].name if model in kinds.assets else "")
             asked.setdefault((name, model), []).append(row)
         for (name, model), same in asked.items():
-            there = sum(
-                p.function == name and p.asset == model and _is_as_large(p, same, model, kinds)
+            mine = [
+                p
                 for p in here
-            )
-            count = sum(row.count for row in same)
-            yield Owed(plan.id, name, there, count, count, (name,))
-        strange = sum((p.function, p.asset) not in asked for p in here if not p.fixed)
+                if p.function == name and p.asset == model and _is_as_large(p, same, model, kinds)
+            ]
+            count, stay = sum(row.count for row in same), sum(p.id in kept for p in mine)
+            yield Owed(plan.id, name, len(mine), count, max(count, stay), (name,))
+        strange = sum((p.function, p.asset) not in asked for p in here if p.id not in kept)
         yield Owed(plan.id, "buildings of no demand", strange, 0, 0)
 
 
