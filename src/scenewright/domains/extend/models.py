@@ -21,6 +21,7 @@ from scenewright.ground.plain_buildings import HOUSES, plain_building
 ROUNDED = 0.015
 """Metres by which corners of the same footprint may differ."""
 
+
 def with_source_models(brief: Brief, plan: ExtendPlan) -> Brief:
     """The brief with the models of its city models among its catalogues."""
     named = {entry_of(entry).path for entry in brief.catalogs}
