@@ -10,6 +10,7 @@ were.
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
@@ -25,7 +26,7 @@ from scenewright.building.drawn.names import name_rooms
 from scenewright.building.drawn.openings import Found, find_openings
 from scenewright.building.drawn.units import UnitFound, list_units
 from scenewright.core.brief import Brief
-from scenewright.core.brief.input_report import Fate, InputReport, report_input
+from scenewright.core.brief.input_report import Fate, report_input
 from scenewright.core.document_faults import to_input_error
 from scenewright.core.errors import InputError
 from scenewright.formats.dxf_entities import Entities, read_entities
@@ -34,6 +35,8 @@ STOREY = 2.8
 """Metres from floor to floor where storeys lie beside each other."""
 SHARE = 0.3
 """Rooms that lie apart are a storey if they have this share of the floor of the largest."""
+OPENING, MOST_MISFITS = re.compile(r"rooms\[(\d+)\].*?(doors|windows)\[(\d+)\]"), 60
+"""How a fault names an opening, and how many are taken out."""
 LEFT_ASIDE = {
     "other": "furniture, dimensions, notes or what lies above or below",
     "": "nothing that its layer says to be of the building",
@@ -64,18 +67,38 @@ def read(path: str | os.PathLike[str], keep: bool = False, scale: float = 1.0) -
         raise _no_plan(chosen)
     openings = find_openings(plan.drawn, plan.faces.rooms, plan.faces.gaps)
     rooms, levels = _rooms(plan, names, groups, openings)
-    report = _report(entities, plan, groups)
+    name = os.path.splitext(os.path.basename(path))[0][:80]
+    document = {"name": name, "levels": levels, "rooms": rooms}
+    fates = [*_fates(entities, plan, groups), *_drop_misfits(document)]
     try:
-        return Brief.model_validate(
-            {
-                "name": os.path.splitext(os.path.basename(path))[0][:80],
-                "levels": levels,
-                "rooms": rooms,
-                "input_report": report.model_dump(),
-            }
-        )
+        return Brief.model_validate(document | {"input_report": _report(fates, plan, groups)})
     except ValidationError as error:
         raise to_input_error(error) from None
+
+
+def _drop_misfits(document: dict[str, Any]) -> list[Fate]:
+    """Take out the openings that no wall has room for, as the plan of the brief finds them; the
+    fates of all openings."""
+    from scenewright.domains import plan_of
+
+    fates = []
+    for _ in range(MOST_MISFITS):
+        try:
+            plan_of(Brief.model_validate(document))
+            break
+        except InputError as error:
+            place = OPENING.search(error.place)
+            if place is None:
+                raise
+            room, kind, number = int(place[1]), place[2], int(place[3])
+            del document["rooms"][room][kind][number]
+            fates.append(Fate(f"in room {room + 1}", kind[:-1], "left out", error.fault))
+        except ValidationError as error:
+            raise to_input_error(error) from None
+    kept = [
+        (r, kind, k) for r in document["rooms"] for kind in ("doors", "windows") for k in r[kind]
+    ]
+    return fates + [Fate(room["name"], kind[:-1], "used") for room, kind, _ in kept]
 
 
 def choose_layers(entities: Entities) -> Drawn:
@@ -180,7 +203,7 @@ def _rooms(
             if len(groups) > 1:
                 room["level"] = level["id"]
             mine = [o for o in openings if o.room == k]
-            room["doors"] = [_door(o, low, group) for o in mine if o.kind == "door"]
+            room["doors"] = [_moved(o.keys, low) for o in mine if o.kind == "door"]
             room["windows"] = [_moved(o.keys, low) for o in mine if o.kind == "window"]
             rooms.append(room)
     return rooms, levels if len(groups) > 1 else []
@@ -198,13 +221,7 @@ def _moved(keys: dict[str, Any], low: np.ndarray) -> dict[str, Any]:
     return keys | {"at": np.round(np.array(keys["at"]) - low, 4).tolist()}
 
 
-def _door(opening: Found, low: np.ndarray, group: list[int]) -> dict[str, Any]:
-    keys = _moved(opening.keys, low)
-    beyond = opening.beyond
-    return keys | ({"to": f"room-{beyond + 1}"} if beyond in group and beyond is not None else {})
-
-
-def _report(entities: Entities, plan: DrawnPlan, groups: list[list[int]]) -> InputReport:
+def _report(fates: list[Fate], plan: DrawnPlan, groups: list[list[int]]) -> dict[str, Any]:
     """What became of every entity, and how much of the floor within the walls was read."""
     faces = plan.faces
     used = {k for group in groups for k in group}
@@ -212,16 +229,18 @@ def _report(entities: Entities, plan: DrawnPlan, groups: list[list[int]]) -> Inp
     reach = union_all([box(*faces.rooms[k].bounds) for k in used])
     lost = [face for face in faces.small if reach.contains(face)]
     note = "as stated" if plan.unit.stated else "by walls and doors; the header is wrong or silent"
-    return report_input(
-        _fates(entities, plan, used),
+    report = report_input(
+        fates,
         format="DXF",
         unit=f"{plan.unit.name} ({note})",
         drawn_floor=read_floor + sum(face.area for face in lost),
         read_floor=read_floor,
     )
+    return report.model_dump()
 
 
-def _fates(entities: Entities, plan: DrawnPlan, used: set[int]) -> Iterator[Fate]:
+def _fates(entities: Entities, plan: DrawnPlan, groups: list[list[int]]) -> Iterator[Fate]:
+    used = {k for group in groups for k in group}
     words = {"wall": "walls", "door": "doors", "window": "windows"}
     for name, kind in _kinds(entities).items():
         layer = entities.layers[name]
