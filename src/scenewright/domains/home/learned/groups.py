@@ -11,11 +11,11 @@ from pathlib import Path
 from typing import Annotated, Any, Literal, NamedTuple
 
 import numpy as np
-from pydantic import Field, ValidationError
+from pydantic import Field
 
 from scenewright.catalog.assets import shipped
 from scenewright.catalog.models.files import check_json
-from scenewright.core.atomic_file import note_read, write_atomically
+from scenewright.core.atomic_file import write_atomically
 from scenewright.core.brief.fields import (
     Coordinate,
     Heading,
@@ -27,9 +27,9 @@ from scenewright.core.brief.fields import (
     Whole,
 )
 from scenewright.core.catalog import Catalog, Group, Member
-from scenewright.core.document_faults import to_input_error as told_of
 from scenewright.core.errors import InputError
 from scenewright.core.scene import Size
+from scenewright.core.stored_file import check_plain, read_plain, report_damage
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.learned.cases import LearnedCase, merge_similar_cases
 from scenewright.domains.home.learned.learning import FurnishedSpace, found_in
@@ -145,37 +145,18 @@ def write(learned: Learned, path: Path) -> None:
 
 def read(path: Path) -> Known:
     """What a brief uses of a file; InputError where it cannot be used."""
-    note_read(path)
-    try:
+    with report_damage(path, "a file of learned groups", "make it with scenewright catalog learn"):
+        check_plain(path, MOST_BYTES)
         status = path.stat()
         return _read(path, status.st_mtime_ns, status.st_size)
-    except OSError as error:
-        raise InputError(
-            f"cannot be read: {error.strerror}", "check the path", file=str(path)
-        ) from None
 
 
 @lru_cache(maxsize=16)
 def _read(path: Path, changed: int, size: int) -> Known:
-    del changed
-    if size > MOST_BYTES:
-        raise InputError(
-            f"is larger than {MOST_BYTES >> 20} MiB", "learn from fewer homes", file=str(path)
-        )
-    try:
-        content = path.read_bytes()
-        check_json(content)
-        record = GroupsRecord.model_validate_json(content)
-    except InputError as error:
-        raise error.located(file=str(path)) from None
-    except ValidationError as error:
-        fault = told_of(error)
-        raise InputError(
-            f"is not a file of learned groups: {fault.fault}",
-            "make it with scenewright catalog learn",
-            file=str(path),
-            place=fault.place,
-        ) from None
+    del changed, size
+    content = read_plain(path, MOST_BYTES)
+    check_json(content)
+    record = GroupsRecord.model_validate_json(content)
     for number, case in enumerate(record.cases):
         _check(case, f"cases[{number}]", str(path))
     return _known(record)

@@ -139,7 +139,7 @@ def _blocks(
     path: Path, kinds: Sequence[str], read_plan: Callable[[Path], Plan]
 ) -> tuple[RealBlock, ...]:
     """Blocks of a list as JSON, else the standing houses of a village in any file we read."""
-    if path.suffix == ".json" and path.exists():
+    if path.suffix == ".json" and path.is_file():
         with path.open("rb") as file:
             listed = file.read(200).lstrip().startswith(b"[")
         if listed:

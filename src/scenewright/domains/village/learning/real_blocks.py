@@ -17,8 +17,10 @@ from zlib import crc32
 import numpy as np
 import shapely
 
+from scenewright.catalog.models.files import check_json
 from scenewright.core.errors import InputError
 from scenewright.core.plan import Plan
+from scenewright.core.stored_file import MEBIBYTE, read_plain, report_damage
 from scenewright.domains.village.house import House, to_own_frame
 from scenewright.domains.village.learning.tables import RealBlock
 from scenewright.domains.village.library import classify_house
@@ -31,6 +33,7 @@ OUTSIDE = 0.02
 """The share of a house that may lie outside the rebuilt outline."""
 CORNERS, LONGEST = 60, 80
 """Corners of a footprint and letters of the name of a region, at most."""
+LARGEST_FILE = 256 * MEBIBYTE
 REMEDY = "give a list of blocks: place, outline, outline_on_street, houses with polygon"
 
 
@@ -39,18 +42,13 @@ def read_blocks(path: Path, kinds: Sequence[str] = ()) -> tuple[RealBlock, ...]:
     all). A file is a JSON list of blocks: ``id``, ``place``, ``outline`` in metres,
     ``outline_on_street`` (a flag for each corner), ``houses`` with their ``polygon``, if known the
     ``region`` (or ``source``) it is of. InputError for another one."""
-    try:
-        rows = json.loads(path.read_text(encoding="utf-8"))
-    except FileNotFoundError:
-        raise InputError("there is no such file", "check the path", file=str(path)) from None
-    except (OSError, ValueError, RecursionError):
-        raise InputError("is no JSON", REMEDY, file=str(path)) from None
-    if not isinstance(rows, list):
-        raise InputError("is no list of blocks", REMEDY, file=str(path))
-    try:
+    with report_damage(path, "JSON of blocks", REMEDY):
+        content = read_plain(path, LARGEST_FILE)
+        check_json(content)
+        rows = json.loads(content)
+        if not isinstance(rows, list):
+            raise InputError("is no list of blocks", REMEDY)
         return clean_blocks(rows, kinds)
-    except InputError as error:
-        raise error.located(file=str(path)) from None
 
 
 def clean_blocks(rows: Iterable[Any], kinds: Sequence[str] = ()) -> tuple[RealBlock, ...]:
