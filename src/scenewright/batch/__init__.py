@@ -48,6 +48,7 @@ def batch(
     scale: float = 1.0,
     hidden_levels: bool = False,
     style: str = "",
+    layouts: int | None = None,
     memory: float = MEMORY,
     limit: float = TIME,
     progress: OnResult | None = None,
@@ -78,6 +79,7 @@ def batch(
         hidden_levels,
         accessible,
         style,
+        layouts,
     )
     limits = _check_limits(Limits(jobs or os.cpu_count() or 1, memory, limit), options)
     with recorded_run() as run:

@@ -44,6 +44,7 @@ class BatchOptions(NamedTuple):
     hidden_levels: bool = False
     accessible: bool = False
     style: str = ""
+    layouts: int | None = None
 
 
 class Job(NamedTuple):
@@ -83,15 +84,15 @@ def _find_files(sources: Sequence[str | os.PathLike[str]], out: Path) -> dict[st
     """The files by where they are, with their place below the folder they were found in."""
     suffixes = {row.suffix for row in formats() if row.reader}
     found: dict[str, PurePosixPath] = {}
-    seen: set[Path] = set()
+    seen: set[str] = set()
     for source in sources:
         text = os.fspath(source)
         if text.startswith(SAMPLE):
             found[text] = PurePosixPath(text.removeprefix(SAMPLE) + ".json")
             continue
         for path, place in _files(Path(text), out, suffixes):
-            if path.resolve() not in seen:
-                seen.add(path.resolve())
+            if os.path.realpath(path) not in seen:
+                seen.add(os.path.realpath(path))
                 found[str(path)] = place
     return found
 
@@ -101,11 +102,13 @@ def _files(path: Path, out: Path, suffixes: set[str]) -> Iterator[tuple[Path, Pu
     if not path.is_dir():
         yield path, PurePosixPath(path.name)
         return
-    if path.resolve() == out.resolve():
+    if os.path.realpath(path) == os.path.realpath(out):
         raise InputError("is where the results go", "give another -o", file=str(path))
     for top, folders, names in os.walk(path):
         folders[:] = sorted(
-            f for f in folders if not f.startswith(".") and Path(top, f).resolve() != out.resolve()
+            f
+            for f in folders
+            if not f.startswith(".") and os.path.realpath(Path(top, f)) != os.path.realpath(out)
         )
         for name in sorted(names):
             file = Path(top, name)

@@ -21,6 +21,7 @@ from scenewright.batch.table import COMPLETE, LEFT_OUT, NOT_VALID, ResultRow, ma
 from scenewright.core.atomic_file import recorded_run
 from scenewright.core.errors import InputError
 from scenewright.core.garbage import collect_rarely
+from scenewright.core.plugins import REMEDY, blame_plugin
 
 PATIENCE = 0.5
 """Seconds between looks at whether the parent is still there."""
@@ -80,6 +81,8 @@ def _row(order: dict[str, Any], options: BatchOptions, memory: float, parts: Pat
         text = str(error.located(file=source))
     except Exception as error:
         text = f"internal error, please report: {type(error).__name__}: {error}"
+        if plugin := blame_plugin(error.__traceback__):
+            text = f"a plug-in failed: {plugin}: {type(error).__name__}: {error}; {REMEDY}"
         if _is_out_of_memory(error):
             text = f"takes more than {memory:g} GiB of memory; allow more with --memory"
         text = f"{source}: {text}"

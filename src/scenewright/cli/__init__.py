@@ -39,6 +39,9 @@ def _collect_rarely() -> None:
 
 def run(arguments: list[str] | None = None) -> int:
     """Run the command line and return its exit code."""
-    from scenewright.cli import commands
+    from scenewright.cli.plugin_warnings import name_plugins
 
-    return commands.run(arguments)
+    with name_plugins():
+        from scenewright.cli import commands
+
+        return commands.run(arguments)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterable
+from math import isfinite
 from typing import Any
 
 from scenewright.core.errors import InputError
@@ -54,3 +55,16 @@ def _split_option(word: str) -> tuple[str, bool]:
         name, equals, _ = word.partition("=")
         return name, bool(equals)
     return word[:2], len(word) > 2
+
+
+def check_budget(seconds: float | None, counts: dict[str, int | None]) -> None:
+    """InputError unless at most one limit of the search is given, and it is positive."""
+    given = [f"--{name}" for name, count in counts.items() if count is not None]
+    given = ["--seconds"] * (seconds is not None) + given
+    if len(given) > 1:
+        raise InputError(f"{given[0]} and {given[1]} exclude each other", "give one of them")
+    if seconds is not None and not (isfinite(seconds) and seconds > 0):
+        raise InputError(f"--seconds {seconds:g} is not possible", "give a positive number")
+    for name, count in counts.items():
+        if count is not None and count <= 0:
+            raise InputError(f"--{name} {count} is not possible", "give a positive whole number")

@@ -103,6 +103,7 @@ def run(
             scale=request.scale,
             hidden_levels=request.hidden_levels,
             style=request.style,
+            layouts=request.layouts,
             memory=MEMORY if terms.memory is None else terms.memory,
             limit=TIME if terms.limit is None else terms.limit,
             progress=watch.on_row,

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import os
 import sys
-from math import isfinite
 from pathlib import Path
 from typing import Annotated, Any, cast
 
@@ -25,7 +24,7 @@ from scenewright.cli import fold as cli_fold
 from scenewright.cli import learn as cli_learn
 from scenewright.cli import plan as cli_plan
 from scenewright.cli import show, tables, terminal
-from scenewright.cli.arguments import check_repeated, check_words
+from scenewright.cli.arguments import check_budget, check_repeated, check_words
 from scenewright.cli.faults import describe_usage_fault, drop_output, is_output_full, write_fault
 from scenewright.cli.reading import (
     CatalogOption,
@@ -39,6 +38,7 @@ from scenewright.cli.show_input import input_document, print_input, print_warnin
 from scenewright.cli.termination import Terminated, orderly_termination
 from scenewright.core.atomic_file import recorded_run
 from scenewright.core.errors import CancelledError, InputError
+from scenewright.core.plugins import REMEDY, blame_plugin
 
 app = typer.Typer(
     name="scenewright",
@@ -101,6 +101,8 @@ def run(arguments: list[str] | None = None) -> int:
         if os.environ.get("SCENEWRIGHT_DEBUG"):
             raise
         cause = f"{type(error).__name__}: {error}"
+        if plugin := blame_plugin(error.__traceback__):
+            return write_fault(f"a plug-in failed: {plugin}: {cause}; {REMEDY}")
         return write_fault(
             f"internal error, please report: {cause} (SCENEWRIGHT_DEBUG=1 shows where)", 3
         )
@@ -133,7 +135,12 @@ def arrange(
     preset: Annotated[str, typer.Option(help="Named set of weights and parameters.")] = "default",
     solver: Annotated[str | None, typer.Option(help="Solver by name.")] = None,
     seconds: Annotated[float | None, typer.Option(help="Search budget in seconds.")] = None,
-    steps: Annotated[int | None, typer.Option(help="Search budget in steps, instead.")] = None,
+    steps: Annotated[
+        int | None, typer.Option(help="Search budget in steps (homes, halls, sites).")
+    ] = None,
+    layouts: Annotated[
+        int | None, typer.Option(help="Search budget in layouts (villages, extensions).")
+    ] = None,
     seed: Annotated[int, typer.Option(min=0, help="Same seed, same result.")] = 0,
     keep: KeepOption = False,
     accessible: Annotated[bool, typer.Option(help="Furnish for wheelchair users.")] = False,
@@ -156,7 +163,7 @@ def arrange(
     """Lay out a home, hall, site, village or extension: read INPUT, solve it, write each OUT."""
     from scenewright.workflow.request import ArrangeRequest
 
-    _check_budget(seconds, steps)
+    check_budget(seconds, {"steps": steps, "layouts": layouts})
     request = ArrangeRequest(
         sources[0],
         tuple(outputs or ()),
@@ -173,6 +180,7 @@ def arrange(
         scale,
         hidden_levels,
         style,
+        layouts,
     )
     terms = cli_batch.BatchTerms(formats, jobs, memory, limit)
     if many:
@@ -374,12 +382,3 @@ def schema(
 
     tables.print_json(cli_lists.schema(what))
     return 0
-
-
-def _check_budget(seconds: float | None, steps: int | None) -> None:
-    if seconds is not None and steps is not None:
-        raise InputError("--seconds and --steps exclude each other", "give one of them")
-    if seconds is not None and not (isfinite(seconds) and seconds > 0):
-        raise InputError(f"--seconds {seconds:g} is not possible", "give a positive number")
-    if steps is not None and steps <= 0:
-        raise InputError(f"--steps {steps} is not possible", "give a positive whole number")

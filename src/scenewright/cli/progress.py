@@ -4,6 +4,7 @@ best so far."""
 from __future__ import annotations
 
 import signal
+import time
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 from threading import Timer
@@ -19,6 +20,8 @@ if TYPE_CHECKING:
 
 PATIENCE = 1.0
 """Seconds before a bar appears."""
+SPEAKING = 15.0
+"""Seconds between lines of progress where there is no terminal, but a log."""
 
 
 class SolverWatch(NamedTuple):
@@ -42,12 +45,18 @@ def watching(
 
 @contextmanager
 def show_progress(console: Console, quiet: bool = False) -> Iterator[Callable[[float, str], None]]:
-    """A bar on ``console`` if the work takes over a second; Ctrl-C interrupts the work at once."""
+    """A bar on ``console`` if the work takes over a second, or a line now and then where it is no
+    terminal; Ctrl-C interrupts the work at once."""
     with _bar(console, quiet) as bar:
         task = bar.add_task("starting", total=1.0)
+        said = [time.monotonic()]
 
         def progress(fraction: float, message: str = "") -> None:
             text = printable(message)[:40]
+            if not console.is_terminal and time.monotonic() - said[0] > SPEAKING:
+                said[0] = time.monotonic()
+                line = f"{100 * min(max(fraction, 0.0), 1.0):.0f} % done: {text}"
+                console.print(line, style="dim", markup=False, highlight=False)
             bar.update(task, completed=min(max(fraction, 0.0), 1.0), description=text)
 
         def describe(message: str) -> None:

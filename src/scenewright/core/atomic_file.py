@@ -90,7 +90,7 @@ def check_distinct(paths: Sequence[Name]) -> None:
     """Raise InputError unless no two of the files a run writes are the same, by whatever name."""
     seen: set[Path | Identity] = set()
     for path in paths:
-        same: set[Path | Identity] = {Path(path).resolve()}
+        same: set[Path | Identity] = {Path(os.path.realpath(path))}
         if (identity := identity_of(path)) is not None:
             same.add(identity)
         if same & seen:

@@ -6,12 +6,12 @@ one without knowing any.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from functools import cache
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
 from scenewright.core.errors import InputError
+from scenewright.core.plugins import load_plugins
 
 if TYPE_CHECKING:
     from importlib.metadata import EntryPoint
@@ -48,11 +48,24 @@ def domain_names() -> tuple[str, ...]:
     >>> domain_names()[:3]
     ('home', 'hall', 'site')
     """
-    return (*SHIPPED, *sorted(_entry_points().keys() - set(SHIPPED)))
+    return (*SHIPPED, *sorted(_added_domains().keys() - set(SHIPPED)))
 
 
-def _entry_points() -> dict[str, EntryPoint]:
-    return {entry.name: entry for entry in _entries(GROUP)}
+@cache
+def _added_domains() -> dict[str, Any]:
+    """The domains of other packages by name; those that cannot be used are left out."""
+    return dict(load_plugins(GROUP, _check_domain))
+
+
+def _check_domain(entry: EntryPoint, domain: Any) -> Any:
+    """A domain that has what it is asked for: its own name, verbs and tables by name."""
+    whole = all(hasattr(domain, key) for key in ("name", "package", "verbs", "tables", "formats"))
+    if not whole or domain.name != entry.name:
+        raise TypeError(f"is no domain called '{entry.name}'")
+    missing = [verb for verb in ("plan", "solve", "check", "scene", "draw") if not domain.has(verb)]
+    if missing:
+        raise TypeError(f"is a domain without the verb '{missing[0]}'")
+    return domain
 
 
 @cache
@@ -66,11 +79,10 @@ def domain_of(name: str) -> Any:
     """
     if name in SHIPPED:
         return import_module(f"{GROUP}.{name}").DOMAIN
-    entry = _entry_points().get(name)
-    if entry is None:
+    if name not in _added_domains():
         known = ", ".join(domain_names())
         raise InputError(f"unknown domain '{name[:40]}'", f"use one of: {known}")
-    return entry.load()
+    return _added_domains()[name]
 
 
 @cache
@@ -86,32 +98,15 @@ def part_keys(name: str) -> tuple[str, ...]:
 
 def load_added(group: str, domain: str, kind: type[Row]) -> tuple[Row, ...]:
     """Rows that other packages add to a table of a domain, by name: entry points of ``group``
-    called ``domain.name``, each a value of ``kind``.
-
-    Raises :class:`InputError` that names the package's entry if it cannot be loaded or is none.
+    called ``domain.name``, each a value of ``kind``; what is none is left out with a warning.
 
     >>> load_added("scenewright.terms", "home", tuple)
     ()
     """
-    found = [entry for entry in _entries(group) if entry.name.startswith(f"{domain}.")]
-    return tuple(_load_row(entry, kind) for entry in sorted(found, key=lambda entry: entry.name))
 
+    def check(_: EntryPoint, row: Any) -> Row:
+        if not isinstance(row, kind):
+            raise TypeError(f"is no {kind.__name__}")
+        return row
 
-def _entries(group: str) -> Iterable[EntryPoint]:
-    """The entry points of a group; what finds them takes a tenth of the time of ``--help``."""
-    from importlib.metadata import entry_points
-
-    return entry_points(group=group)
-
-
-def _load_row(entry: EntryPoint, kind: type[Row]) -> Row:
-    """The row of an entry point."""
-    place = f"the entry point '{entry.name}' of {entry.group}, {entry.value},"
-    try:
-        row = entry.load()
-    except (ImportError, AttributeError) as error:
-        remedy = "mend or uninstall the package that adds it"
-        raise InputError(f"{place} cannot be loaded: {error}", remedy) from error
-    if not isinstance(row, kind):
-        raise InputError(f"{place} is no {kind.__name__}", "let it name one")
-    return row
+    return tuple(row for _, row in load_plugins(group, check, f"{domain}."))

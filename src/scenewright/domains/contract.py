@@ -151,7 +151,9 @@ class Domain(NamedTuple):
     ``samples``; ``formats`` files only it reads or writes. ``documents`` read a parsed JSON
     document of another program: its ``type`` -> ``"module:name"``. ``maps`` is the module that
     reads GeoJSON as such a brief: ``recognises(collection)`` and ``brief_of(collection, name)``;
-    ``names_itself(collection)``, if there, tells whether tags say so plainly.
+    ``names_itself(collection)``, if there, tells whether tags say so plainly. ``budget`` is what
+    its solvers count: ``steps`` of a search or whole ``layouts`` of a space; ``a_day`` how many of
+    them of one space take about a day.
     """
 
     name: str
@@ -170,6 +172,8 @@ class Domain(NamedTuple):
     formats: tuple[Format, ...] = ()
     documents: Mapping[str, str] = {}
     maps: str = ""
+    budget: Literal["steps", "layouts"] = "steps"
+    a_day: int = 1_000_000_000
 
     def part_model(self) -> Any:
         """The model of the keys only its briefs have; ``None`` if there are none."""

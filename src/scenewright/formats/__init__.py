@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, Any
 
 from scenewright.core.atomic_file import check_targets
 from scenewright.core.errors import InputError
+from scenewright.core.registry import Format
 from scenewright.formats.foreign import name_foreign
 from scenewright.formats.opening import SAMPLE, Opened, open_source, samples
 from scenewright.formats.table import (
@@ -192,10 +193,20 @@ def _parse(opened: Opened, keep: bool, hidden_levels: bool, scale: float) -> Bri
     known = signature(reading).parameters
     wishes = {"scale": scale, "hidden_levels": hidden_levels}
     try:
-        brief: Brief = reading(path, keep=keep, **{k: v for k, v in wishes.items() if k in known})
+        found: Any = reading(path, keep=keep, **{k: v for k, v in wishes.items() if k in known})
     except OSError as error:
         fault = f"cannot be read: {error.strerror or error}"
         raise InputError(fault, "check file permissions") from None
     except InputError as error:
         raise name_foreign(path, error) from None
+    brief = _check_brief(found, row)
     return report_scale(brief, scale) if "scale" in known else scale_brief(brief, scale)
+
+
+def _check_brief(found: Any, row: Format) -> Brief:
+    """What a format has read, if it is a brief."""
+    from scenewright.core.brief import Brief
+
+    if not isinstance(found, Brief):
+        raise InputError(f"the format's module {row.reader} reads no brief", "use another format")
+    return found

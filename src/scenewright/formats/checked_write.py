@@ -21,6 +21,10 @@ def write_checked(solution: Solution, partial: Path, path: Path, plan: Plan | No
         formats.write(solution, partial, plan)
     except InputError as error:
         raise InputError(error.fault, error.remedy, file=str(path)) from None
+    if partial.stat().st_size == 0:
+        module = formats.writer(partial).__module__
+        fault = f"the format's module {module} has written nothing"
+        raise InputError(fault, "use another format", file=str(path))
     if formats.writer(partial) is solution_json.write:
         _check_readable(solution, partial, path, plan)
 

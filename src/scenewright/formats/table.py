@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
+from functools import cache
 from importlib import import_module
 from pathlib import Path
 from types import ModuleType
@@ -11,9 +12,12 @@ from typing import TYPE_CHECKING, Any
 
 from scenewright.core.errors import InputError
 from scenewright.core.extras import install_line
+from scenewright.core.plugins import load_plugins
 from scenewright.core.registry import Format, domain_names, domain_of
 
 if TYPE_CHECKING:
+    from importlib.metadata import EntryPoint
+
     from scenewright.domains.contract import Domain
 
 SWEET_HOME = (".sh3d", ".xml")
@@ -67,28 +71,24 @@ def suffix_of(path: str | os.PathLike[str]) -> str:
 
 def formats() -> tuple[Format, ...]:
     """All formats: the rows above, those of the domains, and those other packages add."""
-    from importlib.metadata import entry_points
-
     own = tuple(row for kind in domains() for row in kind.formats)
-    return (
-        FORMATS
-        + own
-        + tuple(
-            _read_row(entry.name, entry.value)
-            for entry in entry_points(group="scenewright.formats")
-        )
-    )
+    return FORMATS + own + _added_formats()
 
 
-def _read_row(suffix: str, module: str) -> Format:
-    """The row of a module of another package, which may only read or only write. One that cannot
-    be imported is said to do both, so that its fault is reported when it is used."""
-    try:
-        found: ModuleType | None = import_module(module)
-    except ImportError:
-        found = None
-    reads, writes = (found is None or hasattr(found, name) for name in ("read", "write"))
-    return Format(suffix, module, module * reads, module * writes)
+@cache
+def _added_formats() -> tuple[Format, ...]:
+    """The formats of other packages; those that cannot be used are left out."""
+    return tuple(row for _, row in load_plugins("scenewright.formats", _check_format))
+
+
+def _check_format(entry: EntryPoint, module: Any) -> Format:
+    """The row of a module of another package, which may only read or only write."""
+    reads, writes = (callable(getattr(module, name, None)) for name in ("read", "write"))
+    if not entry.name.startswith(".") or entry.name == ".":
+        raise TypeError("is called by no suffix, such as '.dxf'")
+    if not (isinstance(module, ModuleType) and (reads or writes)):
+        raise TypeError("is no module with a function 'read' or 'write'")
+    return Format(entry.name, entry.value, entry.value * reads, entry.value * writes)
 
 
 def domains() -> tuple[Domain, ...]:

@@ -55,7 +55,7 @@ def arrange_alternatives(
                 preset=request.preset,
                 solver=request.solver,
                 seconds=request.seconds,
-                steps=request.steps,
+                steps=request.work,
                 seed=request.seed,
                 progress=tell,
                 cancel=cancelled,

@@ -54,7 +54,7 @@ def arrange_file(
                 preset=request.preset,
                 solver=request.solver,
                 seconds=request.seconds,
-                steps=request.steps,
+                steps=request.work,
                 seed=request.seed,
                 threads=threads,
                 progress=tell,
@@ -95,6 +95,7 @@ def arrange(
     scale: float = 1.0,
     hidden_levels: bool = False,
     style: str = "",
+    layouts: int | None = None,
 ) -> Arranged:
     """Read a brief, solve it, judge the solution and write it to all ``outputs`` or none.
 
@@ -121,6 +122,7 @@ def arrange(
         scale=scale,
         hidden_levels=hidden_levels,
         style=style,
+        layouts=layouts,
     )
 
     def pass_on(event: Event) -> None:

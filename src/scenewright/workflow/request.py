@@ -39,6 +39,12 @@ class ArrangeRequest(NamedTuple):
     scale: float = 1.0
     hidden_levels: bool = False
     style: str = ""
+    layouts: int | None = None
+
+    @property
+    def work(self) -> int | None:
+        """Steps of the search or whole layouts, whichever the scene is made by."""
+        return self.steps if self.layouts is None else self.layouts
 
 
 def plan_request(request: ArrangeRequest) -> Planned:
@@ -61,6 +67,7 @@ def plan_request(request: ArrangeRequest) -> Planned:
     presets, solvers = domain.table("presets"), domain.table("solvers")
     check_name("preset", request.preset, presets)
     check_name("solver", request.solver, (*solvers, None))
+    check_work(request, brief, plan, domain)
     return Planned(brief, plan, domain)
 
 
@@ -71,6 +78,21 @@ def open_request(request: ArrangeRequest) -> Generator[Event, None, Planned]:
     yield from note_ineffective(request, planned.brief)
     yield from note_scale(request.source, *planned, request.scale)
     return planned
+
+
+def check_work(request: ArrangeRequest, brief: Brief, plan: Plan, domain: Domain) -> None:
+    """Raise :class:`InputError` for ``--steps`` where whole layouts are made, ``--layouts`` where
+    steps are, and for more of them than a day allows."""
+    given = {"steps": request.steps, "layouts": request.layouts}
+    other = "layouts" if domain.budget == "steps" else "steps"
+    if given[other] is not None:
+        made = {"steps": "searched step by step", "layouts": "made as whole layouts"}
+        fault = f"--{other} is not for scenes of the domain '{brief.domain}'"
+        raise InputError(f"{fault}, which are {made[domain.budget]}", f"give --{domain.budget}")
+    most = max(domain.a_day // max(len(plan.spaces), 1), 1)
+    if (request.work or 0) > most:
+        fault = f"--{domain.budget} {request.work} takes more than a day here"
+        raise InputError(fault, f"give at most {most}")
 
 
 def make_accessible(brief: Brief, domain: Domain, source: str) -> Brief:

@@ -21,10 +21,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from importlib import import_module
-from importlib.metadata import entry_points
+from typing import TYPE_CHECKING, Any
 
-from scenewright.core.errors import InputError
 from scenewright.core.kind import HallUse, Kind, Service, SizeRange, free
+from scenewright.core.plugins import load_plugins
+
+if TYPE_CHECKING:
+    from importlib.metadata import EntryPoint
 
 GROUP = "scenewright.kinds"
 """The entry points by which other packages add rows."""
@@ -55,20 +58,33 @@ def _rows() -> Iterator[tuple[str, Kind]]:
     """Where each row is from, and the row."""
     for theme in _THEMES:
         yield from ((theme, kind) for kind in import_module(f"{__name__}.{theme}").KINDS)
-    for entry in sorted(entry_points(group=GROUP), key=lambda entry: entry.name):
-        yield from ((entry.name, kind) for kind in entry.load())
 
 
 def _by_category() -> dict[str, Kind]:
-    found: dict[str, Kind] = {}
-    for origin, kind in _rows():
-        if kind.category in found:
-            raise InputError(
-                f"there are two kinds '{kind.category}', one of them of '{origin}'",
-                f"rename it, or remove the package that adds {GROUP} '{origin}'",
-            )
-        found[kind.category] = kind
+    """All kinds; a package whose rows are no kinds, or kinds there are already, is left out."""
+    found = {kind.category: kind for _, kind in _rows()}
+
+    def check(_: EntryPoint, rows: Any) -> dict[str, Kind]:
+        own = {kind.category: kind for kind in map(_check_kind, rows)}
+        twice = sorted(own.keys() & found.keys())
+        if twice or len(own) < len(rows):
+            raise TypeError(f"adds a kind that there is already: '{(twice or list(own))[0]}'")
+        found.update(own)
+        return own
+
+    for _ in load_plugins(GROUP, check):
+        pass
     return found
+
+
+def _check_kind(row: Any) -> Kind:
+    """A row that is a kind, of the types it states."""
+    if not isinstance(row, Kind):
+        raise TypeError(f"adds {str(row)[:40]}, which is no Kind")
+    for name in ("access", "services", "words"):
+        if not isinstance(getattr(row, name), tuple):
+            raise TypeError(f"adds the kind '{row.category}', whose {name} are no tuple")
+    return row
 
 
 KINDS: dict[str, Kind] = _by_category()

@@ -7,6 +7,7 @@ A name must lead to a plain file in the model's own folder or below; names that 
 from __future__ import annotations
 
 import json
+import os
 import re
 from collections.abc import Callable
 from pathlib import Path, PurePosixPath
@@ -49,12 +50,12 @@ def within(name: str) -> str:
 
 def beside(folder: Path) -> Beside:
     """Reads files of a folder and those below it."""
-    top = folder.resolve()
+    top = Path(os.path.realpath(folder))
 
     def read(name: str, limit: int) -> bytes | None:
         path = top / within(name)
         try:
-            if not path.resolve().is_relative_to(top):
+            if not Path(os.path.realpath(path)).is_relative_to(top):
                 raise InputError("is a link out of the model's folder", "put the file there")
             return whole(path, limit) if path.is_file() else None
         except InputError as error:

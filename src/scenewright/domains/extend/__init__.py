@@ -17,6 +17,8 @@ DOMAIN = Domain(
     defaults={"name": "extension"},
     noun="area",
     largest_piece=BUILDING,
+    budget="layouts",
+    a_day=50_000,
     verbs={
         "plan": ".plan:plan_extend",
         "solve": ".solving:solve",

@@ -16,6 +16,8 @@ DOMAIN = Domain(
     defaults={"name": "village"},
     noun="block",
     largest_piece=BUILDING,
+    budget="layouts",
+    a_day=150_000,
     verbs={
         "plan": ".plan:plan_village",
         "solve": ".solving:solve",

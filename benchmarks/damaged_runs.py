@@ -1,0 +1,149 @@
+"""Uses damaged files one after another in a fork of this process, watched from outside.
+
+Of each file it is told whether it was accepted or refused or led to an internal error, the seconds
+of the processor and the most memory beyond what the process held before. A fork that is stuck, or
+takes too much of the processor, is ended; the rest goes on in another.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import resource
+import select
+import shutil
+import signal
+import time
+from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
+from typing import Any, NamedTuple
+
+MEBIBYTE = 2**20
+GUARD = 3072 * MEBIBYTE
+"""Bytes of address space that a run may take beyond what the process held before."""
+LONGEST = 120.0
+"""Seconds of the processor after which a run counts as endless."""
+STUCK = 20.0
+"""Seconds without work of the processor after which a run counts as stuck."""
+LOOK = 0.5
+
+Use = Callable[[Path, Path], int]
+
+
+class DamagedRun(NamedTuple):
+    """What a file led to: ``accepted``, ``refused``, ``error`` or ``hang``, and why."""
+
+    outcome: str
+    seconds: float
+    memory: float
+    said: str
+
+
+def run_all(paths: Sequence[Path], use: Use, spare: Path) -> Iterator[tuple[Path, DamagedRun]]:
+    """Every file with what it led to, in order. The first is a sound one: it warms each fork."""
+    sound, left = paths[0], list(paths)
+    while left:
+        reader, writer = os.pipe()
+        child = os.fork()
+        if child == 0:
+            try:
+                os.close(reader)
+                _work(left, use, spare, writer, sound)
+            finally:
+                os._exit(1)  # nothing of the parent's is cleaned up here
+        os.close(writer)
+        with os.fdopen(reader, "rb") as answers:
+            for run in _hear(child, answers):
+                yield left.pop(0), run
+        os.waitpid(child, 0)
+
+
+def _work(paths: Sequence[Path], use: Use, spare: Path, writer: int, sound: Path) -> None:
+    """Use the files and write a line for each; never returns."""
+    again = sound if sound not in paths else None
+    held = int(Path("/proc/self/statm").read_text().split()[0]) * resource.getpagesize()
+    resource.setrlimit(resource.RLIMIT_AS, (held + GUARD, held + GUARD))
+    if again is not None:
+        (spare / f"warm-{os.getpid()}").mkdir()
+        measure_run(again, use, spare / f"warm-{os.getpid()}")
+    for number, path in enumerate(paths):
+        folder = spare / f"run-{os.getpid()}-{number}"
+        folder.mkdir()
+        run = measure_run(path, use, folder)
+        shutil.rmtree(folder, ignore_errors=True)
+        os.write(writer, json.dumps(run).encode() + b"\n")
+    os._exit(0)
+
+
+def measure_run(path: Path, use: Use, folder: Path) -> DamagedRun:
+    """Use a file in this process."""
+    from scenewright.core.errors import CancelledError, InputError
+
+    Path("/proc/self/clear_refs").write_text("5")
+    before, begun = _memory("VmRSS"), time.process_time()
+    outcome, said = "accepted", ""
+    try:
+        if use(path, folder) == 2:
+            outcome = "refused"
+    except (InputError, CancelledError) as error:
+        outcome, said = "refused", str(error)[:300]
+        if "\n" in str(error):
+            outcome = "error"
+    except BaseException as error:  # whatever ends a run that way is what is looked for
+        outcome, said = "error", f"{type(error).__name__}: {error}"[:300]
+    took = time.process_time() - begun
+    return DamagedRun(outcome, took, max(_memory("VmHWM") - before, 0.0), said)
+
+
+def _memory(name: str) -> float:
+    """Mebibytes of memory as the system states them of this process."""
+    lines = Path("/proc/self/status").read_text().splitlines()
+    return next(int(line.split()[1]) for line in lines if line.startswith(name)) / 1024
+
+
+def _hear(child: int, answers: Any) -> Iterator[DamagedRun]:
+    """What a fork says, until it is done, dies or has to be ended."""
+    begun = seen = _work_of(child)
+    idle, text = time.monotonic(), b""
+    while True:
+        if select.select([answers], [], [], LOOK)[0]:
+            more = os.read(answers.fileno(), 65536)
+            if not more:
+                yield from _report_death(child)
+                return
+            *lines, text = (text + more).split(b"\n")
+            yield from (DamagedRun(*json.loads(line)) for line in lines)
+            begun = seen = _work_of(child)
+            idle = time.monotonic()
+            continue
+        now = _work_of(child)
+        if now - seen > 0.05 or not _is_asleep(child):
+            seen, idle = now, time.monotonic()
+        stuck = time.monotonic() - idle > STUCK
+        if now - begun > LONGEST or stuck:
+            os.kill(child, signal.SIGKILL)
+            yield DamagedRun("hang", now - begun, 0.0, "stuck" if stuck else "endless")
+            return
+
+
+def _report_death(child: int) -> Iterator[DamagedRun]:
+    """A fork that ended before it had said all leaves one file to blame."""
+    status = os.waitid(os.P_PID, child, os.WEXITED | os.WNOWAIT)
+    if status is not None and status.si_status != 0:
+        yield DamagedRun("error", 0.0, 0.0, f"ended by {status.si_status}")
+
+
+def _work_of(child: int) -> float:
+    """Seconds of the processor a process has taken."""
+    try:
+        told = Path(f"/proc/{child}/stat").read_text().rpartition(")")[2].split()
+    except OSError:
+        return 0.0
+    return (int(told[11]) + int(told[12])) / os.sysconf("SC_CLK_TCK")
+
+
+def _is_asleep(child: int) -> bool:
+    try:
+        return Path(f"/proc/{child}/stat").read_text().rpartition(")")[2].split()[0] in "SD"
+    except OSError:
+        return False
