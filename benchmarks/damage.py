@@ -216,7 +216,10 @@ def _damage_array(value: Any, draw: Draw) -> Any:
         lambda: draw.random(),
     )  # fmt: skip
     with np.errstate(all="ignore"):
-        return draw.choice(kinds)()
+        try:
+            return draw.choice(kinds)()
+        except (ValueError, TypeError):  # what was damaged before may be no numbers
+            return None
 
 
 def _vast_shape(data: bytes, draw: Draw) -> bytes:
