@@ -31,7 +31,9 @@ from scenewright.cli.reading import (
     GroupsOption,
     HiddenOption,
     KeepOption,
+    LayoutsOption,
     ScaleOption,
+    StepsOption,
     StyleOption,
 )
 from scenewright.cli.show_input import input_document, print_input, print_warnings
@@ -135,12 +137,8 @@ def arrange(
     preset: Annotated[str, typer.Option(help="Named set of weights and parameters.")] = "default",
     solver: Annotated[str | None, typer.Option(help="Solver by name.")] = None,
     seconds: Annotated[float | None, typer.Option(help="Search budget in seconds.")] = None,
-    steps: Annotated[
-        int | None, typer.Option(help="Search budget in steps (homes, halls, sites).")
-    ] = None,
-    layouts: Annotated[
-        int | None, typer.Option(help="Search budget in layouts (villages, extensions).")
-    ] = None,
+    steps: StepsOption = None,
+    layouts: LayoutsOption = None,
     seed: Annotated[int, typer.Option(min=0, help="Same seed, same result.")] = 0,
     keep: KeepOption = False,
     accessible: Annotated[bool, typer.Option(help="Furnish for wheelchair users.")] = False,

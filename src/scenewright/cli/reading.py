@@ -22,6 +22,12 @@ ScaleOption = Annotated[
 HiddenOption = Annotated[
     bool, typer.Option("--hidden-levels", help="Include the hidden levels of a .sh3d.")
 ]
+StepsOption = Annotated[
+    int | None, typer.Option(help="Search budget in steps (homes, halls, sites).")
+]
+LayoutsOption = Annotated[
+    int | None, typer.Option(help="Search budget in layouts (villages, extensions).")
+]
 CatalogOption = Annotated[
     list[str] | None,
     typer.Option("--catalog", metavar="PATH", help="Models of your own; may be repeated."),
