@@ -27,6 +27,7 @@ from scenewright.cli import show, tables, terminal
 from scenewright.cli.arguments import check_budget, check_repeated, check_words
 from scenewright.cli.faults import describe_usage_fault, drop_output, is_output_full, write_fault
 from scenewright.cli.reading import (
+    AlternativesOption,
     CatalogOption,
     GroupsOption,
     HiddenOption,
@@ -147,9 +148,7 @@ def arrange(
     catalogs: CatalogOption = None,
     groups: GroupsOption = None,
     style: StyleOption = "",
-    alternatives: Annotated[
-        int, typer.Option(min=1, max=50, help="Number of distinct plans, ranked: OUT-1, OUT-2 …")
-    ] = 1,
+    alternatives: AlternativesOption = 1,
     many: cli_batch.BatchOption = False,
     formats: cli_batch.FormatOption = None,
     jobs: cli_batch.JobsOption = None,

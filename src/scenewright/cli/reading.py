@@ -22,6 +22,9 @@ ScaleOption = Annotated[
 HiddenOption = Annotated[
     bool, typer.Option("--hidden-levels", help="Include the hidden levels of a .sh3d.")
 ]
+AlternativesOption = Annotated[
+    int, typer.Option(min=1, max=50, help="Number of distinct plans, ranked: OUT-1, OUT-2 …")
+]
 StepsOption = Annotated[
     int | None, typer.Option(help="Search budget in steps (homes, halls, sites).")
 ]
