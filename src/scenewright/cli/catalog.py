@@ -110,7 +110,7 @@ def show_(
     """Show what each model of a catalogue is taken for, as a table or a sheet of pictures."""
     from scenewright.catalog.loading import read_entry
     from scenewright.catalog.models.listing import rows
-    from scenewright.cli.show_input import input_document, print_input
+    from scenewright.cli.show_input import print_input, report_document
     from scenewright.core.brief.catalog import entry_of
 
     found = read_entry(entry_of(catalogue))
@@ -127,7 +127,7 @@ def show_(
         tables.print_json(
             {"models": rows(models), "skipped": [s._asdict() for s in found.skipped]}
             | _counts(found)
-            | input_document(found.report)
+            | report_document(found.report)
         )
         return 0
     if output is None:

@@ -41,7 +41,7 @@ def plan(
     complete = brief.input_report is None or brief.input_report.complete
     if as_json:
         document = {"source": source, "rooms": len(made.spaces)}
-        tables.print_json(document | input_document(brief.input_report))
+        tables.print_json(document | input_document(brief))
     elif not quiet:
         console = terminal.console(stderr=True)
         print_input(console, brief.input_report)

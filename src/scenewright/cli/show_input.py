@@ -35,7 +35,11 @@ def input_document(brief: Brief) -> dict[str, Any]:
     """The report of a brief's file under its key, as plain values."""
     from scenewright.core.brief.own_report import input_report_of
 
-    report = input_report_of(brief)
+    return report_document(input_report_of(brief))
+
+
+def report_document(report: InputReport) -> dict[str, Any]:
+    """A report under its key, as plain values."""
     return {"input_report": report.model_dump(mode="json") | {"complete": report.complete}}
 
 

@@ -161,7 +161,7 @@ def _draw(view: WallView, catalog: Catalog, paper: PaperView) -> Mark:
     style: dict[str, str | float] = {"fill": GREY, "stroke": "none"}
     x, y = foot.mean(0).tolist()
     words = [
-        text(f"{view.length:.2f}", (x, y + 6.6), 1.8, **style),
+        text(f"{view.length:.2f}", (x, y + 6.6), 1.8, 0.0, **style),
         text(f"{view.name} · height {view.height:.2f}", (x, y + 10.0), 2.3, fill=INK),
     ]
     return group([wall, *openings, *drawn, chain, *words])

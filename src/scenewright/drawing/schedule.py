@@ -83,5 +83,7 @@ def _row(words: Row, left: float, y: float, weight: str) -> Mark:
             "fill": INK,
             "stroke": "none",
         }
-        marks.append(text(clean(word, 42), (left + x + (14.0 if right else 0.0), y), SIZE, **style))
+        marks.append(
+            text(clean(word, 42), (left + x + (14.0 if right else 0.0), y), SIZE, 0.0, **style)
+        )
     return group(marks)

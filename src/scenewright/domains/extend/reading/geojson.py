@@ -94,8 +94,8 @@ def note_features(
         parts = [f"{feature.id}.{k}" for k in range(1, len(feature.polygons) + 1)]
         kept = [name in built for name in (parts if len(parts) > 1 else [feature.id])]
         if feature.id in names:
-            about = "only the first of its parts was read" if parts[1:] else ""
-            notes.append(Note(feature.id, "changed" if about else "used", about))
+            first = "only the first of its parts was read" if parts[1:] else ""
+            notes.append(Note(feature.id, "changed" if first else "used", first))
         elif stands(feature.tags) or feature.id in bare:
             about = [UNTAGGED] * (feature.id in bare)
             about += [f"{kept.count(False)} of its parts has no usable footprint"] * (not all(kept))
@@ -107,8 +107,8 @@ def note_features(
             notes.append(Note(feature.id, "left out", PARCEL))
         elif "highway" in feature.tags and (feature.lines or feature.polygons):
             read = any(True for _ in roads_of(feature, map_))
-            about = [] if read else ["is no line with a length"]
-            notes.append(Note(feature.id, "used" if read else "left out", "".join(about)))
+            why = "" if read else "is no line with a length"
+            notes.append(Note(feature.id, "used" if read else "left out", why))
     return notes
 
 
