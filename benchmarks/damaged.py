@@ -92,7 +92,9 @@ def _make_odd(path: Path, kind: str) -> None:
 def count_runs(name: str, runs: list[DamagedRun]) -> Iterator[Record]:
     """The records of a format."""
     counts = {kind: sum(run.outcome == kind for run in runs) for kind in OUTCOMES}
-    values = {OUTCOMES[kind]: (count, "files") for kind, count in counts.items()}
+    values: dict[str, tuple[float, str]] = {
+        OUTCOMES[kind]: (count, "files") for kind, count in counts.items()
+    }
     values["most seconds of the processor"] = (max(run.seconds for run in runs), "s")
     values["most memory"] = (max(run.memory for run in runs), "MiB")
     for metric, (value, unit) in values.items():

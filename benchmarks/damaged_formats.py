@@ -151,7 +151,7 @@ def _training(path: Path, _: Path) -> int:
     from scenewright.domains.village.learning.interrupted_run import resume_training
     from scenewright.domains.village.learning.pose_training import start_training
 
-    _, seconds = resume_training(path, "key", start_training(0))
+    _state, seconds = resume_training(path, "key", start_training(0))
     return 0 if seconds else 2
 
 

@@ -16,11 +16,11 @@ from scenewright.building.plan import spaces
 from scenewright.catalog.kinds import KINDS
 from scenewright.core.brief import Brief
 from scenewright.core.space import Space
-from scenewright.formats.sh3d_archive import home_xml
-from scenewright.formats.sh3d_floors import floors
-from scenewright.formats.sh3d_kinds import CATALOG, SEVERAL, kind_of
-from scenewright.formats.sh3d_pieces import fixed_item, flatten_groups
-from scenewright.formats.sh3d_xml import HomeWall, middle_line, parse
+from scenewright.formats.sh3d.archive import home_xml
+from scenewright.formats.sh3d.floors import floors
+from scenewright.formats.sh3d.kinds import CATALOG, SEVERAL, kind_of
+from scenewright.formats.sh3d.pieces import fixed_item, flatten_groups
+from scenewright.formats.sh3d.xml import HomeWall, middle_line, parse
 
 # Two rooms side by side, 4 x 3 m and 3 x 3 m, walls 20 and 10 cm; y grows down the page.
 WALLS = """

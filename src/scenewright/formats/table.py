@@ -45,11 +45,11 @@ FORMATS = (
     Format(
         ".dxf",
         "plan for CAD (read; written in metres)",
-        "scenewright.formats.dxf_plan",
+        "scenewright.formats.dxf.plan",
         "scenewright.formats.dxf",
     ),
-    Format(".mm.dxf", "plan for CAD in millimetres", writer="scenewright.formats.dxf_millimetres"),
-    Format(".3d.dxf", "3D scene for CAD, meshes", writer="scenewright.formats.dxf_3d"),
+    Format(".mm.dxf", "plan for CAD in millimetres", writer="scenewright.formats.dxf.millimetres"),
+    Format(".3d.dxf", "3D scene for CAD, meshes", writer="scenewright.formats.dxf.solids"),
     Format(".pdf", "set of sheets to print", writer="scenewright.formats.pdf"),
     Format(
         ".credits.txt", "authors and licences of the models", writer="scenewright.formats.credits"

@@ -108,7 +108,8 @@ def make_accessible(brief: Brief, domain: Domain, source: str) -> Brief:
 def note_ineffective(request: ArrangeRequest, brief: Brief) -> Iterator[Notice]:
     """Options of a request that change nothing for this file."""
     home = request.source.lower().endswith(SWEET_HOME)
-    if request.keep and not (home and any(room.fixed for room in brief.rooms)):
+    drawn = home or request.source.lower().endswith(".ifc")
+    if request.keep and not (drawn and any(room.fixed for room in brief.rooms)):
         yield Notice("--keep has no effect: the file holds no furniture to keep")
     if request.hidden_levels and not home:
         yield Notice("--hidden-levels has no effect: only Sweet Home 3D homes have hidden levels")

@@ -11,7 +11,7 @@ from scenewright.building.outlines import project, run_lengths, wall_runs
 from scenewright.building.outlines import rings as clean_rings
 from scenewright.core.brief.input_report import Fate
 from scenewright.formats.ifc.rooms import DrawnRoom, Row, floor_of
-from scenewright.formats.sh3d_openings import open_sides
+from scenewright.formats.sh3d.openings import open_sides
 
 REACH = 0.35
 """How far from a room's outline an opening may be beyond half its wall, in metres."""

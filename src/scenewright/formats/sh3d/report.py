@@ -11,8 +11,8 @@ from collections.abc import Iterable, Iterator
 from itertools import repeat
 
 from scenewright.core.brief.input_report import Fate, Outcome
-from scenewright.formats.sh3d_openings import is_door
-from scenewright.formats.sh3d_xml import Home, HomeLevel, HomePiece, HomeRoom, HomeWall, place_of
+from scenewright.formats.sh3d.openings import is_door
+from scenewright.formats.sh3d.xml import Home, HomeLevel, HomePiece, HomeRoom, HomeWall, place_of
 
 Feature = HomeWall | HomeRoom | HomePiece
 Fates = dict[int, Fate]

@@ -10,8 +10,8 @@ from shapely.geometry.base import BaseGeometry
 
 from scenewright.core.errors import InputError
 from scenewright.core.space import Points
-from scenewright.formats.sh3d_gaps import MISSING, PASSAGE, find_gaps
-from scenewright.formats.sh3d_xml import Home, HomeRoom, HomeWall, middle_line
+from scenewright.formats.sh3d.gaps import MISSING, PASSAGE, find_gaps
+from scenewright.formats.sh3d.xml import Home, HomeRoom, HomeWall, middle_line
 
 LEAST_ROOM = 0.6
 """A room that is drawn is one from here on, m²; less is a shaft or a slip of the pen."""

@@ -12,7 +12,7 @@ import numpy as np
 import shapely
 
 from scenewright.core.space import Points
-from scenewright.formats.sh3d_xml import HomePiece, HomeWall, middle_line
+from scenewright.formats.sh3d.xml import HomePiece, HomeWall, middle_line
 
 PASSAGE = 1.5
 """Widest gap that is read as an open passage, metres."""

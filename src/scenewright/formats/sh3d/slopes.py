@@ -10,7 +10,7 @@ import numpy as np
 from scenewright.building.outlines import edges
 from scenewright.core.brief.slope import SlopeBrief
 from scenewright.core.space import Points
-from scenewright.formats.sh3d_xml import HomeWall
+from scenewright.formats.sh3d.xml import HomeWall
 
 LEAST_RISE = 0.05
 """Difference of height of the ends of a wall from which on the ceiling slopes, metres."""

@@ -9,10 +9,10 @@ import numpy as np
 import shapely
 
 from scenewright.building.room_names import functions_from_name, says_nothing, sort_functions
-from scenewright.formats.sh3d_floors import DrawnFloor
-from scenewright.formats.sh3d_kinds import kind_of
-from scenewright.formats.sh3d_pieces import stays
-from scenewright.formats.sh3d_xml import HomePiece
+from scenewright.formats.sh3d.floors import DrawnFloor
+from scenewright.formats.sh3d.kinds import kind_of
+from scenewright.formats.sh3d.pieces import stays
+from scenewright.formats.sh3d.xml import HomePiece
 
 BEDROOM = 7.0
 SIGNS = (

@@ -13,8 +13,8 @@ from shapely.geometry.base import BaseGeometry
 from scenewright.building.outlines import edges, project, rings, run_lengths, wall_runs
 from scenewright.core.brief import Door, Window
 from scenewright.core.space import Points
-from scenewright.formats.sh3d_floors import grow_shape
-from scenewright.formats.sh3d_xml import HomePiece, Sash
+from scenewright.formats.sh3d.floors import grow_shape
+from scenewright.formats.sh3d.xml import HomePiece, Sash
 
 PARALLEL = 0.9
 FARTHEST = 0.3

@@ -7,7 +7,7 @@ from statistics import median
 from typing import Any
 
 from scenewright.core.errors import InputError
-from scenewright.formats.sh3d_xml import Home, HomePiece
+from scenewright.formats.sh3d.xml import Home, HomePiece
 
 UNITS = {"inches": 2.54, "millimetres": 0.1}
 """Centimetres of each."""

@@ -10,8 +10,8 @@ from itertools import pairwise
 import numpy as np
 import shapely
 
-from scenewright.formats.sh3d_kinds import kind_of
-from scenewright.formats.sh3d_xml import HomePiece, HomeWall, middle_line
+from scenewright.formats.sh3d.kinds import kind_of
+from scenewright.formats.sh3d.xml import HomePiece, HomeWall, middle_line
 from scenewright.text import fold_letters
 
 NAMES = re.compile(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from scenewright.catalog.models.furniture import meanings, nearest
 from scenewright.catalog.models.words import match
 from scenewright.core.scene import Size
-from scenewright.formats.sh3d_xml import HomePiece
+from scenewright.formats.sh3d.xml import HomePiece
 
 LANDMARKS = frozenset({"staircase", "fireplace", "column"})
 

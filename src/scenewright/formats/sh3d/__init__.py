@@ -19,12 +19,12 @@ from scenewright.core.brief.input_report import report_input
 from scenewright.core.brief.variations import scale_brief
 from scenewright.core.document_faults import to_input_error
 from scenewright.core.errors import InputError
-from scenewright.formats.sh3d_archive import home_xml
-from scenewright.formats.sh3d_floors import floors
-from scenewright.formats.sh3d_level import read_level
-from scenewright.formats.sh3d_report import list_fates
-from scenewright.formats.sh3d_units import to_centimetres
-from scenewright.formats.sh3d_xml import Home, HomeLevel, middle_line, parse
+from scenewright.formats.sh3d.archive import home_xml
+from scenewright.formats.sh3d.floors import floors
+from scenewright.formats.sh3d.level import read_level
+from scenewright.formats.sh3d.report import list_fates
+from scenewright.formats.sh3d.units import to_centimetres
+from scenewright.formats.sh3d.xml import Home, HomeLevel, middle_line, parse
 
 
 def read(path: Path, keep: bool = False, hidden_levels: bool = False, scale: float = 1.0) -> Brief:

@@ -11,8 +11,8 @@ import shapely
 from scenewright.core.brief import FixedItem
 from scenewright.core.brief.fields import FURNITURE
 from scenewright.core.errors import InputError
-from scenewright.formats.sh3d_kinds import LANDMARKS, kind_of
-from scenewright.formats.sh3d_xml import HomePiece, outline_of
+from scenewright.formats.sh3d.kinds import LANDMARKS, kind_of
+from scenewright.formats.sh3d.xml import HomePiece, outline_of
 
 KITCHEN = (
     "base_cabinet",

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from scenewright.core.brief.input_report import Fate
-from scenewright.formats.sh3d_floors import LEAST_ROOM, DrawnFloor, area_of
-from scenewright.formats.sh3d_functions import is_brought
-from scenewright.formats.sh3d_kinds import LANDMARKS, kind_of
-from scenewright.formats.sh3d_openings import Openings
-from scenewright.formats.sh3d_pieces import KITCHEN, stays
-from scenewright.formats.sh3d_report import HIDDEN, Fates, fate_of
-from scenewright.formats.sh3d_slopes import is_sloping
-from scenewright.formats.sh3d_xml import Home, HomeLevel, HomePiece, HomeWall
+from scenewright.formats.sh3d.floors import LEAST_ROOM, DrawnFloor, area_of
+from scenewright.formats.sh3d.functions import is_brought
+from scenewright.formats.sh3d.kinds import LANDMARKS, kind_of
+from scenewright.formats.sh3d.openings import Openings
+from scenewright.formats.sh3d.pieces import KITCHEN, stays
+from scenewright.formats.sh3d.report import HIDDEN, Fates, fate_of
+from scenewright.formats.sh3d.slopes import is_sloping
+from scenewright.formats.sh3d.xml import Home, HomeLevel, HomePiece, HomeWall
 
 ROOF = 0.05
 """What begins less below the ceiling than this is left out, metres."""

@@ -11,8 +11,8 @@ from scenewright.building import outlines
 from scenewright.building.room_names import functions_from_name
 from scenewright.core.brief import WallBrief
 from scenewright.core.errors import InputError
-from scenewright.formats.sh3d_doors import opening_among
-from scenewright.formats.sh3d_fates import (
+from scenewright.formats.sh3d.doors import opening_among
+from scenewright.formats.sh3d.fates import (
     ROOF,
     fates_of_furniture,
     fates_of_openings,
@@ -20,14 +20,14 @@ from scenewright.formats.sh3d_fates import (
     fates_of_walls,
     is_kept,
 )
-from scenewright.formats.sh3d_floors import DrawnFloor, drawn_area, floors
-from scenewright.formats.sh3d_functions import room_functions
-from scenewright.formats.sh3d_gaps import MISSING, PASSAGE, Gap, find_gaps, passages
-from scenewright.formats.sh3d_openings import is_door, open_sides, place_openings
-from scenewright.formats.sh3d_pieces import assign_to_floors, fixed_item, flatten_groups
-from scenewright.formats.sh3d_report import Fates
-from scenewright.formats.sh3d_slopes import find_slopes
-from scenewright.formats.sh3d_xml import Home, HomeLevel, HomePiece, HomeWall
+from scenewright.formats.sh3d.floors import DrawnFloor, drawn_area, floors
+from scenewright.formats.sh3d.functions import room_functions
+from scenewright.formats.sh3d.gaps import MISSING, PASSAGE, Gap, find_gaps, passages
+from scenewright.formats.sh3d.openings import is_door, open_sides, place_openings
+from scenewright.formats.sh3d.pieces import assign_to_floors, fixed_item, flatten_groups
+from scenewright.formats.sh3d.report import Fates
+from scenewright.formats.sh3d.slopes import find_slopes
+from scenewright.formats.sh3d.xml import Home, HomeLevel, HomePiece, HomeWall
 
 ACROSS = 0.1
 """Length of a gap in a room from which on the room is drawn across it, metres."""

@@ -29,7 +29,7 @@ from scenewright.core.brief import Brief
 from scenewright.core.brief.input_report import Fate, report_input
 from scenewright.core.document_faults import to_input_error
 from scenewright.core.errors import InputError
-from scenewright.formats.dxf_entities import Entities, read_entities
+from scenewright.formats.dxf.entities import Entities, read_entities
 
 STOREY = 2.8
 """Metres from floor to floor where storeys lie beside each other."""

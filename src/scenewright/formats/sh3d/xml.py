@@ -1,7 +1,7 @@
 """``Home.xml`` as records in our conventions: metres, y to the north, angles counter-clockwise.
 
 The file has centimetres, y down the page and angles clockwise on the page (those of door leaves
-counter-clockwise). :mod:`scenewright.formats.sh3d_tree` parses it without trusting it.
+counter-clockwise). :mod:`scenewright.formats.sh3d.tree` parses it without trusting it.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from xml.etree.ElementTree import Element
 
 from scenewright.core.errors import InputError
 from scenewright.core.space import Points
-from scenewright.formats.sh3d_tree import LINE, NUMBER, PIECES, tree
+from scenewright.formats.sh3d.tree import LINE, NUMBER, PIECES, tree
 
 CENTIMETRE = 0.01
 FARTHEST = 1e6
