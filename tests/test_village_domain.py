@@ -14,7 +14,7 @@ import scenewright as sw
 from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
 from scenewright.core.piece_outlines import polygons_of
-from scenewright.domains import plan_of, scene_of
+from scenewright.domains import features_of, plan_of, reasons_of, scene_of
 from scenewright.formats import solution_json
 
 SAMPLES = ("village-hamlet", "village-street", "village-dense")
@@ -209,3 +209,11 @@ def test_the_data_a_village_was_learned_from_is_credited(tmp_path: Path) -> None
         content = (tmp_path / name).read_bytes()
         assert b"OpenStreetMap contributors" in content, name
         assert b"ODbL-1.0" in content, name
+
+
+def test_every_reason_of_a_village_speaks_of_features_there_are() -> None:
+    brief = sw.read("sample:village-hamlet")
+    plan = plan_of(brief)
+    told = features_of(sw.solve(brief, plan=plan, steps=1), plan)
+    for words, wanted in reasons_of("village").items():
+        assert set(wanted) <= set(told), words

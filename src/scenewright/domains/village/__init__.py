@@ -31,12 +31,14 @@ DOMAIN = Domain(
         "styles": ".library:list_looks",
         "learn_style": ".learning.learn:learn_style",
         "locked": ".locks:lock_village",
+        "features": ".features:measure_features",
         "sources": ".library:sources_of",
     },
     tables={
         "presets": ".presets:PRESETS",
         "solvers": ".solvers:VILLAGE_SOLVERS",
         "meanings": ".reasons:MEANINGS",
+        "reasons": ".features:REASONS",
     },
     formats=(
         Format(

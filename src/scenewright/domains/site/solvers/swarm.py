@@ -29,6 +29,8 @@ def swarm_site(
     """Fly 40 particles, 250 rounds without a budget; a step is a layout."""
     watch, measure = BudgetWatch(budget, progress, cancel), make_measure(problem)
     n, lines, rng = len(problem.buildings.sizes), lines_of(problem), np.random.default_rng(seed)
+    if not n:
+        return answer(problem, np.empty((0, 5)), 1, 1)
     rule = problem.settings.swarm
     low = np.tile([*problem.ground.bounds[:2], 0.0], n)
     high = np.tile([*problem.ground.bounds[2:], 4.0], n)
