@@ -180,7 +180,10 @@ def test_a_plan_in_centimetres_is_read_with_its_scale(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="at most 20"):
         formats.read(path)
     brief = formats.read(path, scale=0.01)
-    assert brief == Brief.model_validate(document | {"scale": 0.01})
+    assert brief.input_report is not None
+    assert {row.outcome for row in brief.input_report.rows} == {"changed"}
+    plain = brief.model_copy(update={"input_report": None})
+    assert plain == Brief.model_validate(document | {"scale": 0.01})
     assert [door.width for door in brief.rooms[0].doors] == pytest.approx([0.85, 0.85])
     assert brief.rooms[0].outline[2] == (4.0, 3.0)
     assert brief.rooms[0].windows[0].width == pytest.approx(1.2)

@@ -64,7 +64,7 @@ def read_plain(path: str | os.PathLike[str], most: int) -> bytes:
         if status.st_size > most:
             raise InputError(f"is larger than {most / MEBIBYTE:g} MiB", "simplify or split it")
         note_read(path)
-        return stream.read(most)
+        return stream.read(min(status.st_size + 1, most))  # it may have grown meanwhile
 
 
 def check_plain(path: str | os.PathLike[str], most: int) -> None:

@@ -186,15 +186,16 @@ FOREIGN = (
 
 
 def find_format(path: Path, by_suffix: bool = False) -> ForeignFormat | None:
-    """The format of another program that a file is in, by its content, or ``by_suffix``."""
+    """The format of another program that a file is in, by its content, or ``by_suffix``; none
+    where it is read under the name it has."""
     head = _head(path)
     name = path.name.lower()
     for row in FOREIGN:
         known = row.begins or row.holds
         content = known and head.startswith(row.begins or b"") and all(w in head for w in row.holds)
         suffix = by_suffix and name.endswith(row.suffixes)
-        if (content or suffix) and not (row.read_as and name.endswith(row.read_as)):
-            return row
+        if content or suffix:
+            return None if row.read_as and name.endswith(row.read_as) else row
     return None
 
 
