@@ -106,7 +106,7 @@ def test_what_is_no_plan_is_refused_with_its_reason(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="holds no floor plan"):
         read(tmp_path / "map.dxf")
     (tmp_path / "a.dxf").write_bytes(b"AC1032" + b"\0" * 100)
-    with pytest.raises(InputError, match=r"DWG.*save it as DXF"):
+    with pytest.raises(InputError, match=r"DWG.*save it as .dxf"):
         read(tmp_path / "a.dxf")
     (tmp_path / "b.dxf").write_bytes(b"")
     with pytest.raises(InputError):

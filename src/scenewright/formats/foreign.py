@@ -100,7 +100,12 @@ FOREIGN = (
     ForeignFormat("an IFC building model as XML or zipped", IFC, (".ifcxml", ".ifczip")),
     ForeignFormat("an IFC building model as XML", IFC, holds=(b"<ifcXML",)),
     ForeignFormat("a STEP model", CONVERT, (".step", ".stp"), (b"ISO-10303-21",)),
-    ForeignFormat("a DWG drawing", "save it as .dxf", (".dwg",), (b"AC10",)),
+    ForeignFormat(
+        "a DWG drawing",
+        "save it as .dxf in its program, or convert it with the ODA File Converter",
+        (".dwg",),
+        (b"AC10",),
+    ),
     ForeignFormat(
         "a DXF drawing",
         "name it .dxf",
