@@ -49,7 +49,7 @@ FOREIGN = (
         "a city model (CityJSON)",
         "name it .city.json",
         holds=(b'"CityJSON"',),
-        read_as=(".json", ".jsonl"),
+        read_as=(".json", ".jsonl", ".cityjson"),
     ),
     ForeignFormat(
         "a ProcTHOR house",

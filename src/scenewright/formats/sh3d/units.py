@@ -17,18 +17,19 @@ ALIKE = 0.02
 
 
 def to_centimetres(home: Home, scale: float) -> tuple[Home, float]:
-    """A home and the scale to read its plan with. Where its walls are hardly the height of rooms
-    and the ``scale`` is that of the unit they are in, the home with all its lengths times it and
-    1; without a scale an InputError that names it."""
-    heights = [wall.height for wall in home.walls if wall.height] or [home.wall_height]
-    height = median(heights)
-    if LOWEST <= height <= HIGHEST:
+    """A home and the scale to read its plan with. Where not even its highest wall is as high as
+    rooms are, or most are far higher, and the ``scale`` is that of the unit they are in, the home
+    with all its lengths times it and 1; without a scale an InputError that names it."""
+    rows = [max(w.height or 0.0, w.height_at_end or 0.0) for w in home.walls]
+    heights = [height for height in rows if height] or [home.wall_height]
+    height = max(heights) if max(heights) < LOWEST else median(heights)
+    if height <= HIGHEST and max(heights) >= LOWEST:
         return home, scale
     word, factor = min(UNITS.items(), key=lambda unit: abs(log(height * unit[1] / USUAL)))
     fits = LOWEST <= height * factor <= HIGHEST
     if fits and scale == 1.0:
         raise InputError(
-            f"its walls are {height:.2f} m high (median)",
+            f"its walls are {height:.2f} m high",
             f"add --scale {factor:g} if it is drawn in {word}, not in centimetres",
         )
     meant = fits and isclose(scale, factor, rel_tol=ALIKE)

@@ -190,6 +190,7 @@ def legend(
     ways = {way.kind for d in drawings for way in d.plan.roads}
     laid = {path.kind for d in drawings for path in d.works.pathways}
     apart = {area.kind for d in drawings for area in d.works.areas}
+    drawn = any(f.piece in {row.id for row in d.rows} for d in drawings for f in d.findings)
     signs = (
         (any(r.landmark for d in drawings for r in d.rows), "swatch", "Landmark", marks.HATCH),
         ("road" in ways, "swatch", "Road", marks.ASPHALT),
@@ -205,7 +206,7 @@ def legend(
         (any(d.plan.entrances for d in drawings), "exit", "Way in", ""),
         (bool(views), "swatch", "Little to see from the way", marks.view_colour(0.0)),
         (bool(views), "swatch", "Much to see", marks.view_colour(1.0)),
-        (any(d.findings for d in drawings), "swatch", "Violation, distance in metres", marks.FAULT),
+        (drawn, "swatch", "Violation, distance in metres", marks.FAULT),
     )
     rows += [LegendRow(sign, words, value=value) for used_, sign, words, value in signs if used_]
     rows += _models(drawings, letters)
