@@ -39,7 +39,7 @@ def find_owed(owed: Sequence[Owed], left_out: Sequence[LeftOut]) -> list[Finding
     >>> find_owed([desks], [LeftOut("hall", "2 of 5 desks", "too narrow", True)])
     []
     >>> find_owed([desks], [LeftOut("hall", "1 of 5 desks", "too narrow", True)])[0].message
-    '3 of 5 desks stand in hall, and nothing says why'
+    '3 of 5 desks stand in hall, 1 said to be left out'
     """
     found = []
     for row in owed:
