@@ -25,21 +25,21 @@ edges leads anywhere."""
 
 
 def decimate(part: Part, most: int) -> Part:
-    """The part with about ``most`` triangles; its bounding box stays what it was.
+    """The part with at most ``most`` triangles; its bounding box stays what it was.
 
-    Where faces meet so wildly that no edge can go, the ``most`` largest are kept.
+    Where faces meet so wildly that no edge can go, and where not enough edges can, the ``most``
+    largest are kept.
     """
     if len(part.faces) <= most:
         return part
     vertices, faces = _join_corners(part)
     if len(faces) > most:
-        if _is_wild(faces):
-            faces = faces[np.sort(np.argsort(-_areas(vertices, faces), kind="stable")[:most])]
-        else:
+        if not _is_wild(faces):
             found = fast_simplification.simplify(
                 vertices, faces.astype(np.int32), target_count=most
             )
             vertices, faces = np.asarray(found[0], np.float64), found[1].astype(np.int64)
+        faces = faces[np.sort(np.argsort(-_areas(vertices, faces), kind="stable")[:most])]
     if not len(faces):
         return Part(part.material, part.vertices, part.faces[:0])
     thin = compact_part(Part(part.material, vertices, faces))
