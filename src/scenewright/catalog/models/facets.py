@@ -24,8 +24,13 @@ def newell(ring: Floats) -> Floats:
     >>> newell(np.array([[0.0, 0, 5], [2, 0, 5], [2, 1, 5], [0, 1, 5]])).tolist()
     [0.0, 0.0, 4.0]
     """
-    local = ring - ring[0]
-    return np.asarray(np.cross(local, np.roll(local, -1, axis=0)).sum(0))
+    x, y, z = (ring - ring[0]).T
+    return np.array([_twice_area(y, z), _twice_area(z, x), _twice_area(x, y)])
+
+
+def _twice_area(first: Floats, second: Floats) -> float:
+    """Twice the signed area of a polygon whose first corner is the origin."""
+    return float(first[:-1] @ second[1:] - second[:-1] @ first[1:])
 
 
 def triangles(rings: Sequence[Floats]) -> Ints:
