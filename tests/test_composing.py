@@ -16,8 +16,8 @@ from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.anew import list_starts
 from scenewright.domains.home.composing.beds import wants_double_bed
 from scenewright.domains.home.composing.case_faults import find_case_faults
+from scenewright.domains.home.composing.compose import compose
 from scenewright.domains.home.composing.forms import FURTHER, list_further
-from scenewright.domains.home.composing.improve import compose
 from scenewright.domains.home.composing.modest import EXPECTED, find_shortage
 from scenewright.domains.home.composing.moving import make_unplaced, with_margin
 from scenewright.domains.home.energy import evaluate

@@ -26,6 +26,7 @@ from scenewright.cli import plan as cli_plan
 from scenewright.cli import show, tables, terminal
 from scenewright.cli.arguments import check_budget, check_repeated, check_words
 from scenewright.cli.faults import describe_usage_fault, drop_output, is_output_full, write_fault
+from scenewright.cli.pass_table import print_passes
 from scenewright.cli.reading import (
     AlternativesOption,
     CatalogOption,
@@ -249,6 +250,9 @@ def check(
 @app.command()
 def explain(
     file: Annotated[Path, typer.Argument(metavar="SOLUTION.json", help="A saved solution.")],
+    passes: Annotated[
+        bool, typer.Option("--passes", help="Solve it again: what each pass changed and gained.")
+    ] = False,
     as_json: JsonOption = False,
 ) -> int:
     """Explain a solution: the cost of each term for each item, and what was not placed."""
@@ -256,7 +260,9 @@ def explain(
 
     solution, plan = solution_json.read_planned(file)
     show.print_scale(terminal.console(stderr=True), file, solution.brief, plan)
-    if as_json:
+    if passes:
+        print_passes(tables.output_console(), solution, plan, as_json)
+    elif as_json:
         tables.print_json(show.explained_document(solution, plan))
     else:
         show.print_explanation(tables.output_console(), solution, plan)

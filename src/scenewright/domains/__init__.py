@@ -21,6 +21,7 @@ from scenewright.core.catalog import Catalog
 from scenewright.core.edits import Adjusted, Edits, check_moves
 from scenewright.core.layout import Layouts, Watch
 from scenewright.core.learned import LearnedGroups
+from scenewright.core.passes import PassTrace
 from scenewright.core.plan import Plan
 from scenewright.core.registry import domain_names, domain_of
 from scenewright.core.report import Report
@@ -56,6 +57,7 @@ __all__ = [
     "solution_of",
     "solve",
     "solvers",
+    "trace_passes",
 ]
 
 
@@ -333,6 +335,13 @@ def breeder_of(brief: Brief, plan: Plan, seed: int = 0) -> Breeder:
         (Gene("chance", CHANCES),),
         lambda genome: solve(brief, plan=plan, seed=seed + genome[0], threads=1),
     )
+
+
+def trace_passes(solution: Solution, plan: Plan) -> PassTrace:
+    """What each pass of its domain changes when the brief of a solution is solved again with its
+    preset, solver and seed; a domain without passes is refused."""
+    trace: PassTrace = domain_of(solution.brief.domain).verb("passes")(solution, plan)
+    return trace
 
 
 def reasons_of(domain: str) -> Mapping[str, Mapping[str, float]]:

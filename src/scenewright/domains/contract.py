@@ -17,6 +17,7 @@ from scenewright.core.brief import Brief
 from scenewright.core.brief.fields import FURNITURE
 from scenewright.core.errors import InputError
 from scenewright.core.layout import Watch
+from scenewright.core.passes import PassTrace
 from scenewright.core.plan import Plan
 from scenewright.core.registry import SHIPPED, Format, domain_of
 from scenewright.core.report import Report
@@ -57,6 +58,7 @@ Verb = Literal[
     "features",
     "breeder",
     "sources",
+    "passes",
 ]
 """What can be asked of a domain. :data:`NEEDED` are those without which nothing can be arranged; of
 the others ``given`` (what a brief says stands, as pieces), ``validate``, ``refuse_style`` (a style
@@ -71,6 +73,12 @@ Table = Literal["presets", "solvers", "terms", "meanings", "patterns", "labels",
 
 NEEDED: tuple[Verb, ...] = ("plan", "solve", "check", "scene", "draw")
 """The verbs every domain has."""
+
+
+class Tracing(Protocol):
+    """``passes``: what each pass changes when the brief of a solution is solved again as it was."""
+
+    def __call__(self, solution: Solution, plan: Plan) -> PassTrace: ...
 
 
 class Planning(Protocol):

@@ -35,6 +35,7 @@ DOMAIN = Domain(
         "appearance": ".furnishing.look:tell_palette",
         "features": ".features:measure_features",
         "breeder": ".breeding:make_breeder",
+        "passes": ".passes:trace_passes",
     },
     tables={
         "reasons": ".features:REASONS",

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from scenewright.core.brief import Room
 from scenewright.core.catalog import Catalog
 from scenewright.core.layout import Layout, NamedBox, Watch, name_rows
+from scenewright.core.passes import ALL_PASSES, PassOptions
 from scenewright.core.same import Same
 from scenewright.core.scene import Piece
 from scenewright.core.space import Space
@@ -61,7 +62,7 @@ class RoomTask(NamedTuple):
     open space groups may stand ``elsewhere``, in another room of it, and this one has others
     ``instead``. ``entered`` are the doors one comes in by (none: any); ``closet`` says whether
     clothes can hang in a closet of the room. ``progress`` gets what the solvers report, ``watch``
-    the best layouts of groups."""
+    the best layouts of groups; ``passes`` switches passes off or hears of them."""
 
     space: Space
     ground: Ground
@@ -88,6 +89,7 @@ class RoomTask(NamedTuple):
     closet: bool = False
     progress: Progress | None = None
     watch: Watch | None = None
+    passes: PassOptions = ALL_PASSES
 
     @property
     def costs(self) -> FaultCosts:

@@ -14,7 +14,7 @@ from itertools import chain, islice
 
 from scenewright.domains.home.attempt import RoomAnswer, RoomTask, penalty
 from scenewright.domains.home.bed_first import list_beds_first
-from scenewright.domains.home.composing.improve import compose
+from scenewright.domains.home.composing.compose import compose
 from scenewright.domains.home.kitchen_first import has_gap, list_kitchens_first
 from scenewright.domains.home.programme import Wish, is_essential
 from scenewright.domains.home.room import fill_rest, share_of

@@ -21,6 +21,7 @@ from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief, Room
 from scenewright.core.catalog import Catalog
 from scenewright.core.layout import Watch
+from scenewright.core.passes import ALL_PASSES, PassOptions
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
 from scenewright.core.solution import LeftOut, Solution
@@ -28,13 +29,14 @@ from scenewright.core.space import Space
 from scenewright.domains.home.attempt import RoomAnswer, RoomTask, build_task_problem
 from scenewright.domains.home.cases.own_library import libraries_of, taste_of
 from scenewright.domains.home.closets import has_closet
-from scenewright.domains.home.composing.alignment.homes import align_rooms
-from scenewright.domains.home.composing.eating_places import add_kitchen_tables, set_table
-from scenewright.domains.home.composing.finishing import mend_rooms
-from scenewright.domains.home.composing.improve import compose
-from scenewright.domains.home.composing.soft_seats import add_soft_seat
-from scenewright.domains.home.composing.spacing.move import keep_distances
-from scenewright.domains.home.composing.unseen import leave_out_unseen_screen
+from scenewright.domains.home.composing.compose import compose
+from scenewright.domains.home.composing.home_passes import (
+    FINISHING,
+    MENDING,
+    SETTLING,
+    HomeState,
+    finish_home,
+)
 from scenewright.domains.home.drafts import choose_open, furnish_best
 from scenewright.domains.home.entrances import entered_by
 from scenewright.domains.home.furnishing.look import apply_style
@@ -50,7 +52,7 @@ from scenewright.domains.home.reasons import left_out, patches, terms
 from scenewright.domains.home.remove_blockers import remove_blockers
 from scenewright.domains.home.requests import check_asks, check_possible
 from scenewright.domains.home.room import count_steps
-from scenewright.domains.home.second_try import Opened, tried_again
+from scenewright.domains.home.second_try import tried_again
 from scenewright.domains.home.shared_wishes import share_wishes
 from scenewright.domains.home.shortfall import complete_account, list_short_beds
 from scenewright.domains.home.stated_needs import AskedRooms, measure_shortage, meet_stated_needs
@@ -86,6 +88,7 @@ def solve(
     cancel: Cancel | None = None,
     watch: Watch | None = None,
     variant: int = 0,
+    passes: PassOptions = ALL_PASSES,
 ) -> Solution:
     """Furnish every room of a home.
 
@@ -98,6 +101,7 @@ def solve(
     room's name, ``watch`` the best layouts of groups in each room; when ``cancel`` answers true,
     what was found so far is returned. A ``variant`` above 0 arranges rooms around other walls and
     takes other groups for the same use; its energies are reported as those of the usual problem.
+    ``passes`` switches passes off or hears of them.
     """
     started = time.perf_counter()
     chosen = preset_named(PRESETS, preset)
@@ -116,7 +120,8 @@ def solve(
         _budget(each, task, named, len(w), pool * b / (sum(work) or 1), seconds, steps)
         for task, w, b in zip(tasks, wishes, work, strict=True)
     ]
-    turned = [vary_task(task, variant)._replace(watch=watch) for task in tasks]
+    heard = [task._replace(watch=watch, passes=passes) for task in tasks]
+    turned = [vary_task(task, variant) for task in heard]
     shared = None if progress is None else SharedProgress(progress, [*work, LAST * sum(work)])
     answers = _run(turned, wishes, budgets, pool, shared)
     floors = join_floors(rooms, brief.route_width) if chosen.settings.exact else ()
@@ -137,8 +142,8 @@ def _walk_home(
     again: bool,
 ) -> list[RoomAnswer]:
     """The answers with the ways of the whole home open, rooms tried again that lose something
-    essential to that, and ``again`` those that lack what the household states it needs; then
-    kitchens with a fault, made to measure, no screens that nobody sees, and all on its axis."""
+    essential to that, and ``again`` those that lack what the household states it needs; then all
+    passes over the whole home (:mod:`.composing.home_passes`)."""
     rooms = tuple(task.space for task in every.tasks)
     opened = partial(
         remove_blockers,
@@ -153,30 +158,10 @@ def _walk_home(
     household = decide_household(rooms, brief.residents)
     if again:
         found = meet_stated_needs(household, every, found, opened)
-    mended = mend_rooms(every.tasks, found, opened)
+    home = HomeState(every.tasks, opened, household)
+    mended = finish_home(home, found, MENDING)
     fewer = measure_shortage(household, mended) > measure_shortage(household, found)
-    answers = found if fewer else mended
-    answers = set_table(household, every.tasks, answers, opened)
-    answers = add_kitchen_tables(every.tasks, answers, opened)
-    answers = add_soft_seat(every.tasks, answers, opened)
-    answers = keep_distances(every.tasks, answers, opened)
-    seen = _without_unseen_screens(every.tasks, answers, opened)
-    return align_rooms(every.tasks, seen, opened)
-
-
-def _without_unseen_screens(
-    tasks: Sequence[RoomTask], answers: list[RoomAnswer], opened: Opened
-) -> list[RoomAnswer]:
-    """The answers without screens that nobody sees, but where what takes the place of one bars a
-    way of the home."""
-    found = answers
-    for room, task in enumerate(tasks):
-        answer = leave_out_unseen_screen(task, found[room])
-        if answer is not found[room]:
-            trial = [answer if k == room else other for k, other in enumerate(found)]
-            stays = all(a is b for a, b in zip(opened(trial), trial, strict=True))
-            found = trial if stays else found
-    return found
+    return finish_home(home, found if fewer else mended, (*SETTLING, *FINISHING))
 
 
 def problems(

@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import NamedTuple
 
 from scenewright.domains.home.attempt import Missing, RoomAnswer, RoomTask
-from scenewright.domains.home.composing.improve import compose
+from scenewright.domains.home.composing.compose import compose
 from scenewright.domains.home.household import BEDS, LEAST_BUNK, SEATED, Household, count_places
 from scenewright.domains.home.programme import BEDS as SLEEPING
 from scenewright.domains.home.programme import FALLBACK, WELCOME, Wish

@@ -12,9 +12,7 @@ from scenewright.core.space import Space
 from scenewright.domains.home.attempt import RoomAnswer
 from scenewright.domains.home.changes.least_change import Rest
 from scenewright.domains.home.changes.revised import NOTHING, Revised
-from scenewright.domains.home.composing.alignment.homes import align_rooms
-from scenewright.domains.home.composing.finishing import mend_rooms
-from scenewright.domains.home.composing.spacing.move import keep_distances
+from scenewright.domains.home.composing.home_passes import ALIGNING, MENDING, HomeState, finish_home
 from scenewright.domains.home.home_floor import HomeFloor
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.remove_blockers import remove_blockers
@@ -86,6 +84,4 @@ def _try_anew(
         [answers[i] for i in anew],
         opened_anew,
     )
-    again = mend_rooms(tasks, again, opened_anew)
-    again = keep_distances(tasks, again, opened_anew)
-    return together(align_rooms(tasks, again, opened_anew))
+    return together(finish_home(HomeState(tasks, opened_anew), again, (*MENDING, *ALIGNING)))

@@ -37,7 +37,7 @@ from scenewright.domains.home.changes.regroup import (
 )
 from scenewright.domains.home.changes.revised import NOTHING, Revised
 from scenewright.domains.home.closets import has_closet
-from scenewright.domains.home.composing.improve import compose
+from scenewright.domains.home.composing.compose import compose
 from scenewright.domains.home.entrances import entered_by
 from scenewright.domains.home.furnishing.look import keep_palette
 from scenewright.domains.home.groups import GROUPS

@@ -16,10 +16,12 @@ from math import hypot, inf
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, find_blocked
 from scenewright.domains.home.composing.case_faults import find_case_faults
 from scenewright.domains.home.composing.forms import TABLES, is_mere_kitchen, list_forms
+from scenewright.domains.home.composing.improve import list_worst_first
 from scenewright.domains.home.composing.judging import (
     JudgedRoom,
     Placed,
     RoomJudge,
+    count_unmet,
     find_run,
     judge_of,
     sum_faults,
@@ -47,16 +49,17 @@ Judges = Callable[[int], RoomJudge]
 """The judge of the first so many groups of a room."""
 
 
-def compose_anew(
-    task: RoomTask, best: JudgedRoom, barred: frozenset[str], names: Sequence[str]
-) -> JudgedRoom:
-    """The groups laid out anew for the first of the faulty ones by their ``names``, the worst
-    first, or as they were."""
+def compose_anew(task: RoomTask, best: JudgedRoom, barred: frozenset[str]) -> JudgedRoom:
+    """The groups of a room with few, or with a wish that is not met, laid out anew for the first of
+    the faulty ones, the worst first, or as they were."""
+    rule = task.preset.settings.composing
+    if len(best.placed) > rule.few and count_unmet(task, best.placed) == 0:
+        return best
+    names = list_worst_first(task, best.placed)
     paired = {p.name for p in find_pair(best.placed)}
     if is_mere_kitchen(task):  # whatever is at fault there, the run takes its wall
         names = sorted(names, key=lambda n: not any(p.name == n for p in find_run(best.placed)))
     tried: set[str] = set()
-    rule = task.preset.settings.composing
     for name in names[: rule.anew]:
         there = any(p.name == name for p in best.placed)
         if name in tried or not there or task.cancelled():

@@ -3,6 +3,8 @@ there is neither sofa, armchair nor bed to watch one from; and those that hang i
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from scenewright.domains.home.attempt import (
     FurnishedGroup,
     Missing,
@@ -26,6 +28,7 @@ from scenewright.domains.home.furnishing.enlarge import SOFAS
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.domains.home.groups.living import low_board
 from scenewright.domains.home.programme import WELCOME, Wish
+from scenewright.domains.home.second_try import Opened
 from scenewright.domains.home.shortfall import list_lacking
 
 FOCAL = "screen or focal point"
@@ -39,6 +42,21 @@ WALL_LESS = "no wall that is seen from the sofa is wide enough for it"
 OVER_DOOR = 0.1
 """Metres of the shelf below a screen on the wall that may be over a door."""
 SEATLESS = "the room has no seat to watch it from"
+
+
+def leave_out_unseen_screens(
+    tasks: Sequence[RoomTask], answers: list[RoomAnswer], opened: Opened
+) -> list[RoomAnswer]:
+    """The answers without screens that nobody sees, but where what takes the place of one bars a
+    way of the home, these ``opened``."""
+    found = answers
+    for room, task in enumerate(tasks):
+        answer = leave_out_unseen_screen(task, found[room])
+        if answer is not found[room]:
+            trial = [answer if k == room else other for k, other in enumerate(found)]
+            stays = all(a is b for a, b in zip(opened(trial), trial, strict=True))
+            found = trial if stays else found
+    return found
 
 
 def leave_out_unseen_screen(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:

@@ -1,0 +1,88 @@
+"""The passes over a whole home whose ways are open, as rows of tables, in the order they run in."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import partial
+from typing import NamedTuple
+
+from scenewright.core.passes import ALL_PASSES, Pass, run_passes
+from scenewright.domains.home.attempt import RoomAnswer, RoomTask
+from scenewright.domains.home.composing.alignment.homes import align_rooms
+from scenewright.domains.home.composing.bedsides import add_nightstands
+from scenewright.domains.home.composing.comparing import compare_homes
+from scenewright.domains.home.composing.doorways import clear_doorways
+from scenewright.domains.home.composing.eating_places import add_kitchen_tables, set_table
+from scenewright.domains.home.composing.kitchens.loose_cabinets import join_cabinets
+from scenewright.domains.home.composing.kitchens.mend import mend_kitchens
+from scenewright.domains.home.composing.kitchens.remade import remake_kitchens
+from scenewright.domains.home.composing.mend_bedrooms import mend_bedrooms
+from scenewright.domains.home.composing.soft_seats import add_soft_seat
+from scenewright.domains.home.composing.spacing.move import keep_distances
+from scenewright.domains.home.composing.unseen import leave_out_unseen_screens
+from scenewright.domains.home.composing.windows import clear_windows
+from scenewright.domains.home.household import Household
+from scenewright.domains.home.second_try import Opened
+
+Answers = list[RoomAnswer]
+
+
+class HomeState(NamedTuple):
+    """The rooms of a home, who lives in it, and what opens its ways."""
+
+    tasks: Sequence[RoomTask]
+    opened: Opened
+    household: Household | None = None
+
+
+HomePass = Callable[[HomeState, Answers], Answers]
+
+
+def _of_rooms(run: Callable[[Sequence[RoomTask], Answers, Opened], Answers]) -> HomePass:
+    """A pass over rooms and their ways that asks for nothing else of the home."""
+    return lambda home, answers: run(home.tasks, answers, home.opened)
+
+
+def _set_table(home: HomeState, answers: Answers) -> Answers:
+    if home.household is None:
+        return answers
+    return set_table(home.household, home.tasks, answers, home.opened)
+
+
+MENDING: tuple[Pass[HomePass], ...] = tuple(
+    Pass(name, "home mending", _of_rooms(run), purpose)
+    for name, run, purpose in (
+        ("mend kitchens", mend_kitchens, "kitchens without worktop made to measure again"),
+        ("mend bedrooms", mend_bedrooms, "a half wardrobe or a bed with one side placed again"),
+        ("clear doorways", clear_doorways, "what is before doors moved elsewhere"),
+        ("clear windows", clear_windows, "what is before windows moved elsewhere"),
+        ("remake kitchens", remake_kitchens, "kitchens with a far fridge or a dark window remade"),
+        ("join cabinets", join_cabinets, "lone kitchen cabinets moved to their run"),
+        ("add nightstands", add_nightstands, "a nightstand at each bed for one"),
+    )
+)
+"""What is dropped as a whole where the home then lacks more of what its household needs."""
+SETTLING: tuple[Pass[HomePass], ...] = (
+    Pass("set table", "home settling", _set_table, "a table for all who live in the home"),
+    Pass("kitchen tables", "home settling", _of_rooms(add_kitchen_tables), "one in bare kitchens"),
+    Pass("soft seat", "home settling", _of_rooms(add_soft_seat), "one in a home without any"),
+)
+ALIGNING: tuple[Pass[HomePass], ...] = (
+    Pass("keep distances", "home aligning", _of_rooms(keep_distances), "groups not too near"),
+    Pass("align rooms", "home aligning", _of_rooms(align_rooms), "groups on axes, no odd gaps"),
+)
+UNSEEN = Pass(
+    "unseen screens", "home aligning", _of_rooms(leave_out_unseen_screens), "no screen unseen"
+)
+FINISHING = (ALIGNING[0], UNSEEN, ALIGNING[1])
+HOME_PASSES = (*MENDING, *SETTLING, *FINISHING)
+
+
+def finish_home(home: HomeState, answers: Answers, passes: Sequence[Pass[HomePass]]) -> Answers:
+    """The answers for all rooms after passes that leave the ways of the home open."""
+
+    def apply(run: HomePass, now: Answers) -> Answers:
+        return run(home, now)
+
+    options = home.tasks[0].passes if home.tasks else ALL_PASSES
+    return run_passes(passes, answers, options, apply, partial(compare_homes, home.tasks))
