@@ -28,13 +28,17 @@ GROUP = "scenewright.domains"
 
 class Format(NamedTuple):
     """One row of the table of files: its suffix, what it is for, the modules that read and write
-    it (empty if they do not), and the domain it belongs to (empty: any)."""
+    it (empty if they do not), and the domain it belongs to (empty: any). A format that ``extends``
+    is written into a copy of the file of its kind that was read, whose furniture stays; ``lacks``
+    are the kinds of things such a file does not hold of a solution, in users' words."""
 
     suffix: str
     about: str
     reader: str = ""
     writer: str = ""
     domain: str = ""
+    extends: bool = False
+    lacks: tuple[str, ...] = ()
 
     def holds(self, kind: str) -> bool:
         """Whether such files hold what is of a domain, named by its ``kind``."""

@@ -45,6 +45,7 @@ __all__ = [
     "check_output",
     "check_outputs",
     "domains",
+    "extends",
     "formats",
     "omissions",
     "read",
@@ -143,6 +144,16 @@ def writer(path: str | os.PathLike[str], domain: str = "") -> Callable[..., Any]
             file=str(path),
         )
     return load_function(row.writer, "write", path)
+
+
+def extends(source: str | os.PathLike[str], path: str | os.PathLike[str]) -> bool:
+    """Whether what is read from ``source`` is written to ``path`` as a copy of it with more.
+
+    >>> extends("office.ifc", "furnished.ifc"), extends("office.ifc", "furnished.glb")
+    (True, False)
+    """
+    row = row_of(path, "writer")
+    return row.extends and Path(source).name.lower().endswith(row.suffix)
 
 
 def check_outputs(paths: Sequence[Path], brief: Brief | None = None) -> None:

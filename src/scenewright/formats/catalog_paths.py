@@ -1,5 +1,5 @@
-"""Catalogues, learned groups and styles a brief names relative to its own file, as absolute
-paths."""
+"""Catalogues, learned groups, styles and the source file a brief names relative to its own file, as
+absolute paths."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ STYLE = ".npz"
 
 
 def resolve_paths(document: Json, folder: Path) -> Json:
-    """A brief or solution whose ``catalogs``, ``groups`` and ``style``, where it is a file, are
-    absolute; what is no text stays.
+    """A brief or solution whose ``catalogs``, ``groups``, ``source_file``, and ``style`` where it
+    is a file, are absolute; what is no text stays.
 
     A plain name that is no file in ``folder`` stays a name: it may be registered.
     """
@@ -26,6 +26,10 @@ def resolve_paths(document: Json, folder: Path) -> Json:
     style = document.get("style")
     if isinstance(style, str) and style.endswith(STYLE):
         document = document | {"style": absolute(style, folder)}
+    source = document.get("source_file")
+    if isinstance(source, dict) and isinstance(source.get("file"), str):
+        named = source | {"file": absolute(source["file"], folder)}
+        document = document | {"source_file": named}
     listed = {key: document[key] for key in NAMED if isinstance(document.get(key), list)}
     return document | {
         key: [_resolve_entry(entry, folder) for entry in entries] for key, entries in listed.items()

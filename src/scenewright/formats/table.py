@@ -37,9 +37,10 @@ FORMATS = (
     Format(".glb", "3D scene, binary glTF 2.0", writer="scenewright.formats.glb"),
     Format(
         ".ifc",
-        "building model (IFC2x3 or IFC4, read; IFC4, written)",
+        "building model (IFC2x3 or IFC4, read; IFC4, or the one that was read with more, written)",
         "scenewright.formats.ifc",
         "scenewright.formats.ifc",
+        extends=True,
     ),
     Format(".svg", "plan drawing", writer="scenewright.formats.svg"),
     Format(

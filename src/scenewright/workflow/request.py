@@ -14,7 +14,7 @@ from scenewright.core.plan import Plan
 from scenewright.core.solution import Solution
 from scenewright.domains import domain_of
 from scenewright.domains.contract import Domain
-from scenewright.formats import SWEET_HOME, check_outputs, omissions, read_planned, writer
+from scenewright.formats import SWEET_HOME, check_outputs, extends, omissions, read_planned, writer
 from scenewright.workflow.events import Event, Notice, Planned
 
 HEAVY = 50_000
@@ -46,6 +46,11 @@ class ArrangeRequest(NamedTuple):
         """Steps of the search or whole layouts, whichever the scene is made by."""
         return self.steps if self.layouts is None else self.layouts
 
+    @property
+    def extending(self) -> bool:
+        """Whether a file is written as a copy of the source with more, whose furniture stays."""
+        return any(extends(self.source, path) for path in self.outputs)
+
 
 def plan_request(request: ArrangeRequest) -> Planned:
     """The brief of a request whose outputs and names can be used, its plan and its domain."""
@@ -53,7 +58,7 @@ def plan_request(request: ArrangeRequest) -> Planned:
         writer(path)
     brief, plan = read_planned(
         request.source,
-        keep=request.keep,
+        keep=request.keep or request.extending,
         catalogs=request.catalogs,
         groups=request.groups,
         scale=request.scale,
@@ -75,6 +80,8 @@ def open_request(request: ArrangeRequest) -> Generator[Event, None, Planned]:
     """The brief and plan of a request, told, and what the user should know of them."""
     planned = plan_request(request)
     yield planned
+    if request.extending:
+        yield Notice(f"furniture is added to a copy of {Path(request.source).name}, all else stays")
     yield from note_ineffective(request, planned.brief)
     yield from note_scale(request.source, *planned, request.scale)
     return planned

@@ -44,6 +44,7 @@ from scenewright.core.brief.input_report import InputReport
 from scenewright.core.brief.scaling import LEAST, MOST, scale_plan, scale_widths
 from scenewright.core.brief.services import OutletBrief, RadiatorBrief
 from scenewright.core.brief.slope import SlopeBrief
+from scenewright.core.brief.source_file import SourceFile
 from scenewright.core.brief.stairs import StairsBrief
 from scenewright.core.brief.wishes import WishBrief
 from scenewright.core.brief.zones import Demand, Link, ZoneBrief
@@ -217,6 +218,8 @@ class Brief(StrictModel):
     are for). ``accepted`` are findings of the referee that are meant to be so, with reasons.
     ``input_report`` is written by readers: what became of each feature of the file. Left out in a
     brief of which nothing was changed (:func:`.own_report.input_report_of` counts what it holds).
+    ``source_file`` is the file, where results can be written into a copy of it (IFC); a plan that
+    is scaled is no longer that of its file.
     """
 
     format: Literal["scenewright/brief"] = "scenewright/brief"
@@ -244,6 +247,7 @@ class Brief(StrictModel):
     residents: Annotated[Whole | None, Field(ge=1, le=20, exclude_if=is_left_out)] = None
     accepted: Annotated[list[AcceptedFinding], Field(max_length=1000, exclude_if=not_)] = []
     input_report: Annotated[InputReport | None, Field(exclude_if=is_left_out)] = None
+    source_file: Annotated[SourceFile | None, Field(exclude_if=is_left_out)] = None
     part: Any = Field(default=None, validate_default=True)
 
     @model_validator(mode="before")
@@ -300,7 +304,7 @@ class Brief(StrictModel):
         """A brief never holds another scale than 1: it is applied in place while the model is made,
         because a validator may not return another instance."""
         if self.scale != 1.0:
-            self.__dict__.update(scale_plan(self, self.scale), scale=1.0)
+            self.__dict__.update(scale_plan(self, self.scale), scale=1.0, source_file=None)
         return self
 
     @property

@@ -93,7 +93,7 @@ def _used_rows(brief: Brief) -> list[InputRow]:
 def _list_things(model: BaseModel) -> Iterator[str]:
     """What every object that is listed in a brief is, at any depth."""
     for key, value in model.__dict__.items():
-        if key == "input_report":
+        if key in ("input_report", "source_file"):
             continue
         if isinstance(value, BaseModel):
             yield from _list_things(value)

@@ -1,15 +1,18 @@
 """The parts IFC models are made of: identifiers, placements, profiles, bodies, properties.
 
-Everything takes the open model first and answers with an entity of it. Metres, z up.
+Everything takes the open model first and answers with an entity of it. Metres, z up; in the file
+they become its unit, and attributes its schema does not have are left out.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import cache
 from typing import Any, NamedTuple
 from uuid import NAMESPACE_URL, uuid5
 
 import numpy as np
+from ifcopenshell import ifcopenshell_wrapper
 
 from scenewright.core.catalog import Material, Part
 from scenewright.core.scene import Prism
@@ -23,11 +26,21 @@ _LETTERS = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_$"
 
 
 class Model(NamedTuple):
-    """An open model: the ``file``, the context of bodies, and the ``styles`` made so far."""
+    """An open model: the ``file``, the context of bodies, and the ``styles`` made so far; metres in
+    its ``unit`` of length, the ``owner`` history of what is made, and what is put before names
+    that identifiers follow from."""
 
     file: Any
     body: Entity
     styles: dict[Material, Entity]
+    unit: float = 1.0
+    owner: Entity = None
+    salt: str = ""
+
+    @property
+    def old(self) -> bool:
+        """Whether the schema is IFC2x3, which has no triangulated faces."""
+        return str(self.file.schema) == "IFC2X3"
 
 
 def make_guid(name: str) -> str:
@@ -45,14 +58,37 @@ def make_guid(name: str) -> str:
 
 def root(model: Model, kind: str, name: str, /, key: str = "", **attributes: Any) -> Entity:
     """An entity with an identifier that follows from its kind and ``key`` (its name)."""
-    guid = make_guid(f"{kind}:{key or name}")
-    return model.file.create_entity(kind, GlobalId=guid, Name=name or None, **attributes)
+    guid = make_guid(f"{model.salt}{kind}:{key or name}")
+    given = {"OwnerHistory": model.owner, "Name": name or None, **attributes}
+    known = schema_attributes(str(model.file.schema_identifier), kind)
+    held = {
+        attribute: "NOTDEFINED" if known[attribute] and value not in known[attribute] else value
+        for attribute, value in given.items()
+        if attribute in known and value is not None
+    }
+    return model.file.create_entity(kind, GlobalId=guid, **held)
+
+
+@cache
+def schema_attributes(schema: str, kind: str) -> dict[str, tuple[str, ...]]:
+    """The attributes of an entity in a schema, with their choices where these are few.
+
+    >>> "PredefinedType" in schema_attributes("IFC2X3", "IfcFurnitureType")
+    False
+    """
+    declared = ifcopenshell_wrapper.schema_by_name(schema).declaration_by_name(kind)
+    found = {}
+    for attribute in declared.all_attributes():
+        kind_of = attribute.type_of_attribute().as_named_type()
+        choices = kind_of.declared_type().as_enumeration_type() if kind_of else None
+        found[str(attribute.name())] = tuple(choices.enumeration_items()) if choices else ()
+    return found
 
 
 def point(model: Model, *values: float) -> Entity:
     """A point in plan or in space."""
     return model.file.create_entity(
-        "IfcCartesianPoint", Coordinates=tuple(round(float(v), DIGITS) for v in values)
+        "IfcCartesianPoint", Coordinates=tuple(round(float(v) / model.unit, DIGITS) for v in values)
     )
 
 
@@ -82,6 +118,19 @@ def place(
     )
 
 
+def place_by(model: Model, within: Entity | None, matrix: np.ndarray) -> Entity:
+    """A placement relative to that of another product by a matrix ``(4, 4)`` in metres."""
+    frame = model.file.create_entity(
+        "IfcAxis2Placement3D",
+        Location=point(model, *matrix[:3, 3]),
+        Axis=direction(model, *matrix[:3, 2]),
+        RefDirection=direction(model, *matrix[:3, 0]),
+    )
+    return model.file.create_entity(
+        "IfcLocalPlacement", PlacementRelTo=within, RelativePlacement=frame
+    )
+
+
 def ring(model: Model, outline: Points) -> Entity:
     """A closed line through corners ``(n, 2)``."""
     corners = [point(model, *corner) for corner in outline]
@@ -102,7 +151,7 @@ def extrude(
         SweptArea=profile,
         Position=axes(model, (0, 0, base)),
         ExtrudedDirection=direction(model, 0, 0, 1),
-        Depth=round(float(height), DIGITS),
+        Depth=round(float(height) / model.unit, DIGITS),
     )
 
 
@@ -113,29 +162,47 @@ def extrude_prism(model: Model, prism: Prism) -> Entity:
 
 def shape(model: Model, bodies: Sequence[Entity], kind: str) -> Entity:
     """The body of a product from solids (``SweptSolid``), meshes (``Tessellation``) or a map."""
-    body = model.file.create_entity(
+    body = represent(model, bodies, kind)
+    return model.file.create_entity("IfcProductDefinitionShape", Representations=[body])
+
+
+def represent(model: Model, bodies: Sequence[Entity], kind: str) -> Entity:
+    """Bodies as a representation of a kind; in IFC2x3 meshes are a ``SurfaceModel``."""
+    return model.file.create_entity(
         "IfcShapeRepresentation",
         ContextOfItems=model.body,
         RepresentationIdentifier="Body",
-        RepresentationType=kind,
+        RepresentationType="SurfaceModel" if model.old and kind == "Tessellation" else kind,
         Items=list(bodies),
     )
-    return model.file.create_entity("IfcProductDefinitionShape", Representations=[body])
 
 
 def mesh(model: Model, part: Part) -> Entity:
     """The triangles of a part, in its colour."""
+    faces = _old_faces(model, part) if model.old else _faces(model, part)
+    paint(model, faces, part.material)
+    return faces
+
+
+def _faces(model: Model, part: Part) -> Entity:
     points = model.file.create_entity(
-        "IfcCartesianPointList3D", CoordList=np.round(part.vertices, DIGITS).tolist()
+        "IfcCartesianPointList3D", CoordList=np.round(part.vertices / model.unit, DIGITS).tolist()
     )
-    faces = model.file.create_entity(
+    return model.file.create_entity(
         "IfcTriangulatedFaceSet",
         Coordinates=points,
         Closed=None,
         CoordIndex=(part.faces + 1).tolist(),
     )
-    paint(model, faces, part.material)
-    return faces
+
+
+def _old_faces(model: Model, part: Part) -> Entity:
+    """Triangles as IFC2x3 knows them, one face each."""
+    make = model.file.create_entity
+    corners = [point(model, *corner) for corner in part.vertices.tolist()]
+    loops = [make("IfcPolyLoop", [corners[k] for k in face]) for face in part.faces.tolist()]
+    faces = [make("IfcFace", [make("IfcFaceOuterBound", loop, True)]) for loop in loops]
+    return make("IfcFaceBasedSurfaceModel", [make("IfcConnectedFaceSet", faces)])
 
 
 def paint(model: Model, body: Entity, material: Material) -> None:
@@ -154,7 +221,8 @@ def _style(model: Model, material: Material) -> Entity:
         Transparency=round(1.0 - float(material.opacity), 4),
         ReflectanceMethod="NOTDEFINED",
     )
-    return make("IfcSurfaceStyle", Name=material.name, Side="BOTH", Styles=[rendering])
+    style = make("IfcSurfaceStyle", Name=material.name, Side="BOTH", Styles=[rendering])
+    return make("IfcPresentationStyleAssignment", [style]) if model.old else style
 
 
 def add_properties(model: Model, product: Entity, name: str, values: Mapping[str, Any]) -> None:
@@ -218,4 +286,16 @@ def name_material(model: Model, products: Sequence[Entity], name: str) -> None:
         key=key,
         RelatedObjects=list(products),
         RelatingMaterial=material,
+    )
+
+
+def contain(model: Model, where: Entity, products: Sequence[Entity]) -> None:
+    """Say that products stand in a storey or space."""
+    root(
+        model,
+        "IfcRelContainedInSpatialStructure",
+        "",
+        key=where.GlobalId,
+        RelatingStructure=where,
+        RelatedElements=list(products),
     )

@@ -3,10 +3,11 @@
 The parser is compiled code that a damaged file can bring down: it works in a process apart, with a
 limit of memory and time, and what it finds comes back as one JSON document on the standard output.
 
-Each product is a dict: ``kind`` (its entity), ``id``, ``name``, ``long_name``, ``use`` (its object
-type), ``storey`` (an index, or -1), ``rings`` (the outline of what it covers in plan and its
-holes), ``low`` and ``high`` (metres), ``heading``, ``hosted`` (a door or window in a wall) and
-``operation`` (of doors). Storeys are names with elevations. Metres in the file's own frame.
+Each product is a dict: ``kind`` (its entity), ``id``, ``number`` (in the file), ``name``,
+``long_name``, ``use`` (its object type), ``storey`` (an index, or -1), ``rings`` (the outline of
+what it covers in plan and its holes), ``low`` and ``high`` (metres), ``heading``, ``hosted`` (a
+door or window in a wall) and ``operation`` (of doors). Storeys are names and numbers, from below.
+Metres in the file's own frame.
 """
 
 from __future__ import annotations
@@ -67,9 +68,7 @@ def extract(path: str, keep: bool = False) -> dict[str, Any]:
 def _document(file: Any, keep: bool) -> dict[str, Any]:
     import ifcopenshell.geom
     import ifcopenshell.util.element
-    import ifcopenshell.util.unit
 
-    scale = float(ifcopenshell.util.unit.calculate_unit_scale(file))
     settings = ifcopenshell.geom.settings()
     settings.set("use-world-coords", True)
     storeys = sorted(file.by_type("IfcBuildingStorey"), key=lambda s: float(s.Elevation or 0.0))
@@ -83,10 +82,7 @@ def _document(file: Any, keep: bool) -> dict[str, Any]:
     return {
         "schema": str(file.schema),
         "unit": _unit_name(file),
-        "storeys": [
-            {"name": s.Name or s.LongName or "", "elevation": float(s.Elevation or 0.0) * scale}
-            for s in storeys
-        ],
+        "storeys": [{"name": s.Name or s.LongName or "", "number": s.id()} for s in storeys],
         "products": rows,
     }
 
@@ -106,6 +102,7 @@ def _product(
     row: dict[str, Any] = {
         "kind": product.is_a(),
         "id": product.GlobalId or f"#{product.id()}",
+        "number": product.id(),
         "name": product.Name or "",
         "long_name": getattr(product, "LongName", None) or "",
         "use": product.ObjectType or "",

@@ -3,7 +3,7 @@ size, mapped to every place it stands."""
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Hashable, Sequence
 from typing import NamedTuple
 
 from scenewright.formats.ifc.entities import (
@@ -13,8 +13,8 @@ from scenewright.formats.ifc.entities import (
     axes,
     mesh,
     name_material,
-    place,
     point,
+    represent,
     root,
     shape,
 )
@@ -28,7 +28,23 @@ class ProductClass(NamedTuple):
     predefined: str
 
 
+class Standing(NamedTuple):
+    """Where a product is: the space or storey that holds it, and its placement."""
+
+    holder: Entity
+    placement: Entity
+
+
 FURNITURE = ProductClass("IfcFurniture", "NOTDEFINED")
+_OLD = {
+    "IfcFurniture": "IfcFurnishingElement",
+    "IfcSanitaryTerminal": "IfcFlowTerminal",
+    "IfcElectricAppliance": "IfcFlowTerminal",
+    "IfcAudioVisualAppliance": "IfcFlowTerminal",
+    "IfcLightFixture": "IfcFlowTerminal",
+    "IfcSpaceHeater": "IfcEnergyConversionDevice",
+}
+"""What IFC2x3 calls products of which it knows only the types by their names of IFC4."""
 _CATEGORIES: dict[tuple[str, str], str] = {
     ("IfcFurniture", "CHAIR"): "armchair auditorium_seat bar_stool bench deck_chair dining_chair "
     "lounge_seat office_chair outdoor_chair pouf reading_chair site_bench stool",
@@ -65,22 +81,26 @@ CLASSES = {
 
 
 def add_furniture(
-    model: Model, storey: Entity, spaces: Mapping[str, Entity], found: Sequence[RenderItem]
-) -> Iterator[tuple[Entity, list[Entity]]]:
-    """Pairs of a space (or the storey) and the products that stand in it."""
+    model: Model, found: Sequence[RenderItem], standing: Callable[[RenderItem], Standing], key: str
+) -> list[tuple[Entity, list[Entity]]]:
+    """Pairs of a space (or storey) and the products that stand in it. ``standing`` places an item;
+    identifiers of types follow from ``key``."""
     types: dict[Hashable, tuple[Entity, Entity]] = {}
     members: dict[Hashable, list[Entity]] = {}
-    inside: dict[str, list[Entity]] = {}
+    inside: dict[int, list[Entity]] = {}
+    holders: dict[int, Entity] = {}
     for item in found:
-        key: Hashable = (item.extras.get("category"), item.key)
-        if key not in types:
-            types[key] = _type(model, item, f"{storey.GlobalId} {len(types)}")
-        product = _product(model, storey, item, types[key][1])
-        members.setdefault(key, []).append(product)
-        inside.setdefault(item.space if item.space in spaces else "", []).append(product)
-    for key, products in members.items():
-        _define(model, types[key][0], products)
-    return ((spaces.get(name, storey), products) for name, products in inside.items())
+        alike: Hashable = (item.extras.get("category"), item.key)
+        if alike not in types:
+            types[alike] = _type(model, item, f"{key} {len(types)}")
+        spot = standing(item)
+        product = _product(model, spot.placement, item, types[alike][1])
+        members.setdefault(alike, []).append(product)
+        holders[spot.holder.id()] = spot.holder
+        inside.setdefault(spot.holder.id(), []).append(product)
+    for alike, products in members.items():
+        _define(model, types[alike][0], products)
+    return [(holders[number], products) for number, products in inside.items()]
 
 
 def class_of(category: str) -> ProductClass:
@@ -95,32 +115,32 @@ def class_of(category: str) -> ProductClass:
 def _type(model: Model, item: RenderItem, key: str) -> tuple[Entity, Entity]:
     """The type of a model and size, and the map of its mesh."""
     row = class_of(str(item.extras.get("category", "")))
-    body = model.file.create_entity(
-        "IfcShapeRepresentation",
-        ContextOfItems=model.body,
-        RepresentationIdentifier="Body",
-        RepresentationType="Tessellation",
-        Items=[mesh(model, part) for part in item.parts],
-    )
+    body = represent(model, [mesh(model, part) for part in item.parts], "Tessellation")
     drawn = model.file.create_entity(
         "IfcRepresentationMap", MappingOrigin=axes(model), MappedRepresentation=body
     )
-    more = {"AssemblyPlace": "NOTDEFINED"} if row.entity == "IfcFurniture" else {}
     made = root(
         model,
-        f"{row.entity}Type",
+        type_entity(model, row),
         str(item.extras.get("asset", item.extras.get("category", item.name))),
         key=key,
         RepresentationMaps=[drawn],
         PredefinedType=row.predefined,
-        **more,
+        AssemblyPlace="NOTDEFINED",
     )
     for name in dict.fromkeys(part.material.name for part in item.parts[:1]):
         name_material(model, [made], name)
     return made, drawn
 
 
-def _product(model: Model, storey: Entity, item: RenderItem, drawn: Entity) -> Entity:
+def type_entity(model: Model, row: ProductClass) -> str:
+    """The entity of the type of a class; IFC2x3 has none for what shows pictures or plays sound."""
+    if model.old and row.entity == "IfcAudioVisualAppliance":
+        return "IfcElectricApplianceType"
+    return f"{row.entity}Type"
+
+
+def _product(model: Model, placement: Entity, item: RenderItem, drawn: Entity) -> Entity:
     """One piece, where it stands."""
     row = class_of(str(item.extras.get("category", "")))
     target = model.file.create_entity(
@@ -129,11 +149,11 @@ def _product(model: Model, storey: Entity, item: RenderItem, drawn: Entity) -> E
     mapped = model.file.create_entity("IfcMappedItem", MappingSource=drawn, MappingTarget=target)
     made = root(
         model,
-        row.entity,
+        _OLD.get(row.entity, row.entity) if model.old else row.entity,
         item.name,
         key=f"{item.level} {item.name}",
         ObjectType=str(item.extras.get("category", "")) or None,
-        ObjectPlacement=place(model, storey.ObjectPlacement, item.at, item.turn),
+        ObjectPlacement=placement,
         Representation=shape(model, [mapped], "MappedRepresentation"),
         PredefinedType=row.predefined,
     )

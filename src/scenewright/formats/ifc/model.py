@@ -11,8 +11,8 @@ from scenewright._version import __version__
 from scenewright.core.catalog import Catalog
 from scenewright.core.scene import Scene
 from scenewright.core.space import Level
-from scenewright.formats.ifc.entities import Entity, Model, axes, direction, place, root
-from scenewright.formats.ifc.furniture import add_furniture
+from scenewright.formats.ifc.entities import Entity, Model, axes, contain, direction, place, root
+from scenewright.formats.ifc.furniture import Standing, add_furniture
 from scenewright.formats.ifc.storey import add_shell
 from scenewright.render.items import RenderItem, things
 
@@ -102,7 +102,13 @@ def _storey(
     )
     mine = [item for item in found if item.level == level.id]
     spaces, elements = add_shell(model, storey, level, scene, mine)
-    inside = add_furniture(model, storey, spaces, [item for item in mine if item.kind == "piece"])
+
+    def stand(item: RenderItem) -> Standing:
+        placement = place(model, storey.ObjectPlacement, item.at, item.turn)
+        return Standing(spaces.get(item.space, storey), placement)
+
+    pieces = [item for item in mine if item.kind == "piece"]
+    inside = add_furniture(model, pieces, stand, storey.GlobalId)
     if spaces:
         _aggregate(model, storey, list(spaces.values()))
     for place_of, products in ((storey, elements), *inside):
@@ -119,16 +125,4 @@ def _aggregate(model: Model, whole: Entity, parts: Sequence[Entity]) -> None:
         key=whole.GlobalId,
         RelatingObject=whole,
         RelatedObjects=list(parts),
-    )
-
-
-def contain(model: Model, where: Entity, products: Sequence[Entity]) -> None:
-    """Say that products stand in a storey or space."""
-    root(
-        model,
-        "IfcRelContainedInSpatialStructure",
-        "",
-        key=where.GlobalId,
-        RelatingStructure=where,
-        RelatedElements=list(products),
     )

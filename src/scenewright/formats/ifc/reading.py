@@ -26,8 +26,8 @@ from scenewright.core.errors import InputError
 from scenewright.formats.ifc.openings import OPENINGS, add_open_sides, place_openings
 from scenewright.formats.ifc.pieces import BUILT_IN, MOVABLE, fixed_item
 from scenewright.formats.ifc.rooms import DrawnRoom, Row, floor_of
+from scenewright.formats.ifc.source import ANEW, GREATEST_FILE, record_source
 
-GREATEST_FILE = 256 * 2**20
 LONGEST = 300
 """Seconds of the processor that parsing may take."""
 MEMORY = 4 * 2**30
@@ -43,7 +43,7 @@ WALLS = ("IfcWall", "IfcWallStandardCase", "IfcWallElementedCase")
 
 def read_brief(path: Path, keep: bool = False) -> Brief:
     """The brief of an IFC file; ``keep`` leaves its furniture where it stands."""
-    return brief_of(parse(path, keep), path.stem, keep)
+    return brief_of(parse(path, keep), path, keep)
 
 
 def parse(path: Path, keep: bool = False) -> Row:
@@ -74,8 +74,8 @@ _PROGRAM = (
 )
 
 
-def brief_of(document: Row, name: str, keep: bool = False) -> Brief:
-    """The brief of a parsed model."""
+def brief_of(document: Row, path: Path, keep: bool = False) -> Brief:
+    """The brief of a parsed model, the file at ``path``."""
     products = document["products"]
     move = _offset(products)
     rooms, fates = _rooms(document, move)
@@ -98,7 +98,7 @@ def brief_of(document: Row, name: str, keep: bool = False) -> Brief:
     try:
         brief = Brief.model_validate(
             {
-                "name": name[:80],
+                "name": path.stem[:80],
                 "levels": [
                     {
                         "id": str(n),
@@ -121,7 +121,9 @@ def brief_of(document: Row, name: str, keep: bool = False) -> Brief:
         drawn_floor=round(drawn or read, 3),
         read_floor=round(read, 3),
     )
-    return brief.model_copy(update={"input_report": report})
+    reported = brief.model_copy(update={"input_report": report})
+    source = record_source(reported, path, document, rooms, move)
+    return reported.model_copy(update={"source_file": source})
 
 
 def _offset(products: Sequence[Row]) -> np.ndarray:
@@ -228,16 +230,14 @@ def _standing(
     keep: bool,
 ) -> list[Fate]:
     """What stands in rooms: built in or kept, else planned anew."""
-    fates = []
+    fates, taken = [], set[str]()
     for row in products:
         kind = row["kind"]
         if kind not in BUILT_IN and kind not in MOVABLE:
             continue
         word, name = _word(kind), row["name"] or row["id"]
         if kind in MOVABLE and not keep:
-            fates.append(
-                Fate(name, word, "left out", "furniture is planned anew (--keep keeps it)")
-            )
+            fates.append(Fate(name, word, "left out", ANEW))
             continue
         box = floor_of(row, move)
         number = _room_around(box, row, rooms) if box.area > 0 else None
@@ -245,9 +245,17 @@ def _standing(
         if item is None or number is None:
             fates.append(Fate(name, word, "left out", "it stands in no room, or has no body"))
             continue
-        made[number]["fixed"].append(item)
+        made[number]["fixed"].append(item | {"id": _own_id(row, taken)})
         fates.append(Fate(name, word, "used"))
     return fates
+
+
+def _own_id(row: Row, taken: set[str]) -> str:
+    """The name of a product, with its identifier behind it where another has the same."""
+    name = (row["name"] or row["id"])[:80]
+    name = name if name not in taken else f"{name} {row['id']}"
+    taken.add(name)
+    return name
 
 
 def _room_around(box: shapely.Polygon, row: Row, rooms: Sequence[DrawnRoom]) -> int | None:
