@@ -76,7 +76,7 @@ def schema_attributes(schema: str, kind: str) -> dict[str, tuple[str, ...]]:
     >>> "PredefinedType" in schema_attributes("IFC2X3", "IfcFurnitureType")
     False
     """
-    declared = ifcopenshell_wrapper.schema_by_name(schema).declaration_by_name(kind)
+    declared: Any = ifcopenshell_wrapper.schema_by_name(schema).declaration_by_name(kind)
     found = {}
     for attribute in declared.all_attributes():
         kind_of = attribute.type_of_attribute().as_named_type()
