@@ -15,6 +15,8 @@ from scenewright.cli import run
 from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
 from scenewright.formats import read, write
+from scenewright.formats.apart import Allowance, read_apart
+from thoroughness import few_or_many
 
 ezdxf = pytest.importorskip("ezdxf")
 
@@ -28,6 +30,7 @@ def areas(brief: Brief) -> list[float]:
 def draw(path: Path, unit: int, size: float, layer: str = "0", leaf: bool = True) -> None:
     """Two rooms of 4 x 3 m and 3 x 3 m side by side, walls 0.2 m thick as double lines, a door of
     0.8 m between them and one to the outside, drawn ``size`` units a metre, far from the origin."""
+    ezdxf.options.write_fixed_meta_data_for_testing = True
     document = ezdxf.new("R2010")
     document.header["$INSUNITS"] = unit
     model = document.modelspace()
@@ -116,8 +119,8 @@ def test_what_is_no_plan_is_refused_with_its_reason(tmp_path: Path) -> None:
 def test_damaged_files_are_refused_or_read(tmp_path: Path) -> None:
     draw(tmp_path / "plan.dxf", 6, 1.0)
     whole = (tmp_path / "plan.dxf").read_bytes()
-    chance = random.Random(7)
-    for _ in range(25):
+    for seed in range(few_or_many(3, 60)):
+        chance = random.Random(seed)
         damaged = bytearray(whole)
         for _ in range(chance.randint(1, 30)):
             damaged[chance.randrange(len(damaged))] = chance.randrange(256)
@@ -125,6 +128,30 @@ def test_damaged_files_are_refused_or_read(tmp_path: Path) -> None:
         (tmp_path / "bad.dxf").write_bytes(damaged[:cut])
         with suppress(InputError):
             read(tmp_path / "bad.dxf")
+
+
+def test_hostile_files_end_in_bounded_time_and_memory(tmp_path: Path) -> None:
+    """Blocks in blocks without end, curves and arcs as far as numbers go: what can be read is."""
+    draw(tmp_path / "plan.dxf", 6, 1.0)
+    document = ezdxf.readfile(tmp_path / "plan.dxf")
+    model = document.modelspace()
+    for number in range(40):
+        block = document.blocks.new(f"B{number}")
+        for _ in range(8 if number else 0):
+            block.add_blockref(f"B{number - 1}", (0, 0))
+    model.add_blockref("B3", (0, 0))
+    for radius in (1e30, 1e160, 1e300):
+        model.add_arc((1e300, 14_000), radius, 0, 90)
+        model.add_arc((1e17, 14_000, radius), 1.0, 0, 200)
+    points = [(0, 0, 0), (1, 0, 1e300), (1, 1, -1e300), (0, 1, 0)]
+    model.add_open_spline(points)
+    document.saveas(tmp_path / "far.dxf")
+    assert areas(read(tmp_path / "far.dxf")) == [12.0, 9.0]
+    model.add_blockref("B39", (0, 0))
+    document.saveas(tmp_path / "bomb.dxf")
+    limits = Allowance(memory=1024, per_size=16, seconds=3)
+    with pytest.raises(InputError, match="within 3 s and"):
+        read_apart("scenewright.formats.dxf.entities", tmp_path / "bomb.dxf", limits, {"scale": 1})
 
 
 def test_the_command_writes_the_brief_and_a_picture(tmp_path: Path) -> None:

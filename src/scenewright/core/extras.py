@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from importlib.util import find_spec
+
 EXTRAS = {
     "bim": ("ifcopenshell",),
     "draco": ("DracoPy",),
@@ -23,3 +25,9 @@ def install_line(module: str) -> str:
     top = module.partition(".")[0]
     extra = next((extra for extra, modules in EXTRAS.items() if top in modules), "")
     return f"pip install 'scenewright[{extra}]'" if extra else f"pip install {top}"
+
+
+def require(module: str) -> None:
+    """Raise the ModuleNotFoundError of a module that is not installed, without importing it."""
+    if find_spec(module) is None:
+        raise ModuleNotFoundError(f"no module named {module!r}", name=module)

@@ -9,13 +9,15 @@ millimetres, ``.3d.dxf`` meshes.
 from __future__ import annotations
 
 import os
+from typing import TYPE_CHECKING
 
-from scenewright.core.atomic_file import atomic_write
-from scenewright.core.plan import Plan
-from scenewright.core.solution import Solution
-from scenewright.domains import draw_levels
-from scenewright.drawing.dxf.document import UNITS, make_document
+from scenewright.core.extras import require
 
+if TYPE_CHECKING:
+    from scenewright.core.plan import Plan
+    from scenewright.core.solution import Solution
+
+require("ezdxf")
 OMITTED = (
     "materials and colours of models",
     "heights (the plan is flat; .3d.dxf holds meshes)",
@@ -33,6 +35,10 @@ def write_unit(
     solution: Solution, path: str | os.PathLike[str], plan: Plan | None, unit: str
 ) -> None:
     """Write the plan of a solution in a unit, ``m`` or ``mm``."""
+    from scenewright.core.atomic_file import atomic_write
+    from scenewright.domains import draw_levels
+    from scenewright.drawing.dxf.document import UNITS, make_document
+
     document = make_document(draw_levels(solution, plan), UNITS[unit])
     with atomic_write(path) as partial:
         document.saveas(partial)

@@ -5,8 +5,7 @@ from __future__ import annotations
 import logging
 import os
 from collections.abc import Iterator
-from itertools import pairwise
-from typing import Any, NamedTuple
+from typing import Any
 
 import ezdxf
 import numpy as np
@@ -15,11 +14,13 @@ from ezdxf.disassemble import recursive_decompose
 from ezdxf.document import Drawing
 
 from scenewright.building.drawn.drawing import Arc, Word
+from scenewright.building.drawn.plan import plan_sheet
+from scenewright.building.drawn.sheet import FARTHEST, Layer, Sheet
 from scenewright.core.errors import InputError
 
 logging.getLogger("ezdxf").addHandler(logging.NullHandler())
 """What the library mends in a file is no message for the terminal."""
-MOST_ENTITIES, MOST_LINES, MOST_BYTES = 400_000, 1_000_000, 200_000_000
+MOST_ENTITIES, MOST_BYTES = 400_000, 200_000_000
 QUARTER = (70.0, 110.0)
 """Degrees of the arcs that leaves of doors sweep."""
 CURVED = 0.05
@@ -28,26 +29,12 @@ METRES = {1: 0.0254, 2: 0.3048, 4: 0.001, 5: 0.01, 6: 1.0, 14: 0.1}
 """Metres of the units of ``$INSUNITS``."""
 
 
-class Layer:
-    """What lies on a layer: lines (n, 2, 2), quarter arcs, words, and how many entities by type."""
-
-    def __init__(self) -> None:
-        self.lines: list[tuple[float, float, float, float]] = []
-        self.arcs: list[Arc] = []
-        self.words: list[Word] = []
-        self.counts: dict[str, int] = {}
+def extract(path: str, scale: float) -> dict[str, Any]:
+    """The plan of a file as plain values (:func:`scenewright.building.drawn.plan.plan_sheet`)."""
+    return plan_sheet(read_entities(path), scale)
 
 
-class Entities(NamedTuple):
-    """A file's model: its layers by name, the metres of its stated unit (``None``: none), and the
-    outlines Scenewright has marked as rooms: id, name, points."""
-
-    layers: dict[str, Layer]
-    unit: float | None
-    rooms: tuple[tuple[str, str, np.ndarray], ...]
-
-
-def read_entities(path: str | os.PathLike[str]) -> Entities:
+def read_entities(path: str | os.PathLike[str]) -> Sheet:
     """The model of a DXF file, blocks taken apart.
 
     Raises :class:`InputError` for what is no DXF, damaged, encrypted, or too large.
@@ -65,11 +52,11 @@ def read_entities(path: str | os.PathLike[str]) -> Entities:
             )
         layer = layers.setdefault(str(entity.dxf.get("layer", "0")), Layer())
         kind = entity.dxftype()
-        layer.counts[kind] = layer.counts.get(kind, 0) + 1
+        layer.count(kind)
         _add(layer, entity, kind)
         rooms += _marked_room(entity, kind)
     unit = METRES.get(int(document.header.get("$INSUNITS", 0) or 0))
-    return Entities(layers, unit, tuple(rooms))
+    return Sheet(layers, unit, tuple(rooms))
 
 
 def _open(path: str | os.PathLike[str]) -> Drawing:
@@ -122,21 +109,23 @@ def _add(layer: Layer, entity: Any, kind: str) -> None:
     try:
         if kind == "LINE":
             start, end = entity.dxf.start, entity.dxf.end
-            _add_line(layer, (start.x, start.y), (end.x, end.y))
+            layer.add_path([(start.x, start.y), (end.x, end.y)])
         elif kind in ("TEXT", "MTEXT", "ATTRIB"):
             _add_words(layer, entity, kind)
         elif kind in ("LWPOLYLINE", "POLYLINE", "ARC", "CIRCLE", "ELLIPSE", "SPLINE", "SOLID"):
             _add_curve(layer, entity, kind)
         elif kind == "HATCH":
             for outline in dxf_path.from_hatch(entity):
-                _add_points(layer, outline.flattening(_tolerance(outline)))
+                _add_curve_points(layer, outline)
     except (ezdxf.DXFError, ValueError, TypeError, AttributeError, ArithmeticError, IndexError):
         return
 
 
 def _tolerance(curve: Any) -> float:
-    box = np.array([[p.x, p.y] for p in curve.control_vertices()])
-    return max(CURVED * float(np.ptp(box, axis=0).max()), 1e-6)
+    box = np.array([p.xyz for p in curve.control_vertices()])
+    if not np.abs(box).max() <= FARTHEST:
+        raise ValueError
+    return max(CURVED * float(np.ptp(box, axis=0).max()), 1e-9 * float(np.abs(box).max()), 1e-6)
 
 
 def _add_curve(layer: Layer, entity: Any, kind: str) -> None:
@@ -144,13 +133,13 @@ def _add_curve(layer: Layer, entity: Any, kind: str) -> None:
         sweep = (entity.dxf.end_angle - entity.dxf.start_angle) % 360.0
         if QUARTER[0] <= sweep <= QUARTER[1]:
             middle, start, end = entity.ocs().to_wcs(entity.dxf.center), *_ends(entity)
-            layer.arcs.append(Arc((middle.x, middle.y), float(entity.dxf.radius), start, end))
+            layer.add_arc(Arc((middle.x, middle.y), float(entity.dxf.radius), start, end))
             return
     if kind == "LWPOLYLINE" and len(entity) == 2 and abs(entity[0][4]) > 0.3:
         _add_bulge(layer, entity)
         return
     curve = dxf_path.make_path(entity)
-    _add_points(layer, curve.flattening(_tolerance(curve)))
+    _add_curve_points(layer, curve)
 
 
 def _ends(entity: Any) -> tuple[tuple[float, float], tuple[float, float]]:
@@ -164,16 +153,8 @@ def _add_bulge(layer: Layer, entity: Any) -> None:
         _add_curve(layer, arc, "ARC")
 
 
-def _add_points(layer: Layer, points: Any) -> None:
-    row = [(float(p.x), float(p.y)) for p in points]
-    for a, b in pairwise(row):
-        _add_line(layer, a, b)
-
-
-def _add_line(layer: Layer, a: tuple[float, float], b: tuple[float, float]) -> None:
-    line = (*a, *b)
-    if len(layer.lines) < MOST_LINES and np.isfinite(line).all() and max(map(abs, line)) < 1e12:
-        layer.lines.append(line)
+def _add_curve_points(layer: Layer, curve: Any) -> None:
+    layer.add_path([(p.x, p.y) for p in curve.flattening(_tolerance(curve))])
 
 
 def _add_words(layer: Layer, entity: Any, kind: str) -> None:
@@ -182,9 +163,7 @@ def _add_words(layer: Layer, entity: Any, kind: str) -> None:
     place = entity.dxf.insert
     if kind != "MTEXT" and entity.dxf.hasattr("align_point") and entity.dxf.get("halign", 0):
         place = entity.dxf.align_point
-    row = Word(" ".join(words.split()), float(place.x), float(place.y), size)
-    if row.words and np.isfinite([row.x, row.y, row.size]).all():
-        layer.words.append(row)
+    layer.add_word(Word(" ".join(words.split()), float(place.x), float(place.y), size))
 
 
 def _marked_room(entity: Any, kind: str) -> list[tuple[str, str, np.ndarray]]:

@@ -1,0 +1,108 @@
+"""Reading in a process apart: a hostile or damaged file can bring down no more than that.
+
+Parsers are others' code, in part compiled, and geometry has no bound that a count of lines would
+give. What reads a file runs in a process with limits of memory and time; its result, plain values,
+comes back as one JSON document on the standard output.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from collections.abc import Mapping
+from importlib import import_module
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from scenewright.core.errors import InputError
+
+PROGRAM = "from scenewright.formats.apart import answer; answer()"
+FAULTS = (
+    ValueError,
+    ArithmeticError,
+    LookupError,
+    TypeError,
+    AttributeError,
+    RuntimeError,
+    OSError,
+)
+"""What parsers raise over damaged files."""
+
+
+class Allowance(NamedTuple):
+    """The most memory in MiB, and MiB more for each of the file; the most seconds of processor."""
+
+    memory: int
+    per_size: int
+    seconds: int
+
+
+def read_apart(
+    module: str, path: Path, allowance: Allowance, options: Mapping[str, Any]
+) -> dict[str, Any]:
+    """The document that ``extract(path, **options)`` of a module returns.
+
+    Raises :class:`InputError` as the function does, and where the process is brought down or needs
+    more than it may.
+    """
+    size = path.stat().st_size / 2**20
+    memory = int(allowance.memory + allowance.per_size * size)
+    order: dict[str, Any] = {
+        "module": module,
+        "path": str(path.resolve()),
+        "options": dict(options),
+    }
+    order |= {"memory": memory, "seconds": allowance.seconds}
+    try:
+        done = subprocess.run(
+            [sys.executable, "-c", PROGRAM],
+            input=json.dumps(order).encode(),
+            capture_output=True,
+            check=False,
+            timeout=20 * allowance.seconds,
+            env={**os.environ, "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"},
+        )
+        document: dict[str, Any] = json.loads(done.stdout)
+    except (subprocess.TimeoutExpired, ValueError):
+        document = {"fault": _too_much(memory, allowance.seconds), "remedy": SMALLER}
+    if "fault" in document:
+        raise InputError(document["fault"], document["remedy"], place=document.get("place", ""))
+    return document
+
+
+SMALLER = "save it again from its program, only the plan of a storey"
+
+
+def _too_much(memory: int, seconds: int) -> str:
+    return f"cannot be read within {seconds} s and {memory} MiB of memory: damaged or too large"
+
+
+def answer() -> None:
+    """Print the document that is asked for on the standard input, or its fault and remedy."""
+    order = json.load(sys.stdin)
+    extract = import_module(order["module"]).extract
+    _limit(order["memory"] * 2**20, order["seconds"])
+    try:
+        document = extract(order["path"], **order["options"])
+    except InputError as error:
+        document = {"fault": error.fault, "remedy": error.remedy, "place": error.place}
+    except MemoryError:
+        fault = _too_much(order["memory"], order["seconds"])
+        document = {"fault": fault, "remedy": SMALLER}
+    except FAULTS as error:
+        reason = " ".join(str(error).split())[:120] or type(error).__name__
+        document = {"fault": f"is damaged ({reason})", "remedy": SMALLER}
+    sys.stdout.write(json.dumps(document))
+
+
+def _limit(memory: int, seconds: int) -> None:
+    """Limit this process; where the system knows no limits there are none."""
+    try:
+        import resource
+    except ImportError:
+        return
+    resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds))
+    resource.setrlimit(resource.RLIMIT_AS, (memory, memory))
+    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
