@@ -18,12 +18,11 @@ from scenewright.catalog.assets import shipped
 from scenewright.core.brief import Brief
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
-from scenewright.domains.hall.assign import Unit
 from scenewright.domains.hall.build_problem import HallContext, build_problem, hall_of
+from scenewright.domains.hall.demands.holdings import HallDemand, collect_demands
 from scenewright.domains.hall.energy import capacity
 from scenewright.domains.hall.fit import Fitted, fit
-from scenewright.domains.hall.holdings import HallDemand, collect_demands
-from scenewright.domains.hall.on_stage import split_carried
+from scenewright.domains.hall.furnishing.on_stage import split_carried
 from scenewright.domains.hall.patterns import SINGLE, WALL
 from scenewright.domains.hall.presets import OURS, PAPER
 from scenewright.domains.hall.problem import Floats, HallProblem
@@ -38,7 +37,8 @@ from scenewright.domains.hall.terms.table import (
     proportion_cost,
     space_cost,
 )
-from scenewright.domains.hall.zones import HallPlan, borders_of, zones_of
+from scenewright.domains.hall.zoning.assign import Unit
+from scenewright.domains.hall.zoning.zones import HallPlan, borders_of, zones_of
 
 
 class Energies(NamedTuple):

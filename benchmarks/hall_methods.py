@@ -14,8 +14,8 @@ from benchmarks.hall_measure import energies_of, own_energy
 from scenewright.core.brief import Brief
 from scenewright.core.solution import Solution
 from scenewright.domains import check
-from scenewright.domains.hall.chairs import CHAIRS
-from scenewright.domains.hall.desk_chairs import DESK_CHAIRS
+from scenewright.domains.hall.desks.chairs import DESK_CHAIRS
+from scenewright.domains.hall.seats.chairs import CHAIRS
 from scenewright.domains.hall.solving import solve
 from scenewright.formats import read, samples
 

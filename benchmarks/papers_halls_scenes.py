@@ -19,7 +19,7 @@ from scenewright.core.brief import Brief
 from scenewright.core.layout import NamedBox
 from scenewright.core.solution import Solution
 from scenewright.domains import solution_of
-from scenewright.domains.hall.holdings import collect_demands
+from scenewright.domains.hall.demands.holdings import collect_demands
 from scenewright.formats import read
 
 FOLDER = Path(__file__).parent / "scenes"

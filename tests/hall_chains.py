@@ -14,13 +14,13 @@ from scenewright.core.brief import Brief
 from scenewright.core.layout import corners
 from scenewright.core.solution import Solution
 from scenewright.domains.hall.build_problem import HallContext, hall_of
+from scenewright.domains.hall.demands.holdings import HallDemand, collect_demands
 from scenewright.domains.hall.fit import Fitted, fit
-from scenewright.domains.hall.holdings import HallDemand, collect_demands
 from scenewright.domains.hall.presets import PRESETS
 from scenewright.domains.hall.problem import HallProblem
 from scenewright.domains.hall.solvers.chains import HallChain
 from scenewright.domains.hall.solvers.start import copy_frames
-from scenewright.domains.hall.zones import borders_of, zones_of
+from scenewright.domains.hall.zoning.zones import borders_of, zones_of
 
 SLACK = 5e-4
 """Square metres a footprint may stand over an edge."""

@@ -8,8 +8,8 @@ import pytest
 
 from scenewright.catalog.assets import shipped
 from scenewright.core.scene import Piece, Pose, Size
-from scenewright.domains.hall.chairs import CHAIRS
-from scenewright.domains.hall.desk_chairs import desk_chairs
+from scenewright.domains.hall.desks.chairs import desk_chairs
+from scenewright.domains.hall.seats.chairs import CHAIRS
 
 CATALOG = shipped()
 

@@ -15,7 +15,7 @@ from hall_chains import posed, two_zones
 from scenewright.core.brief import Brief
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.solution import Solution
-from scenewright.domains.hall.low_tables import keep_reached
+from scenewright.domains.hall.seats.low_tables import keep_reached
 from scenewright.domains.hall.solvers.chains import begin_chain, layout_of
 from scenewright.domains.hall.solvers.outcome import lacking, measure_among
 from scenewright.engine.draws import streams

@@ -15,8 +15,8 @@ from hall_chains import posed, two_zones
 from scenewright.core.brief import Brief
 from scenewright.core.piece_outlines import polygons_of
 from scenewright.core.solution import Solution
-from scenewright.domains.hall.borders import WallStretch
-from scenewright.domains.hall.curved_walls import WallNeed, space_places
+from scenewright.domains.hall.walls.curved import WallNeed, space_places
+from scenewright.domains.hall.zoning.borders import WallStretch
 
 ARCH = [[32, 14], [29.5, 16.2], [26.6, 17.9], [23.2, 19.1], [19.6, 19.8], [16, 20], [12.4, 19.8]]
 OUTLINE = [[0, 0], [32, 0], *ARCH, [8.8, 19.1], [5.4, 17.9], [2.5, 16.2], [0, 14]]

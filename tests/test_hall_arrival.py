@@ -15,7 +15,7 @@ from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
 from scenewright.domains import plan_of
 from scenewright.domains.hall import compose
-from scenewright.domains.hall.zones import zones_of
+from scenewright.domains.hall.zoning.zones import zones_of
 
 
 def _zone_at_door(**room: object) -> str:

@@ -12,7 +12,6 @@ import numpy as np
 import pytest
 
 from hall_chains import posed, two_zones
-from scenewright.domains.hall.assign import KAPPA, area_of, assign, length_of
 from scenewright.domains.hall.presets import PRESETS
 from scenewright.domains.hall.solvers.chains import HallChain, begin_chain
 from scenewright.domains.hall.solvers.printed_metropolis import run_printed
@@ -29,6 +28,7 @@ from scenewright.domains.hall.terms.table import (
     space_cost,
 )
 from scenewright.domains.hall.terms.whole import measure_all
+from scenewright.domains.hall.zoning.assign import KAPPA, area_of, assign, length_of
 from scenewright.engine.draws import streams
 
 PAIR = {

@@ -9,8 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from scenewright.core.scene import Size
-from scenewright.domains.hall.assign import KAPPA, area_of, assign
-from scenewright.domains.hall.holdings import HallDemand
+from scenewright.domains.hall.demands.holdings import HallDemand
+from scenewright.domains.hall.zoning.assign import KAPPA, area_of, assign
 
 NAMES = ("a", "b", "c")
 

@@ -7,8 +7,8 @@ import pytest
 
 from hall_chains import Posed, posed, two_zones
 from scenewright.catalog.assets import shipped
-from scenewright.domains.hall.fewer_ropes import place_fewer_of_each
-from scenewright.domains.hall.idle_guides import BARRING, find_barring
+from scenewright.domains.hall.gates.fewer_ropes import place_fewer_of_each
+from scenewright.domains.hall.gates.idle_guides import BARRING, find_barring
 from scenewright.domains.hall.presets import PRESETS
 from scenewright.domains.hall.retouch.lines import line_up
 from scenewright.domains.hall.search import HallSearch

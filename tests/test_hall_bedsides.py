@@ -12,8 +12,8 @@ import scenewright
 from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief
 from scenewright.core.scene import Piece
-from scenewright.domains.hall.bedsides import join_bedsides
-from scenewright.domains.hall.holdings import HallDemand, collect_demands
+from scenewright.domains.hall.demands.bedsides import join_bedsides
+from scenewright.domains.hall.demands.holdings import HallDemand, collect_demands
 
 
 def showroom(*demands: dict[str, Any]) -> Brief:

@@ -11,10 +11,10 @@ import shapely
 import scenewright
 from scenewright.building.plan import spaces
 from scenewright.core.brief import Brief
-from scenewright.domains.hall.borders import shared_borders
 from scenewright.domains.hall.hall_layout import Zone
-from scenewright.domains.hall.shifted_zones import BorderLine, border_lines, shift_zones
-from scenewright.domains.hall.zones import zones_of
+from scenewright.domains.hall.zoning.borders import shared_borders
+from scenewright.domains.hall.zoning.shifted_zones import BorderLine, border_lines, shift_zones
+from scenewright.domains.hall.zoning.zones import zones_of
 from scenewright.formats import read
 
 

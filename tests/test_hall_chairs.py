@@ -16,8 +16,8 @@ from scenewright.core.brief import Brief
 from scenewright.core.layout import corners
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
-from scenewright.domains.hall.chairs import out_of_table
-from scenewright.domains.hall.holdings import SEATWAY, collect_demands
+from scenewright.domains.hall.demands.holdings import SEATWAY, collect_demands
+from scenewright.domains.hall.seats.chairs import out_of_table
 
 
 def cafe(*more: dict[str, Any], tables: int = 8, **table: Any) -> Brief:

@@ -10,9 +10,9 @@ from tests.hall_briefs import answer, hall
 from scenewright.core.brief.zones import Demand
 from scenewright.core.layout import corners
 from scenewright.domains.hall.accessories import place
-from scenewright.domains.hall.borders import WallStretch
-from scenewright.domains.hall.holdings import fill_defaults
-from scenewright.domains.hall.wall_corners import corner_share
+from scenewright.domains.hall.demands.holdings import fill_defaults
+from scenewright.domains.hall.walls.corners import corner_share
+from scenewright.domains.hall.zoning.borders import WallStretch
 
 
 @pytest.mark.parametrize("turn", np.deg2rad([40.0, 60.0, 80.0]))

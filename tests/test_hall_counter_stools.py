@@ -12,8 +12,8 @@ import scenewright
 from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief
 from scenewright.domains.hall.accessories.stools import OFF
-from scenewright.domains.hall.counter_stools import keep_stools
-from scenewright.domains.hall.holdings import collect_demands
+from scenewright.domains.hall.demands.holdings import collect_demands
+from scenewright.domains.hall.desks.stools import keep_stools
 
 BAR: dict[str, Any] = {"category": "counter", "size": [4.0, 0.8, 1.1], "place": "wall"}
 STOOLS: dict[str, Any] = {"category": "bar_stool", "count": 4}

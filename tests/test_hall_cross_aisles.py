@@ -15,9 +15,9 @@ from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
 from scenewright.core.scene import Piece
-from scenewright.domains.hall.cross_aisles import break_rows
-from scenewright.domains.hall.demands import check_demands
-from scenewright.domains.hall.holdings import collect_demands
+from scenewright.domains.hall.demands.checked import check_demands
+from scenewright.domains.hall.demands.cross_aisles import break_rows
+from scenewright.domains.hall.demands.holdings import collect_demands
 
 
 def store(**demand: Any) -> Brief:

@@ -10,9 +10,9 @@ import pytest
 import scenewright
 from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief
-from scenewright.domains.hall.desk_rows import turn_to_show
-from scenewright.domains.hall.holdings import collect_demands
-from scenewright.domains.hall.turned_seats import count_away
+from scenewright.domains.hall.demands.holdings import collect_demands
+from scenewright.domains.hall.desks.rows import turn_to_show
+from scenewright.domains.hall.seats.turns import count_away
 
 DESKS: dict[str, Any] = {"id": "places", "category": "desk", "count": 16, "size": [1.2, 0.6, 0.74]}
 SCREEN: dict[str, Any] = {"id": "screen", "category": "screen", "size": [2.4, 0.4, 2.4]}

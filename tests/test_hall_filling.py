@@ -9,8 +9,8 @@ import pytest
 from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
 from scenewright.domains import check, plan_of, solve
-from scenewright.domains.hall.demands import floor_needed, sizes_of
-from scenewright.domains.hall.zones import check_halls
+from scenewright.domains.hall.demands.checked import floor_needed, sizes_of
+from scenewright.domains.hall.zoning.zones import check_halls
 
 
 def hall(*demands: dict[str, object]) -> Brief:

@@ -14,11 +14,11 @@ import scenewright
 from hall_chains import answer, posed, ring, two_zones
 from scenewright.core.brief import Brief
 from scenewright.core.layout import corners
-from scenewright.domains.hall.clear_of_openings import clear_hosts
 from scenewright.domains.hall.fit import Fitted
-from scenewright.domains.hall.partitions import SHORTEST, Host
 from scenewright.domains.hall.problem import THICKNESS
 from scenewright.domains.hall.solvers.chains import begin_chain, first_layout
+from scenewright.domains.hall.walls.clear_of_openings import clear_hosts
+from scenewright.domains.hall.walls.partitions import SHORTEST, Host
 from scenewright.engine.draws import streams
 
 TENTH = st.integers(0, 10).map(lambda k: 0.1 * k)

@@ -13,12 +13,12 @@ from scenewright.core.brief import Brief
 from scenewright.domains import check
 from scenewright.domains.hall.energy import make_state, prepare
 from scenewright.domains.hall.hall_layout import Zone
-from scenewright.domains.hall.partitions import SPARE, short_of, standing_hosts
 from scenewright.domains.hall.solving import solve
 from scenewright.domains.hall.terms.measure import passage
 from scenewright.domains.hall.terms.place import build
 from scenewright.domains.hall.terms.state import make_scratch
 from scenewright.domains.hall.terms.whole import measure_frames, place_walls
+from scenewright.domains.hall.walls.partitions import SPARE, short_of, standing_hosts
 
 
 def gallery(count: int) -> Brief:

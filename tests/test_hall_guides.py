@@ -12,7 +12,13 @@ import shapely
 import scenewright
 from scenewright.core.brief import Brief
 from scenewright.core.piece_outlines import polygons_of
-from scenewright.domains.hall.rails import RowOfGates, find_stops, find_way_in, lay_rails, reach
+from scenewright.domains.hall.gates.rails import (
+    RowOfGates,
+    find_stops,
+    find_way_in,
+    lay_rails,
+    reach,
+)
 from scenewright.domains.hall.retouch.audience import measure_audience as sits_aside
 from scenewright.domains.hall.retouch.gates import find_gates, list_steps
 from scenewright.domains.hall.retouch.lines import line_up

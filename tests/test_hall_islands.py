@@ -8,7 +8,7 @@ import shapely
 
 from scenewright.core.solution import Solution
 from scenewright.domains import plan_of, scene_of, solve
-from scenewright.domains.hall.islands import plain_carpet
+from scenewright.domains.hall.furnishing.islands import plain_carpet
 from scenewright.formats import read
 
 

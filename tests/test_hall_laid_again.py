@@ -14,11 +14,11 @@ from scenewright.core.brief import Brief
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.space import Space
 from scenewright.domains.hall import solving
-from scenewright.domains.hall.assemble import Laid
+from scenewright.domains.hall.desks.unserved import ROOM, WITHIN, count_unserved
+from scenewright.domains.hall.furnishing.assemble import Laid
 from scenewright.domains.hall.hall_layout import PlacedGroup
-from scenewright.domains.hall.lack import measure_unserved
 from scenewright.domains.hall.presets import PRESETS
-from scenewright.domains.hall.unserved import ROOM, WITHIN, count_unserved
+from scenewright.domains.hall.shortfall.measures import measure_unserved
 from scenewright.engine.solve import Budget
 
 HALL = Space("hall", "Hall", (), "ground", np.array([[0.0, 0], [8, 0], [8, 6], [0, 6]]))

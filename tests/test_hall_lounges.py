@@ -13,8 +13,8 @@ from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
-from scenewright.domains.hall.holdings import HallDemand, collect_demands
-from scenewright.domains.hall.lounges import join_lounges, part_lounges
+from scenewright.domains.hall.demands.holdings import HallDemand, collect_demands
+from scenewright.domains.hall.seats.lounges import join_lounges, part_lounges
 
 SOFA: dict[str, Any] = {"category": "sofa"}
 TABLE: dict[str, Any] = {"category": "coffee_table"}

@@ -12,7 +12,7 @@ import scenewright
 from scenewright.catalog.assets import shipped
 from scenewright.core.brief import Brief
 from scenewright.core.solution import Solution
-from scenewright.domains.hall.stand_ins import offer_stand_in
+from scenewright.domains.hall.demands.stand_ins import offer_stand_in
 
 BOX = [[0, 0], [12, 0], [12, 9], [0, 9]]
 

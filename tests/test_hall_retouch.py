@@ -15,8 +15,8 @@ from scenewright.core.brief import Brief
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
 from scenewright.domains.hall import compose
-from scenewright.domains.hall.borders import WallStretch
-from scenewright.domains.hall.curved_walls import WallNeed, find_runs, space_places
+from scenewright.domains.hall.walls.curved import WallNeed, find_runs, space_places
+from scenewright.domains.hall.zoning.borders import WallStretch
 
 
 def column(x: float, y: float, half: float = 0.25) -> list[list[float]]:

@@ -10,9 +10,9 @@ import pytest
 import scenewright
 from scenewright.core.brief import Brief
 from scenewright.core.solution import Solution
-from scenewright.domains.hall import seat_audiences
 from scenewright.domains.hall.retouch.audience import measure_audience
-from scenewright.domains.hall.turned_seats import count_away
+from scenewright.domains.hall.seats import seat_audiences
+from scenewright.domains.hall.seats.turns import count_away
 
 
 def lay_out(seed: int, **room: Any) -> Solution:

@@ -13,7 +13,7 @@ from scenewright import domains
 from scenewright.core.brief import Brief
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
-from scenewright.domains.hall.seating import TUCK
+from scenewright.domains.hall.seats.seating import TUCK
 
 
 def seminar(*demands: dict[str, Any]) -> Brief:

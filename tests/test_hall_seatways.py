@@ -10,8 +10,7 @@ import pytest
 from scenewright.building.plan import spaces
 from scenewright.core.brief import Brief
 from scenewright.core.scene import Piece, Pose, Size
-from scenewright.domains.hall.free_to_sit import keep_drawn_back
-from scenewright.domains.hall.holdings import SEATWAY
+from scenewright.domains.hall.demands.holdings import SEATWAY
 from scenewright.domains.hall.patterns import ACROSS, ALONG
 from scenewright.domains.hall.problem import HallProblem
 from scenewright.domains.hall.retouch import RETOUCHES
@@ -23,6 +22,7 @@ from scenewright.domains.hall.retouch.seatways import (
     measure_seatways,
     propose_seatways,
 )
+from scenewright.domains.hall.seats.free_to_sit import keep_drawn_back
 from scenewright.domains.hall.solvers.chains import begin_chain, layout_of
 from scenewright.domains.hall.solving import problems
 from scenewright.domains.hall.terms.state import Kept

@@ -7,7 +7,7 @@ from scenewright.catalog.assets import shipped
 from scenewright.domains.hall.build_problem import build_problem
 from scenewright.domains.hall.fit import Fitted, place_lacking, without
 from scenewright.domains.hall.presets import PRESETS
-from scenewright.domains.hall.second_places import list_absent
+from scenewright.domains.hall.shortfall.absent import list_absent
 
 
 def hall(tables: int = 4) -> Posed:

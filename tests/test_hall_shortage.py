@@ -16,7 +16,7 @@ from scenewright import cli
 from scenewright.core.brief import Brief
 from scenewright.core.solution import Solution
 from scenewright.domains import check
-from scenewright.domains.hall.demands import ids_of
+from scenewright.domains.hall.demands.checked import ids_of
 
 
 @pytest.fixture(scope="module", autouse=True)

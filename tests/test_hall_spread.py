@@ -14,9 +14,9 @@ from scenewright.core.brief import Brief
 from scenewright.core.piece_outlines import polygons_of
 from scenewright.core.solution import Solution
 from scenewright.domains.hall import compose
-from scenewright.domains.hall.fronts import turn_fronts
 from scenewright.domains.hall.patterns import RADIATION
 from scenewright.domains.hall.retouch.columns import find_columns
+from scenewright.domains.hall.retouch.fronts import turn_fronts
 from scenewright.domains.hall.retouch.spread import measure_spread, propose_spread
 from scenewright.domains.hall.solvers.chains import begin_chain, layout_of
 from scenewright.domains.hall.solvers.outcome import StartedHall

@@ -12,7 +12,6 @@ from benchmarks.hall_measure import posed
 
 from scenewright.core.brief import Brief
 from scenewright.core.layout import corners
-from scenewright.domains.hall.doors import visitor_exits, ways_in, ways_out
 from scenewright.domains.hall.patterns import WALL
 from scenewright.domains.hall.solvers.chains import HallChain, begin_chain
 from scenewright.domains.hall.solvers.moves import reseed, scatter
@@ -30,6 +29,7 @@ from scenewright.domains.hall.terms.visitors import (
     TILL,
 )
 from scenewright.domains.hall.terms.whole import measure_all
+from scenewright.domains.hall.visit.doors import visitor_exits, ways_in, ways_out
 from scenewright.engine.draws import below, streams
 from scenewright.formats import read
 

@@ -14,9 +14,9 @@ from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
-from scenewright.domains.hall.holdings import collect_demands
+from scenewright.domains.hall.demands.holdings import collect_demands
 from scenewright.domains.hall.retouch.waiting import RATE, STAFF, _measure
-from scenewright.domains.hall.visitor_plan import is_to_wait_on
+from scenewright.domains.hall.visit.visitor_plan import is_to_wait_on
 
 CHAIRS: dict[str, Any] = {"id": "chairs", "category": "dining_chair", "count": 4, "place": "wall"}
 COUNTER: dict[str, Any] = {"id": "counter", "category": "counter", "size": [4.0, 0.7, 1.0]}

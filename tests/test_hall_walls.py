@@ -12,11 +12,11 @@ from scenewright.catalog.assets import shipped
 from scenewright.core.brief import Brief
 from scenewright.core.layout import corners
 from scenewright.core.scene import Piece
-from scenewright.domains.hall.assign import Unit
-from scenewright.domains.hall.holdings import collect_demands
-from scenewright.domains.hall.partitions import wall_needed
-from scenewright.domains.hall.shortfall import drop_unplaceable
+from scenewright.domains.hall.demands.holdings import collect_demands
+from scenewright.domains.hall.shortfall.unplaceable import drop_unplaceable
 from scenewright.domains.hall.solvers.chains import begin_chain
+from scenewright.domains.hall.walls.partitions import wall_needed
+from scenewright.domains.hall.zoning.assign import Unit
 from scenewright.engine.draws import streams
 
 

@@ -22,7 +22,7 @@ from scenewright.core.layout import corners
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
 from scenewright.domains.hall import solving as domain
-from scenewright.domains.hall.demands import ids_of, sizes_of
+from scenewright.domains.hall.demands.checked import ids_of, sizes_of
 from scenewright.domains.hall.patterns import PATTERNS
 from scenewright.formats import brief_json, solution_json
 

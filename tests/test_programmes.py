@@ -8,7 +8,7 @@ import pytest
 
 from scenewright.catalog.assets import shipped
 from scenewright.core.scene import Size
-from scenewright.domains.hall.programme import (
+from scenewright.domains.hall.demands.programme import (
     PROGRAMMES,
     SMALLEST_SHOP,
     UTILISATION,

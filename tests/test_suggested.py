@@ -17,7 +17,7 @@ from scenewright.core.brief import Brief
 from scenewright.core.edits import Change
 from scenewright.core.errors import InputError
 from scenewright.domains import plan_of
-from scenewright.domains.hall.zones import check_halls
+from scenewright.domains.hall.zoning.zones import check_halls
 from scenewright.domains.home.furnishing.style_words import note_colours
 from scenewright.domains.home.requests import check_asks
 from scenewright.domains.home.wished.wishes import check_wishes

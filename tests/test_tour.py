@@ -18,7 +18,7 @@ from scenewright.core.brief import Brief
 from scenewright.core.layout import corners
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains.hall.hall_layout import HallLayout, PlacedGroup
-from scenewright.domains.hall.tour import tour
+from scenewright.domains.hall.visit.tour import tour
 from scenewright.geometry.distance_raster import DistanceRaster, clearance, distances, walls_between
 from scenewright.geometry.travel import make_search, round_off, shorten, spread, string_pull
 from scenewright.geometry.visiting_order import shortest_path_through

@@ -18,10 +18,10 @@ from scenewright.building.plan import plan_rooms, spaces
 from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
 from scenewright.core.space import Space
-from scenewright.domains.hall.borders import border_lengths
-from scenewright.domains.hall.demands import floor_needed, ids_of, sizes_of
+from scenewright.domains.hall.demands.checked import floor_needed, ids_of, sizes_of
 from scenewright.domains.hall.hall_layout import Zone
-from scenewright.domains.hall.zones import HallPlan, borders_of, wall_stretches, zones_of
+from scenewright.domains.hall.zoning.borders import border_lengths
+from scenewright.domains.hall.zoning.zones import HallPlan, borders_of, wall_stretches, zones_of
 from scenewright.domains.home.requests import check_plain
 
 

@@ -16,9 +16,9 @@ from scenewright.building.plan import spaces
 from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
 from scenewright.core.space import Points, Space
-from scenewright.domains.hall.borders import border_lengths, floor_of, shared_borders
 from scenewright.domains.hall.hall_layout import Zone, ZoneLink
 from scenewright.domains.hall.zoning import ZoneWish, proposals, propose
+from scenewright.domains.hall.zoning.borders import border_lengths, floor_of, shared_borders
 from scenewright.domains.hall.zoning.cuts import area_below, cut, frame_of
 from scenewright.domains.hall.zoning.trees import every_tree, leaves
 

@@ -17,9 +17,9 @@ from scenewright.core.piece_edits import Edited, apply_edits, find_piece, list_a
 from scenewright.core.plan import Plan
 from scenewright.core.scene import STAIRS, Piece
 from scenewright.core.solution import Solution
-from scenewright.domains.hall.chairs import CHAIRS
 from scenewright.domains.hall.hall_layout import HallDetail, HallLayout
 from scenewright.domains.hall.record import lock_halls
+from scenewright.domains.hall.seats.chairs import CHAIRS
 from scenewright.domains.hall.solvers import HALL_SOLVERS
 from scenewright.domains.hall.solving import solve
 from scenewright.engine.rows import solver_again

@@ -20,17 +20,17 @@ from scenewright.core.kind import Kind
 from scenewright.core.piece_outlines import boxes_of, polygons_of
 from scenewright.core.scene import Piece
 from scenewright.core.space import Space
-from scenewright.domains.hall.assign import Unit
-from scenewright.domains.hall.borders import Border, WallStretch, wall_stretches, zone_edges
-from scenewright.domains.hall.curved_walls import WallNeed, space_places
-from scenewright.domains.hall.holdings import HallDemand
-from scenewright.domains.hall.partitions import Host, lacking
+from scenewright.domains.hall.demands.holdings import HallDemand
 from scenewright.domains.hall.patterns import PATTERNS
 from scenewright.domains.hall.problem import Floats, HallGround, HallProblem, Ints, Units
 from scenewright.domains.hall.settings import HallSettings
-from scenewright.domains.hall.visitor_plan import plan_visitors
-from scenewright.domains.hall.wall_corners import corner_share
-from scenewright.domains.hall.zones import HallPlan
+from scenewright.domains.hall.visit.visitor_plan import plan_visitors
+from scenewright.domains.hall.walls.corners import corner_share
+from scenewright.domains.hall.walls.curved import WallNeed, space_places
+from scenewright.domains.hall.walls.partitions import Host, lacking
+from scenewright.domains.hall.zoning.assign import Unit
+from scenewright.domains.hall.zoning.borders import Border, WallStretch, wall_stretches, zone_edges
+from scenewright.domains.hall.zoning.zones import HallPlan
 
 LANDING = 1.5
 """Kept free inside a door, in metres: people stop there."""

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from scenewright.core.solution import LeftOut
 from scenewright.domains.hall.fit import Fitted
-from scenewright.domains.hall.fronts import turn_fronts
-from scenewright.domains.hall.place_exhibit import place_exhibit
 from scenewright.domains.hall.retouch import retouch_layout
+from scenewright.domains.hall.retouch.fronts import turn_fronts
+from scenewright.domains.hall.retouch.place_exhibit import place_exhibit
 from scenewright.domains.hall.search import HallSearch
-from scenewright.domains.hall.seat_audiences import seat_audiences
+from scenewright.domains.hall.seats.seat_audiences import seat_audiences
 from scenewright.domains.hall.solvers.outcome import MeasuredLayout
 
 

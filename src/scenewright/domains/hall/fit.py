@@ -11,7 +11,6 @@ from typing import NamedTuple
 import numpy as np
 
 from scenewright.core.catalog import Catalog
-from scenewright.domains.hall.assign import Unit, assign
 from scenewright.domains.hall.build_problem import (
     HallContext,
     build_problem,
@@ -19,11 +18,17 @@ from scenewright.domains.hall.build_problem import (
     wall_lengths,
     zone_areas,
 )
-from scenewright.domains.hall.clear_of_openings import clear_hosts
+from scenewright.domains.hall.demands.holdings import HallDemand
 from scenewright.domains.hall.energy import capacity
-from scenewright.domains.hall.gates_by_door import share_among_doors
-from scenewright.domains.hall.holdings import HallDemand
-from scenewright.domains.hall.partitions import (
+from scenewright.domains.hall.gates.by_door import share_among_doors
+from scenewright.domains.hall.problem import THICKNESS, Floats, HallProblem
+from scenewright.domains.hall.shortfall.absent import list_absent
+from scenewright.domains.hall.shortfall.unplaceable import drop_unplaceable
+from scenewright.domains.hall.solvers.chains import anneal_hall, first_layout
+from scenewright.domains.hall.terms.state import Kept
+from scenewright.domains.hall.visit.roles import GATE
+from scenewright.domains.hall.walls.clear_of_openings import clear_hosts
+from scenewright.domains.hall.walls.partitions import (
     Host,
     hosts,
     lacking,
@@ -32,12 +37,7 @@ from scenewright.domains.hall.partitions import (
     stands_free,
     visiting_order,
 )
-from scenewright.domains.hall.problem import THICKNESS, Floats, HallProblem
-from scenewright.domains.hall.roles import GATE
-from scenewright.domains.hall.second_places import list_absent
-from scenewright.domains.hall.shortfall import drop_unplaceable
-from scenewright.domains.hall.solvers.chains import anneal_hall, first_layout
-from scenewright.domains.hall.terms.state import Kept
+from scenewright.domains.hall.zoning.assign import Unit, assign
 from scenewright.engine.solve import Budget, Cancel
 
 NOTHING = Kept(np.zeros((0, 4)), np.zeros((0, 5)), np.zeros((0, 2)), np.zeros((0, 2)))

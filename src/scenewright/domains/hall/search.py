@@ -10,13 +10,12 @@ import numpy as np
 
 from scenewright.core.catalog import Catalog
 from scenewright.core.layout import NamedBox, Watch, name_rows
-from scenewright.domains.hall.assign import Unit
 from scenewright.domains.hall.build_problem import HallContext, build_problem
+from scenewright.domains.hall.demands.holdings import HallDemand
 from scenewright.domains.hall.fit import Fitted, build_hosts
-from scenewright.domains.hall.holdings import HallDemand
 from scenewright.domains.hall.presets import HallPreset
 from scenewright.domains.hall.problem import HallProblem
-from scenewright.domains.hall.seating import bare_tables
+from scenewright.domains.hall.seats.seating import bare_tables
 from scenewright.domains.hall.settings import SearchSettings
 from scenewright.domains.hall.solvers import HALL_SOLVERS
 from scenewright.domains.hall.solvers.chains import cooled_hall, first_layout
@@ -27,6 +26,7 @@ from scenewright.domains.hall.solvers.outcome import (
     measure_layout,
 )
 from scenewright.domains.hall.terms.table import SPACE, space_cost
+from scenewright.domains.hall.zoning.assign import Unit
 from scenewright.engine.solve import Budget, Found, Report
 from scenewright.engine.watched import add_watch
 

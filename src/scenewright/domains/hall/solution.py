@@ -18,19 +18,19 @@ from scenewright.core.layout import Layouts, NamedBox, check_layouts
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Size
 from scenewright.core.solution import LeftOut, Solution
-from scenewright.domains.hall.assemble import Laid, assemble_solution
-from scenewright.domains.hall.assign import Unit
 from scenewright.domains.hall.build_problem import HallContext, build_problem
+from scenewright.domains.hall.demands.holdings import HallDemand, collect_demands
 from scenewright.domains.hall.energy import capacity
 from scenewright.domains.hall.fit import Fitted
-from scenewright.domains.hall.furnish_layout import furnish_layout
-from scenewright.domains.hall.holdings import HallDemand, collect_demands
+from scenewright.domains.hall.furnishing.assemble import Laid, assemble_solution
+from scenewright.domains.hall.furnishing.layout import furnish_layout
 from scenewright.domains.hall.patterns import SINGLE
 from scenewright.domains.hall.presets import PRESETS
 from scenewright.domains.hall.problem import Floats
 from scenewright.domains.hall.solvers.outcome import MeasuredLayout
 from scenewright.domains.hall.solving import hall_contexts
 from scenewright.domains.hall.terms.state import Kept
+from scenewright.domains.hall.zoning.assign import Unit
 
 FITS = 0.01
 """Metres by which a box may differ from the object it is of."""

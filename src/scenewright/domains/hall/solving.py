@@ -27,31 +27,40 @@ from scenewright.core.scene import Piece
 from scenewright.core.solution import LeftOut, Solution
 from scenewright.core.space import Space
 from scenewright.domains.hall.accessories import count_groups
-from scenewright.domains.hall.assemble import Laid, assemble_solution
-from scenewright.domains.hall.boarding_gates import set_boarding_gates
 from scenewright.domains.hall.build_problem import HallContext, hall_of
 from scenewright.domains.hall.compose import compose
-from scenewright.domains.hall.desks import turn_desks
-from scenewright.domains.hall.filling import fill_halls, settle_counts
-from scenewright.domains.hall.furnish import kept_groups
-from scenewright.domains.hall.furnish_layout import furnish_guided
-from scenewright.domains.hall.gate_leaves import with_leaves
+from scenewright.domains.hall.demands.filling import fill_halls, settle_counts
+from scenewright.domains.hall.demands.holdings import HallDemand, collect_demands, restrict_patterns
+from scenewright.domains.hall.demands.split import find_locked, split_demands
+from scenewright.domains.hall.desks.staff_room import fit_with_staff
+from scenewright.domains.hall.desks.turning import turn_desks
+from scenewright.domains.hall.desks.unserved import count_unserved
+from scenewright.domains.hall.furnishing.assemble import Laid, assemble_solution
+from scenewright.domains.hall.furnishing.layout import furnish_guided
+from scenewright.domains.hall.furnishing.on_stage import put_on_stage
+from scenewright.domains.hall.furnishing.pieces import kept_groups
+from scenewright.domains.hall.gates.boarding import set_boarding_gates
+from scenewright.domains.hall.gates.leaves import with_leaves
 from scenewright.domains.hall.hall_layout import HallLayout
-from scenewright.domains.hall.holdings import HallDemand, collect_demands, restrict_patterns
-from scenewright.domains.hall.lack import lacks, leaves_open, measure_lack, measure_unserved
-from scenewright.domains.hall.move_borders import move_borders, read_slack, search_with_borders
-from scenewright.domains.hall.on_stage import put_on_stage
 from scenewright.domains.hall.presets import PRESETS, HallPreset, count_steps
 from scenewright.domains.hall.search import HallSearch, may_retry, search_layout
 from scenewright.domains.hall.settings import USUAL_ZONING, ZoningSettings
-from scenewright.domains.hall.shortfall import left_out
+from scenewright.domains.hall.shortfall.measures import (
+    lacks,
+    leaves_open,
+    measure_lack,
+    measure_unserved,
+)
+from scenewright.domains.hall.shortfall.unplaceable import left_out
+from scenewright.domains.hall.shortfall.unreached import drop_unreached
 from scenewright.domains.hall.solvers.outcome import StartedHall
-from scenewright.domains.hall.split_demands import find_locked, split_demands
-from scenewright.domains.hall.staff_room import fit_with_staff
-from scenewright.domains.hall.tour import tour
-from scenewright.domains.hall.unreached import drop_unreached
-from scenewright.domains.hall.unserved import count_unserved
-from scenewright.domains.hall.zones import HallPlan, borders_of, zones_of
+from scenewright.domains.hall.visit.tour import tour
+from scenewright.domains.hall.zoning.move_borders import (
+    move_borders,
+    read_slack,
+    search_with_borders,
+)
+from scenewright.domains.hall.zoning.zones import HallPlan, borders_of, zones_of
 from scenewright.engine.rows import preset_named
 from scenewright.engine.shared_progress import SharedProgress
 from scenewright.engine.solve import Budget

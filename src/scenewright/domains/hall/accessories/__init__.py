@@ -24,7 +24,7 @@ from scenewright.domains.hall.accessories.setting import Setting
 from scenewright.domains.hall.accessories.spots import Spots
 from scenewright.domains.hall.accessories.stools import find_stool_spots, may_sit_high
 from scenewright.domains.hall.accessories.totems import find_totem_spots
-from scenewright.domains.hall.holdings import HallDemand
+from scenewright.domains.hall.demands.holdings import HallDemand
 
 MANY = 24
 """More of one kind than this are no accessories but a group of their own."""

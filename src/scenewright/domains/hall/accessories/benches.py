@@ -20,7 +20,7 @@ from scenewright.domains.hall.accessories.spots import (
     measure_crowd,
 )
 from scenewright.domains.hall.build_problem import HEAD_HEIGHT
-from scenewright.domains.hall.holdings import HallDemand, may_stand_together
+from scenewright.domains.hall.demands.holdings import HallDemand, may_stand_together
 from scenewright.domains.hall.problem import Floats
 
 PICTURE, ISLAND = "wall_exhibit", "exhibit_island"

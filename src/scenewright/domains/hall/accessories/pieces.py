@@ -13,8 +13,8 @@ from scenewright.core.solution import LeftOut
 from scenewright.domains.hall.accessories import ACCESSORIES
 from scenewright.domains.hall.accessories.place import Placed, StandingHall, place_accessories
 from scenewright.domains.hall.accessories.stools import STOOL
+from scenewright.domains.hall.demands.holdings import HallDemand
 from scenewright.domains.hall.hall_layout import Layer, PatternPart, PlacedGroup
-from scenewright.domains.hall.holdings import HallDemand
 from scenewright.domains.hall.problem import Floats
 
 REASON = "no place is left for it that bars no way"

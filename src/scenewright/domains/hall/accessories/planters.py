@@ -17,7 +17,7 @@ from scenewright.domains.hall.accessories.spots import (
     make_spots,
     measure_crowd,
 )
-from scenewright.domains.hall.desks import SERVING
+from scenewright.domains.hall.desks.turning import SERVING
 from scenewright.domains.hall.problem import Floats
 
 FRAMED, SEATS = ("stage", "screen"), ("bench",)

@@ -14,7 +14,7 @@ from scenewright.core.scene import Piece, Size
 from scenewright.domains.hall.accessories.counter_rows import join_counters
 from scenewright.domains.hall.accessories.setting import Setting
 from scenewright.domains.hall.accessories.spots import Spots, face, join_spots, make_spots
-from scenewright.domains.hall.holdings import HallDemand, may_stand_together
+from scenewright.domains.hall.demands.holdings import HallDemand, may_stand_together
 from scenewright.domains.hall.problem import Floats
 
 COUNTER, STOOL, SHOW = "counter", "bar_stool", "display_table"

@@ -13,7 +13,7 @@ from scenewright.core.brief.zones import AisleBrief
 from scenewright.core.report import Finding
 from scenewright.core.scene import Piece
 from scenewright.core.space import Space
-from scenewright.domains.hall.demands import ids_of
+from scenewright.domains.hall.demands.checked import ids_of
 
 SLACK = 0.05
 """Metres by which an aisle may be narrower than asked for."""

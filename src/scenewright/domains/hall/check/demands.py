@@ -15,7 +15,7 @@ from scenewright.core.brief.zones import Demand
 from scenewright.core.report import Finding
 from scenewright.domains.hall.check.halls import JudgedHall
 from scenewright.domains.hall.check.zones import state_outside
-from scenewright.domains.hall.demands import ids_of, sizes_of
+from scenewright.domains.hall.demands.checked import ids_of, sizes_of
 
 REDRAWN = 0.05
 """What the border of a zone may lie off that of the brief, in metres."""

@@ -13,8 +13,8 @@ from scenewright.check.bodies import Bodies, Indices
 from scenewright.core.brief import Room
 from scenewright.core.report import Note
 from scenewright.core.space import Space
-from scenewright.domains.hall.audience import CHAIRS, SEATS, find_shows
-from scenewright.domains.hall.demands import ids_of
+from scenewright.domains.hall.demands.checked import ids_of
+from scenewright.domains.hall.seats.audience import CHAIRS, SEATS, find_shows
 
 TURNED, SHARE = 60.0, 0.1
 """Degrees by which a seat looks past what it is to look at, and the share of the seats of one

@@ -12,7 +12,7 @@ from scenewright.core.brief.zones import Demand
 from scenewright.core.report import Finding
 from scenewright.domains.hall.check.halls import JudgedHall
 from scenewright.domains.hall.check.measures import wall_gaps, walls_of
-from scenewright.domains.hall.demands import ids_of
+from scenewright.domains.hall.demands.checked import ids_of
 
 WITHIN = 0.05
 """How far from a wall the middle of a back edge may be, in metres."""

@@ -10,8 +10,8 @@ import shapely
 from numpy.typing import NDArray
 from shapely import Geometry, LineString, Polygon
 
-from scenewright.domains.hall.borders import shared_borders
 from scenewright.domains.hall.hall_layout import Zone, ZoneLink
+from scenewright.domains.hall.zoning.borders import shared_borders
 from scenewright.drawing.marks import (
     FINE,
     GREY,

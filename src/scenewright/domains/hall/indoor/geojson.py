@@ -1,6 +1,6 @@
 """Indoor maps: a building drawn for OpenStreetMap (simple indoor tagging) as GeoJSON.
 
-Shops become halls with demands by their kind (``scenewright.domains.hall.programme``); other
+Shops become halls with demands by their kind (``scenewright.domains.hall.demands.programme``); other
 rooms, corridors and open areas are what their doors lead to, and stay empty. Broken features are
 left out; the brief carries a report of what became of every feature. The map shows the middle lines
 of walls. Levels may be named in words ("EG", "Ground floor").
@@ -21,6 +21,7 @@ from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
 from scenewright.core.projection import Projection, metres, projection
 from scenewright.core.space import Points
+from scenewright.domains.hall.demands.programme import shop_kind
 from scenewright.domains.hall.indoor.doors import (
     FloorWalls,
     PlacedDoor,
@@ -39,7 +40,6 @@ from scenewright.domains.hall.indoor.floors import (
     with_points,
 )
 from scenewright.domains.hall.indoor.report import report_indoor
-from scenewright.domains.hall.programme import shop_kind
 from scenewright.ground.map_features import Collection, Feature, SkippedFeature, load
 from scenewright.ground.map_levels import number_levels
 

@@ -6,8 +6,8 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from scenewright.core.brief.input_report import InputReport, report_input
 from scenewright.core.projection import Projection
+from scenewright.domains.hall.demands.programme import shop_kind
 from scenewright.domains.hall.indoor.floors import IndoorFloor, role
-from scenewright.domains.hall.programme import shop_kind
 from scenewright.ground.fates import Note, settle
 from scenewright.ground.map_features import Collection, Feature, SkippedFeature
 from scenewright.ground.map_kinds import kind_of

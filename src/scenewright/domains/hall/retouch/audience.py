@@ -16,9 +16,9 @@ from scenewright.domains.hall.patterns.fan import AISLE
 from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.retouch.lines import count_objects, find_layers
 from scenewright.domains.hall.retouch.stages import AT_WALL, measure_stage, propose_stages
+from scenewright.domains.hall.seats.turns import TURNED as TURNED_AWAY
+from scenewright.domains.hall.seats.turns import measure_turns
 from scenewright.domains.hall.terms.state import Kept
-from scenewright.domains.hall.turned_seats import TURNED as TURNED_AWAY
-from scenewright.domains.hall.turned_seats import measure_turns
 
 VIEW, BEFORE = 0.6, 0.5
 """Metres a seat may lie beyond the side of its stage for each metre it lies before it, and the

@@ -11,6 +11,7 @@ import shapely
 from numpy.typing import NDArray
 
 from scenewright.core.layout import corners
+from scenewright.domains.hall.desks.unserved import find_staff_floor
 from scenewright.domains.hall.patterns import CHAIN, SINGLE
 from scenewright.domains.hall.problem import Floats, HallProblem, Ints
 from scenewright.domains.hall.retouch.arrivals import box_round, find_met
@@ -18,7 +19,6 @@ from scenewright.domains.hall.retouch.lines import forgive_space, line_up
 from scenewright.domains.hall.terms.state import Kept, PreparedHall, State
 from scenewright.domains.hall.terms.table import ORDER
 from scenewright.domains.hall.terms.visitors import FIRST, LANE, LOUNGE, MACHINE, RECEPTION, TILL
-from scenewright.domains.hall.unserved import find_staff_floor
 
 STEP, PROPOSED, APART = 0.4, 120, 0.9
 """Metres between two places that are tried along a wall, how many of the best of them, and the

@@ -9,9 +9,9 @@ from itertools import product
 
 import numpy as np
 
+from scenewright.domains.hall.gates.rails import RowOfGates, find_way_in, measure_rails
 from scenewright.domains.hall.patterns import CHAIN, SINGLE
 from scenewright.domains.hall.problem import Floats, HallProblem
-from scenewright.domains.hall.rails import RowOfGates, find_way_in, measure_rails
 from scenewright.domains.hall.retouch.arrivals import box_round, find_met
 from scenewright.domains.hall.retouch.lines import forgive_space, line_up
 from scenewright.domains.hall.terms.state import Kept, PreparedHall, State

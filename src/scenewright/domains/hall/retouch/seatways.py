@@ -7,7 +7,7 @@ from itertools import product
 
 import numpy as np
 
-from scenewright.domains.hall.holdings import SEATWAY
+from scenewright.domains.hall.demands.holdings import SEATWAY
 from scenewright.domains.hall.patterns import ACROSS, ALONG, CHAIN, GRID, NUMBER
 from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.retouch.lines import (

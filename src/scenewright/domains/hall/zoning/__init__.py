@@ -16,9 +16,14 @@ import shapely
 
 from scenewright.core.errors import InputError
 from scenewright.core.space import Space
-from scenewright.domains.hall.borders import border_lengths, floor_of, shared_borders, zone_of
 from scenewright.domains.hall.hall_layout import Zone, ZoneLink
 from scenewright.domains.hall.settings import USUAL_ZONING, ZoningSettings
+from scenewright.domains.hall.zoning.borders import (
+    border_lengths,
+    floor_of,
+    shared_borders,
+    zone_of,
+)
 from scenewright.domains.hall.zoning.cuts import GRID, Frame, frame_of, into, out_of
 from scenewright.domains.hall.zoning.search import ZoningGround, rank_divisions
 

@@ -1,0 +1,1 @@
+"""What a hall is to hold: checked, filled in, split by how it comes to stand."""

@@ -1,0 +1,22 @@
+"""A few objects stand in rows: three in a ring look thrown down."""
+
+from __future__ import annotations
+
+from scenewright.domains.hall.build_problem import HallContext
+from scenewright.domains.hall.demands.holdings import HallDemand
+
+RINGS, FEWEST = ("radiation", "circulation"), 5
+"""Patterns that turn each object another way, and of how many objects on they read as a ring."""
+
+
+def set_few_in_rows(hall: HallContext, wishes: list[HallDemand]) -> list[HallDemand]:
+    """Demands of a few objects, the pattern of which a brief leaves open, without rings; as they
+    are where groups stay as printed."""
+    if hall.settings.whole:
+        return wishes
+    return [_without_rings(wish) if wish.unplaced else wish for wish in wishes]
+
+
+def _without_rings(wish: HallDemand) -> HallDemand:
+    rows = tuple(name for name in wish.patterns if name not in RINGS)
+    return wish._replace(patterns=rows) if rows and len(wish.sizes) < FEWEST else wish

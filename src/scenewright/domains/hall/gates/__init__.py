@@ -1,0 +1,1 @@
+"""Gates, rails and ropes that guide visitors."""

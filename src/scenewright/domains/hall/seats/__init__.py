@@ -1,0 +1,1 @@
+"""Seats: chairs at tables, lounges, audiences, and whether one can get to them."""

@@ -1,0 +1,1 @@
+"""The visit: doors, the floor one walks on, the part each group plays, the tour."""

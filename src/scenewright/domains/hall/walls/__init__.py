@@ -1,0 +1,1 @@
+"""Walls of a hall: those that are built, curved ones, corners."""
