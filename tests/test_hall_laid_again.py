@@ -18,7 +18,7 @@ from scenewright.domains.hall.desks.unserved import ROOM, WITHIN, count_unserved
 from scenewright.domains.hall.furnishing.assemble import Laid
 from scenewright.domains.hall.hall_layout import PlacedGroup
 from scenewright.domains.hall.presets import PRESETS
-from scenewright.domains.hall.shortfall.measures import measure_unserved
+from scenewright.domains.hall.shortfall.measures import measure_shortfall_and_staff
 from scenewright.engine.solve import Budget
 
 HALL = Space("hall", "Hall", (), "ground", np.array([[0.0, 0], [8, 0], [8, 6], [0, 6]]))
@@ -52,7 +52,7 @@ def test_a_desk_nobody_can_serve_at_is_as_good_as_none() -> None:
     free, other = put("a", "counter", 2.0, 3.0), put("b", "counter", 5.0, 3.0)
     cramped = put("b", "counter", 5.0, 0.5)
     rows = [lay(free, other), lay(free, cramped), lay(free)]
-    values = [measure_unserved(HALL, row) for row in rows]
+    values = [measure_shortfall_and_staff(HALL, row) for row in rows]
     assert values[0] < values[1] == values[2]
     assert all(before <= after for before, after in pairwise(values))
 

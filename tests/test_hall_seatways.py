@@ -22,7 +22,7 @@ from scenewright.domains.hall.retouch.seatways import (
     measure_seatways,
     propose_seatways,
 )
-from scenewright.domains.hall.seats.free_to_sit import keep_drawn_back
+from scenewright.domains.hall.seats.reachable import keep_drawn_back
 from scenewright.domains.hall.solvers.chains import begin_chain, layout_of
 from scenewright.domains.hall.solving import problems
 from scenewright.domains.hall.terms.state import Kept

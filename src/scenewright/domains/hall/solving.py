@@ -46,10 +46,10 @@ from scenewright.domains.hall.presets import PRESETS, HallPreset, count_steps
 from scenewright.domains.hall.search import HallSearch, may_retry, search_layout
 from scenewright.domains.hall.settings import USUAL_ZONING, ZoningSettings
 from scenewright.domains.hall.shortfall.measures import (
-    lacks,
+    falls_short,
     leaves_open,
-    measure_lack,
-    measure_unserved,
+    measure_shortfall,
+    measure_shortfall_and_staff,
 )
 from scenewright.domains.hall.shortfall.unplaceable import left_out
 from scenewright.domains.hall.shortfall.unreached import drop_unreached
@@ -250,18 +250,18 @@ def _lay_best(
         if not wanted or not may or cancelled():
             break
         other = _lay_free(brief, task._replace(seed=task.seed + AGAIN * number), lay)
-        laid = min((laid, other), key=partial(measure_unserved, task.hall.space))
+        laid = min((laid, other), key=partial(measure_shortfall_and_staff, task.hall.space))
     return laid
 
 
 def _lay_free(brief: Brief, task: HallTask, lay: Callable[[HallTask], Laid]) -> Laid:
-    """A hall laid out, with its counters in other forms where it lacks something."""
+    """A hall laid out, with its counters in other forms where it falls_short something."""
     laid = lay(task)
     open_ = leaves_open(brief.rooms[task.number].demands)
-    if not (open_ and lacks(laid) and may_lay_again(task)):
+    if not (open_ and falls_short(laid) and may_lay_again(task)):
         return laid
     free = task.preset._replace(settings=task.preset.settings._replace(lined=False))
-    return min((laid, lay(task._replace(preset=free))), key=measure_lack)
+    return min((laid, lay(task._replace(preset=free))), key=measure_shortfall)
 
 
 def _lay(

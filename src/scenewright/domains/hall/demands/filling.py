@@ -2,10 +2,10 @@
 
 A demand with ``fill`` is to bring what stands in its zones, with the free floor around each, to
 that share of them. In practice a third to a little over half: of a shop's floor fixtures with
-their aisles of 1.2 m take half (:mod:`scenewright.domains.hall.demands.programme`, after Neufert 2012);
-shelves 0.6 m deep at 1.5 to 1.7 m from middle to middle, as libraries have them, 35 to 40 per cent
-without their aisles (Neufert 2012). Exhibits want 0.75 m around each, so that a wheelchair passes
-between two, which lets them stand on 15 to 20 per cent at most.
+their aisles of 1.2 m take half (:mod:`scenewright.domains.hall.demands.programme`, after Neufert
+2012); shelves 0.6 m deep at 1.5 to 1.7 m from middle to middle, as libraries have them, 35 to 40
+per cent without their aisles (Neufert 2012). Exhibits want 0.75 m around each, so that a wheelchair
+passes between two, which lets them stand on 15 to 20 per cent at most.
 """
 
 from __future__ import annotations

@@ -9,7 +9,7 @@ RINGS, FEWEST = ("radiation", "circulation"), 5
 """Patterns that turn each object another way, and of how many objects on they read as a ring."""
 
 
-def set_few_in_rows(hall: HallContext, wishes: list[HallDemand]) -> list[HallDemand]:
+def drop_small_rings(hall: HallContext, wishes: list[HallDemand]) -> list[HallDemand]:
     """Demands of a few objects, the pattern of which a brief leaves open, without rings; as they
     are where groups stay as printed."""
     if hall.settings.whole:

@@ -11,7 +11,7 @@ from scenewright.domains.hall.build_problem import HallContext
 from scenewright.domains.hall.demands.bedsides import join_bedsides
 from scenewright.domains.hall.demands.cross_aisles import break_rows
 from scenewright.domains.hall.demands.holdings import HallDemand
-from scenewright.domains.hall.demands.small_groups import set_few_in_rows
+from scenewright.domains.hall.demands.small_groups import drop_small_rings
 from scenewright.domains.hall.demands.stands import abut_stands
 from scenewright.domains.hall.desks.rows import turn_to_show
 from scenewright.domains.hall.desks.stools import keep_stools
@@ -43,7 +43,7 @@ def split_demands(
     sofas and beds by themselves."""
     asked = [break_rows(wish) for wish in asked]
     asked = asked if together else join_bedsides(join_lounges(asked, hall.route))
-    joined = set_few_in_rows(hall, join_chairs(asked, catalog))
+    joined = drop_small_rings(hall, join_chairs(asked, catalog))
     joined = joined if together else keep_stools(turn_to_show(joined, catalog))
     parted = part_desks(hall, abut_stands(hall, joined, catalog))
     wishes, carried = split_carried(parted, hall.fixed, together)

@@ -31,8 +31,8 @@ from scenewright.domains.hall.hall_layout import HallLayout
 from scenewright.domains.hall.search import HallSearch, may_retry
 from scenewright.domains.hall.seats.asked_low_tables import set_low_tables
 from scenewright.domains.hall.seats.chairs import with_chairs
-from scenewright.domains.hall.seats.free_to_sit import keep_drawn_back, keep_reached_chairs
 from scenewright.domains.hall.seats.lounges import part_lounges
+from scenewright.domains.hall.seats.reachable import keep_drawn_back, keep_reached_chairs
 from scenewright.domains.hall.seats.seating import seat_chairs
 from scenewright.domains.hall.solvers.outcome import MeasuredLayout, measure_layout
 from scenewright.domains.hall.visit.tour import tour

@@ -1,9 +1,9 @@
 """Indoor maps: a building drawn for OpenStreetMap (simple indoor tagging) as GeoJSON.
 
-Shops become halls with demands by their kind (``scenewright.domains.hall.demands.programme``); other
-rooms, corridors and open areas are what their doors lead to, and stay empty. Broken features are
-left out; the brief carries a report of what became of every feature. The map shows the middle lines
-of walls. Levels may be named in words ("EG", "Ground floor").
+Shops become halls with demands by their kind (``scenewright.domains.hall.demands.programme``);
+other rooms, corridors and open areas are what their doors lead to, and stay empty. Broken features
+are left out; the brief carries a report of what became of every feature. The map shows the middle
+lines of walls. Levels may be named in words ("EG", "Ground floor").
 """
 
 from __future__ import annotations

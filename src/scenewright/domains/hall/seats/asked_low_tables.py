@@ -14,8 +14,8 @@ from scenewright.domains.hall.demands.holdings import HallDemand
 from scenewright.domains.hall.hall_layout import PlacedGroup
 from scenewright.domains.hall.patterns.around import COMPANY
 from scenewright.domains.hall.problem import HallProblem
-from scenewright.domains.hall.seats.free_to_sit import keep_off_seats
 from scenewright.domains.hall.seats.low_tables import CATEGORY, keep_reached, low_tables
+from scenewright.domains.hall.seats.reachable import keep_off_seats
 from scenewright.domains.hall.solvers.outcome import MeasuredLayout
 
 AROUND = ("around",)

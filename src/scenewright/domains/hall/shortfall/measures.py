@@ -19,12 +19,12 @@ def leaves_open(demands: list[Demand]) -> bool:
     return any(not demand.patterns and demand.count != 1 for demand in open_ones)
 
 
-def lacks(laid: Laid) -> bool:
+def falls_short(laid: Laid) -> bool:
     """Whether something is left out of a hall, or the route misses some of it or is too narrow."""
-    return bool(laid.left_out) or measure_lack(laid)[0] > 0.0
+    return bool(laid.left_out) or measure_shortfall(laid)[0] > 0.0
 
 
-def measure_lack(laid: Laid) -> tuple[float, int, int]:
+def measure_shortfall(laid: Laid) -> tuple[float, int, int]:
     """What the route misses of a hall and passages lack, and less than none of how many objects
     stand, ropes by themselves: the greater, the worse."""
     missed = sum(part.cost for part in laid.parts if part.term in ("reach", "access"))
@@ -33,7 +33,7 @@ def measure_lack(laid: Laid) -> tuple[float, int, int]:
     return (missed if missed > NOTHING else 0.0), sum(kinds) - len(kinds), -sum(kinds)
 
 
-def measure_unserved(space: Space, laid: Laid) -> tuple[float, int, int]:
-    """:func:`measure_lack`, where a desk at which nobody can serve is as good as none."""
-    missed, count, ropes = measure_lack(laid)
+def measure_shortfall_and_staff(space: Space, laid: Laid) -> tuple[float, int, int]:
+    """:func:`measure_shortfall`, where a desk at which nobody can serve is as good as none."""
+    missed, count, ropes = measure_shortfall(laid)
     return missed, count + count_unserved(space, laid.pieces), ropes
