@@ -3,7 +3,8 @@
 Solvers differ in how they group objects: ours splits demands, some place objects one by one and
 have no patterns. So here a unit is what of one demand stands in one zone; the fill counts
 footprints and clearances, as printed; neighbours are those of the least spanning tree of gaps. All
-weights are 1.
+weights are 1. Small objects that belong beside others (benches before pictures, bins, planters)
+form no group: whichever method placed them, they cover floor of others, and count no further.
 """
 
 from __future__ import annotations
@@ -18,6 +19,7 @@ from scenewright.catalog.assets import shipped
 from scenewright.core.brief import Brief
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
+from scenewright.domains.hall.accessories import split_accessories
 from scenewright.domains.hall.build_problem import HallContext, build_problem, hall_of
 from scenewright.domains.hall.demands.holdings import HallDemand, collect_demands
 from scenewright.domains.hall.energy import capacity
@@ -94,6 +96,10 @@ def energies_of(solution: Solution, number: int = 0) -> Energies:
     hall = hall_in(solution.brief, number, solution)
     wishes = collect_demands(solution.brief, number, (), shipped())
     placed = _placed(solution, hall, wishes)
+    small = {wish.id for wish in split_accessories(wishes, False)[1]}
+    beside = [key for key in placed if wishes[key[0]].id in small]
+    standing = tuple(piece for key in beside for piece in placed.pop(key))
+    hall = hall._replace(fixed=(*hall.fixed, *standing))
     held = [_with_sizes(wish, placed, k) for k, wish in enumerate(wishes)]
     problem = build_problem(hall, held, _units(placed), (), dict(PAPER), shipped())
     boxes = _boxes([piece for pieces in placed.values() for piece in pieces])
