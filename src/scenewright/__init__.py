@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from scenewright.core.space import Level, Opening, Space
     from scenewright.domains import alternatives, check, resolve, scene_of, solution_of, solve
     from scenewright.domains.home.problem import Problem
-    from scenewright.formats import read, samples, write
+    from scenewright.formats import losses, read, samples, write
     from scenewright.formats.solution_json import read as read_solution
     from scenewright.workflow.arrange import arrange
     from scenewright.workflow.evolve import evolve
@@ -65,6 +65,7 @@ __all__ = [
     "batch",
     "check",
     "evolve",
+    "losses",
     "read",
     "read_solution",
     "resolve",
@@ -77,6 +78,7 @@ __all__ = [
 ]
 
 _HOMES = {
+    "losses": "formats:losses",
     "read": "formats:read",
     "read_solution": "formats.solution_json:read",
     "samples": "formats:samples",

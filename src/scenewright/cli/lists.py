@@ -116,10 +116,12 @@ def _formats() -> list[Row]:
     rows: dict[str, Row] = {}
     for row in formats():
         known = rows.setdefault(
-            row.suffix, {"suffix": row.suffix, "reads": False, "writes": False, "about": ""}
+            row.suffix,
+            {"suffix": row.suffix, "reads": False, "writes": False, "about": "", "lacks": []},
         )
         known["reads"] |= bool(row.reader)
         known["writes"] |= bool(row.writer)
+        known["lacks"] += [word for word in row.lacks if word not in known["lacks"]]
         known["about"] = "; ".join(filter(None, (known["about"], row.about)))
     return list(rows.values())
 
@@ -216,6 +218,7 @@ SHOWN: dict[str, tuple[str, ...]] = {
     "solvers": ("domain", "name", "about"),
     "terms": ("domain", "name", "form", "kind", "weight", "doc"),
     "patterns": ("name", "about", "used_for"),
+    "formats": ("suffix", "reads", "writes", "about"),
     "presets": ("domain", "name", "solver", "steps", "about"),
     "assets": ("category", "models", "usual", "in halls"),
     "samples": ("name", "about", "holds"),

@@ -321,6 +321,7 @@ def arranged_document(
     return {
         "input": source,
         "outputs": [str(path) for path in outputs],
+        "losses": {str(path): _losses(solution, path) for path in outputs},
         "exit": code,
         "preset": solution.preset,
         "solver": solution.solver,
@@ -335,6 +336,12 @@ def arranged_document(
         "check": report.to_dict(),
         **input_document(solution.brief),
     }
+
+
+def _losses(solution: Solution, path: Path) -> list[dict[str, Any]]:
+    from scenewright.formats import losses
+
+    return [loss._asdict() for loss in losses(solution, path)]
 
 
 def _counts(solution: Solution, space: str) -> Counter[str]:

@@ -26,6 +26,14 @@ GROUP = "scenewright.domains"
 """The entry points by which other packages add theirs: ``meadow = "picnic.meadow:DOMAIN"``."""
 
 
+JUDGED = ("reasons", "things not placed")
+"""What only a saved solution holds: why things stand where they do, and what does not."""
+SEEN = ("names", "measures", *JUDGED)
+"""What pictures lack."""
+MAPPED = ("trees and street furniture", "colours", *JUDGED)
+"""What maps and city models lack."""
+
+
 class Format(NamedTuple):
     """One row of the table of files: its suffix, what it is for, the modules that read and write
     it (empty if they do not), and the domain it belongs to (empty: any). A format that ``extends``

@@ -6,7 +6,8 @@ that reads has ``read(path, keep=False) -> Brief``; one that writes ``write(solu
 ``write(solution, path, plan)`` if it draws what the brief tells: ``plan`` is made once a run.
 Other packages add rows through the entry point group ``scenewright.formats``: a name that is the
 suffix (``.dxf``), and a module; it may have only one of the two functions. A module that writes
-may have ``check(brief)``, which raises :class:`InputError` for what it cannot write.
+may have ``check(brief)``, which raises :class:`InputError` for what it cannot write. What a format
+does not hold of a solution is a column of its row (:func:`losses`).
 """
 
 from __future__ import annotations
@@ -21,6 +22,7 @@ from scenewright.core.atomic_file import check_targets
 from scenewright.core.errors import InputError
 from scenewright.core.registry import Format
 from scenewright.formats.foreign import name_foreign
+from scenewright.formats.losses import losses
 from scenewright.formats.opening import SAMPLE, Opened, open_source, samples
 from scenewright.formats.table import (
     FORMATS,
@@ -47,7 +49,7 @@ __all__ = [
     "domains",
     "extends",
     "formats",
-    "omissions",
+    "losses",
     "read",
     "read_planned",
     "samples",
@@ -182,16 +184,6 @@ def check_output(path: str | os.PathLike[str], brief: Brief) -> None:
         getattr(module, "check", lambda _: None)(brief)
     except InputError as error:
         raise error.located(file=str(path)) from None
-
-
-def omissions(path: str | os.PathLike[str], domain: str = "") -> tuple[str, ...]:
-    """What the format of ``path`` does not hold of a solution, where its module says so.
-
-    >>> "lamps and cameras" in omissions("flat.3d.dxf")
-    True
-    """
-    module = load_module(row_of(path, "writer", domain).writer, path)
-    return tuple(getattr(module, "OMITTED", ()))
 
 
 def _parse(opened: Opened, keep: bool, hidden_levels: bool, scale: float) -> Brief:

@@ -14,8 +14,6 @@ from scenewright.core.solution import Solution
 from scenewright.drawing.pdf.document import make_pdf
 from scenewright.formats.drawing_set import draw_set
 
-OMITTED = ("meshes and materials", "reasons and costs")
-
 
 def write(solution: Solution, path: str | os.PathLike[str], plan: Plan | None = None) -> None:
     """Write the set of sheets of a solution; the file appears whole or not at all."""

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 from scenewright.core.errors import InputError
 from scenewright.core.extras import install_line
 from scenewright.core.plugins import load_plugins
-from scenewright.core.registry import Format, domain_names, domain_of
+from scenewright.core.registry import JUDGED, SEEN, Format, domain_names, domain_of
 
 if TYPE_CHECKING:
     from importlib.metadata import EntryPoint
@@ -23,6 +23,10 @@ if TYPE_CHECKING:
 SWEET_HOME = (".sh3d", ".xml")
 """Suffixes of files whose levels may be hidden."""
 
+
+FLAT = ("heights of rooms", "3D shapes", *JUDGED)
+DRAWN = ("hanging lamps", *FLAT)
+"""What is missing in plans."""
 
 FORMATS = (
     Format(
@@ -34,28 +38,50 @@ FORMATS = (
     Format(".sh3d", "Sweet Home 3D home", "scenewright.formats.sh3d"),
     Format(".xml", "Home.xml of a Sweet Home 3D home", "scenewright.formats.sh3d"),
     Format(".geojson", "indoor map or site (OpenStreetMap, read)", "scenewright.formats.geojson"),
-    Format(".glb", "3D scene, binary glTF 2.0", writer="scenewright.formats.glb"),
+    Format(
+        ".glb",
+        "3D scene, binary glTF 2.0",
+        writer="scenewright.formats.glb",
+        lacks=("dimensions", "outlets", *JUDGED),
+    ),
     Format(
         ".ifc",
         "building model (IFC2x3 or IFC4, read; IFC4, or the one that was read with more, written)",
         "scenewright.formats.ifc",
         "scenewright.formats.ifc",
         extends=True,
+        lacks=("glow of materials", "sloped ceilings", "outlets", *JUDGED),
     ),
-    Format(".svg", "plan drawing", writer="scenewright.formats.svg"),
+    Format(".svg", "plan drawing", writer="scenewright.formats.svg", lacks=("ids", *FLAT)),
     Format(
         ".dxf",
         "plan for CAD (read; written in metres)",
         "scenewright.formats.dxf.plan",
         "scenewright.formats.dxf",
+        lacks=DRAWN,
     ),
-    Format(".mm.dxf", "plan for CAD in millimetres", writer="scenewright.formats.dxf.millimetres"),
-    Format(".3d.dxf", "3D scene for CAD, meshes", writer="scenewright.formats.dxf.solids"),
-    Format(".pdf", "set of sheets to print", writer="scenewright.formats.pdf"),
+    Format(
+        ".mm.dxf",
+        "plan for CAD in millimetres",
+        writer="scenewright.formats.dxf.millimetres",
+        lacks=DRAWN,
+    ),
+    Format(
+        ".3d.dxf",
+        "3D scene for CAD, meshes",
+        writer="scenewright.formats.dxf.solids",
+        lacks=("gloss and glow of materials", "names of rooms", "dimensions", "outlets", *JUDGED),
+    ),
+    Format(
+        ".pdf",
+        "set of sheets to print",
+        writer="scenewright.formats.pdf",
+        lacks=("ids", "3D shapes", *JUDGED),
+    ),
     Format(
         ".credits.txt", "authors and licences of the models", writer="scenewright.formats.credits"
     ),
-    Format(".png", "picture from above", writer="scenewright.formats.png"),
+    Format(".png", "picture from above", writer="scenewright.formats.png", lacks=SEEN),
 )
 
 

@@ -14,7 +14,7 @@ from scenewright.core.plan import Plan
 from scenewright.core.report import Report
 from scenewright.core.solution import Solution
 from scenewright.workflow.events import Event, Hear, Judged, Progress, Solved, run_to_end
-from scenewright.workflow.request import ArrangeRequest, note_heavy, note_omissions, open_request
+from scenewright.workflow.request import ArrangeRequest, note_heavy, note_losses, open_request
 from scenewright.workflow.stream import Cancel, stream_progress
 from scenewright.workflow.writing import write_all
 
@@ -70,7 +70,7 @@ def arrange_file(
     report = domains.check(solution, plan=plan)
     yield Judged(report)
     yield from write_all([(solution, path) for path in request.outputs], plan, parts)
-    yield from note_omissions(request.outputs, brief.domain)
+    yield from note_losses(solution, request.outputs)
     yield from note_heavy(solution)
     return Arranged(solution, plan, report)
 

@@ -14,7 +14,15 @@ from scenewright.core.plan import Plan
 from scenewright.core.solution import Solution
 from scenewright.domains import domain_of
 from scenewright.domains.contract import Domain
-from scenewright.formats import SWEET_HOME, check_outputs, extends, omissions, read_planned, writer
+from scenewright.formats import (
+    SWEET_HOME,
+    check_outputs,
+    extends,
+    losses,
+    read_planned,
+    suffix_of,
+    writer,
+)
 from scenewright.workflow.events import Event, Notice, Planned
 
 HEAVY = 50_000
@@ -135,11 +143,11 @@ def note_scale(
         yield Notice(f"{source}: {found.describe(given)}")
 
 
-def note_omissions(outputs: Sequence[Path], domain: str) -> Iterator[Notice]:
-    """What the formats of the outputs do not hold of a solution."""
-    for path in outputs:
-        if lacking := omissions(path, domain):
-            yield Notice(f"{path.name} does not hold: {', '.join(lacking)}")
+def note_losses(solution: Solution, outputs: Sequence[Path]) -> Iterator[Notice]:
+    """What the formats of the outputs do not hold of a solution, once for each format."""
+    for path in {suffix_of(path): path for path in outputs}.values():
+        if lost := losses(solution, path):
+            yield Notice(f"{path.name}: left out: {', '.join(loss.describe() for loss in lost)}")
 
 
 def note_heavy(solution: Solution) -> Iterator[Notice]:

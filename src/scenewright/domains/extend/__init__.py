@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scenewright.core.brief.fields import BUILDING
-from scenewright.core.registry import Format
+from scenewright.core.registry import MAPPED, SEEN, Format
 from scenewright.domains.contract import Domain
 
 DOMAIN = Domain(
@@ -48,18 +48,21 @@ DOMAIN = Domain(
             "areas, streets and buildings of an extension (written)",
             writer=f"{__name__}.writing.geojson",
             domain="extend",
+            lacks=MAPPED,
         ),
         Format(
             ".city.json",
             "city model (CityJSON) of an extension (written)",
             writer=f"{__name__}.writing.cityjson",
             domain="extend",
+            lacks=MAPPED,
         ),
         Format(
             ".street.png",
             "picture across the seam, at eye height",
             writer=f"{__name__}.writing.street_picture",
             domain="extend",
+            lacks=SEEN,
         ),
     ),
     maps=".reading.geojson",

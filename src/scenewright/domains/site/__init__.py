@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scenewright.core.brief.fields import BUILDING
-from scenewright.core.registry import Format
+from scenewright.core.registry import MAPPED, SEEN, Format
 from scenewright.domains.contract import Domain
 
 DOMAIN = Domain(
@@ -49,6 +49,7 @@ DOMAIN = Domain(
             "footprints of a site (written)",
             writer=f"{__name__}.writing.geojson",
             domain="site",
+            lacks=MAPPED,
         ),
         Format(
             ".city.json",
@@ -56,6 +57,7 @@ DOMAIN = Domain(
             f"{__name__}.reading.cityjson",
             f"{__name__}.writing.cityjson",
             "site",
+            lacks=MAPPED,
         ),
         Format(
             ".cityjson",
@@ -63,6 +65,7 @@ DOMAIN = Domain(
             f"{__name__}.reading.cityjson",
             f"{__name__}.writing.cityjson",
             "site",
+            lacks=MAPPED,
         ),
         *(
             Format(
@@ -78,6 +81,7 @@ DOMAIN = Domain(
             "picture of a site at eye height",
             writer=f"{__name__}.writing.street_picture",
             domain="site",
+            lacks=SEEN,
         ),
     ),
     documents={"CityJSON": ".reading.cityjson:brief_of"},

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scenewright.core.brief.fields import BUILDING
-from scenewright.core.registry import Format
+from scenewright.core.registry import MAPPED, SEEN, Format
 from scenewright.domains.contract import Domain
 
 DOMAIN = Domain(
@@ -46,18 +46,21 @@ DOMAIN = Domain(
             "lanes, blocks and houses of a village (written)",
             writer=f"{__name__}.writing.geojson",
             domain="village",
+            lacks=MAPPED,
         ),
         Format(
             ".city.json",
             "city model (CityJSON) of a village (written)",
             writer=f"{__name__}.writing.cityjson",
             domain="village",
+            lacks=MAPPED,
         ),
         Format(
             ".street.png",
             "picture of a village from its lane",
             writer=f"{__name__}.writing.street_picture",
             domain="village",
+            lacks=SEEN,
         ),
     ),
     maps=".reading.geojson",

@@ -18,12 +18,6 @@ if TYPE_CHECKING:
     from scenewright.core.solution import Solution
 
 require("ezdxf")
-OMITTED = (
-    "materials and colours of models",
-    "heights (the plan is flat; .3d.dxf holds meshes)",
-    "lamps that hang from the ceiling",
-    "reasons and costs",
-)
 
 
 def write(solution: Solution, path: str | os.PathLike[str], plan: Plan | None = None) -> None:

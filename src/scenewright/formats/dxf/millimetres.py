@@ -6,7 +6,6 @@ import os
 
 from scenewright.core.plan import Plan
 from scenewright.core.solution import Solution
-from scenewright.formats.dxf import OMITTED as OMITTED
 from scenewright.formats.dxf import write_unit
 
 

@@ -30,7 +30,6 @@ LAYERS = {
     "stairs": "A-FLOR-STRS",
     "piece": "A-FURN",
 }
-OMITTED = ("reflection and glow of materials", "lamps and cameras", "room tags and dimensions")
 
 
 def write(solution: Solution, path: str | os.PathLike[str], plan: Plan | None = None) -> None:
