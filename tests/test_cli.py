@@ -233,6 +233,7 @@ def test_missing_things_are_told_in_plain_words(solution: Solution, capsys: Capt
                 TermValue("living", "seating", "route", 0.5, 100, 50),
             ),
         ),
+        with_terms=True,
     )
     out = capsys.readouterr().out
     assert "not placed: 3 × double bed (Bedroom): no space\n" in out

@@ -48,7 +48,7 @@ def test_what_belongs_to_a_wall_is_refused_in_the_open(function: str) -> None:
         return furnish_patch(function, box, ground, EMPTY, shipped(), 2.6)
 
     assert not isinstance(dressed(7.0 - case.depth / 2 - 0.01), Refused)
-    assert dressed(3.5) == Refused("no free wall to stand against")
+    assert dressed(3.5) == Refused(f"no free wall of {case.width:.1f} m to stand against")
 
 
 def front(pieces: tuple[Piece, ...], kind: str, other: str) -> float:

@@ -73,7 +73,7 @@ def test_what_stands_round_the_middle_of_its_block_is_even_and_in_a_corner_it_is
 def test_terms_are_saved_and_explained(solution: sw.Solution, tmp_path: Path) -> None:
     assert solution_json.loads(solution_json.dumps(solution)).terms == solution.terms
     sw.write(solution, tmp_path / "site.json")
-    told = CliRunner().invoke(app, ["explain", str(tmp_path / "site.json")])
+    told = CliRunner().invoke(app, ["explain", str(tmp_path / "site.json"), "--terms"])
     assert told.exit_code == 0, told.output
     for word in ("even", "seen", "walkers on the ways see", "F_eva", "generations", "hours of sun"):
         assert word in told.output

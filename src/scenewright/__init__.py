@@ -32,7 +32,15 @@ if TYPE_CHECKING:
     from scenewright.core.scene import Piece, Pose, Scene, Size
     from scenewright.core.solution import Solution
     from scenewright.core.space import Level, Opening, Space
-    from scenewright.domains import alternatives, check, resolve, scene_of, solution_of, solve
+    from scenewright.domains import (
+        alternatives,
+        check,
+        explain,
+        resolve,
+        scene_of,
+        solution_of,
+        solve,
+    )
     from scenewright.domains.home.problem import Problem
     from scenewright.formats import losses, read, samples, write
     from scenewright.formats.solution_json import read as read_solution
@@ -65,6 +73,7 @@ __all__ = [
     "batch",
     "check",
     "evolve",
+    "explain",
     "losses",
     "read",
     "read_solution",
@@ -90,6 +99,7 @@ _HOMES = {
     "solve": "domains:solve",
     "resolve": "domains:resolve",
     "check": "domains:check",
+    "explain": "domains:explain",
     "Report": "core.report:Report",
     "scene_of": "domains:scene_of",
     "solution_of": "domains:solution_of",

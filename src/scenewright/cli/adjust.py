@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from scenewright.cli import completion
 from scenewright.core.errors import InputError
 
 if TYPE_CHECKING:
@@ -28,7 +29,13 @@ def adjust(
     file: Annotated[Path, typer.Argument(metavar="SOLUTION.json", help="A saved scene.")],
     outputs: Annotated[
         list[Path],
-        typer.Option("-o", "--output", metavar="OUT", help="Output file; may be repeated."),
+        typer.Option(
+            "-o",
+            "--output",
+            metavar="OUT",
+            help="Output file; may be repeated.",
+            autocompletion=completion.outputs,
+        ),
     ],
     move: Annotated[
         Names, typer.Option(metavar="PIECE=X,Y[,DEGREES]", help="Put a piece there and lock it.")

@@ -19,11 +19,11 @@ from scenewright.cli import adjust as cli_adjust
 from scenewright.cli import batch as cli_batch
 from scenewright.cli import catalog as cli_catalog
 from scenewright.cli import compare as cli_compare
+from scenewright.cli import completion, listing, show, tables, terminal
 from scenewright.cli import evolve as cli_evolve
 from scenewright.cli import fold as cli_fold
 from scenewright.cli import learn as cli_learn
 from scenewright.cli import plan as cli_plan
-from scenewright.cli import show, tables, terminal
 from scenewright.cli.arguments import check_budget, check_repeated, check_words
 from scenewright.cli.faults import describe_usage_fault, drop_output, is_output_full, write_fault
 from scenewright.cli.pass_table import print_passes
@@ -47,18 +47,9 @@ from scenewright.core.plugins import REMEDY, blame_plugin
 app = typer.Typer(
     name="scenewright",
     help="Automatic 3D scene layout: furnished homes, halls, sites, villages and extensions.",
-    add_completion=False,
     pretty_exceptions_enable=False,
     no_args_is_help=True,
 )
-
-app.add_typer(cli_catalog.app, name="catalog")
-app.command()(cli_adjust.adjust)
-app.command()(cli_evolve.evolve)
-app.command()(cli_compare.compare)
-app.command()(cli_fold.fold)
-app.command()(cli_learn.learn)
-app.command()(cli_plan.plan)
 
 USAGE_FAULT = cast(type[Exception], typer.BadParameter.__mro__[2])
 """What the parser raises for arguments it cannot use (its own ``ClickException``)."""
@@ -76,6 +67,7 @@ def run(arguments: list[str] | None = None) -> int:
     """Run the command line and return its exit code."""
     try:
         check_words(arguments)
+        completion.split_colon(os.environ)
         command = typer.main.get_command(app)
         check_repeated(sys.argv[1:] if arguments is None else arguments, command)
         with orderly_termination(), recorded_run():
@@ -130,14 +122,30 @@ def _root(
 @app.command()
 def arrange(
     sources: Annotated[
-        list[str], typer.Argument(metavar="INPUT...", help="A file, or sample:NAME.")
+        list[str],
+        typer.Argument(
+            metavar="INPUT...", help="A file, or sample:NAME.", autocompletion=completion.inputs
+        ),
     ],
     outputs: Annotated[
         list[Path] | None,
-        typer.Option("-o", "--output", metavar="OUT", help="Output file; may be repeated."),
+        typer.Option(
+            "-o",
+            "--output",
+            metavar="OUT",
+            help="Output file; may be repeated.",
+            autocompletion=completion.outputs,
+        ),
     ] = None,
-    preset: Annotated[str, typer.Option(help="Named set of weights and parameters.")] = "default",
-    solver: Annotated[str | None, typer.Option(help="Solver by name.")] = None,
+    preset: Annotated[
+        str,
+        typer.Option(
+            help="Named set of weights and parameters.", autocompletion=completion.presets
+        ),
+    ] = "default",
+    solver: Annotated[
+        str | None, typer.Option(help="Solver by name.", autocompletion=completion.solvers)
+    ] = None,
     seconds: Annotated[float | None, typer.Option(help="Search budget in seconds.")] = None,
     steps: StepsOption = None,
     layouts: LayoutsOption = None,
@@ -253,9 +261,12 @@ def explain(
     passes: Annotated[
         bool, typer.Option("--passes", help="Solve it again: what each pass changed and gained.")
     ] = False,
+    with_terms: Annotated[
+        bool, typer.Option("--terms", help="Add the cost of each term for each item.")
+    ] = False,
     as_json: JsonOption = False,
 ) -> int:
-    """Explain a solution: the cost of each term for each item, and what was not placed."""
+    """Explain a solution: what was not placed, what it gives up, and what helps."""
     from scenewright.formats import solution_json
 
     solution, plan = solution_json.read_planned(file)
@@ -265,13 +276,31 @@ def explain(
     elif as_json:
         tables.print_json(show.explained_document(solution, plan))
     else:
-        show.print_explanation(tables.output_console(), solution, plan)
+        show.print_explanation(tables.output_console(), solution, plan, with_terms)
     return 0
+
+
+app.command()(cli_adjust.adjust)
+app.command()(cli_evolve.evolve)
+app.command()(cli_compare.compare)
+app.command()(cli_fold.fold)
+app.command()(cli_learn.learn)
+app.command()(cli_plan.plan)
+app.command("list")(listing.list_)
+app.command()(listing.schema)
+app.add_typer(cli_catalog.app, name="catalog")
 
 
 @app.command()
 def bench(
-    name: Annotated[str, typer.Argument(metavar="NAME", help="Which benchmark, such as home.")],
+    name: Annotated[
+        str,
+        typer.Argument(
+            metavar="NAME",
+            help="Which benchmark, such as home.",
+            autocompletion=completion.benchmarks,
+        ),
+    ],
     quick: Annotated[bool, typer.Option("--quick", help="Fewer runs.")] = False,
     full: Annotated[
         bool, typer.Option("--full", help="All measurements, however long they take.")
@@ -336,33 +365,15 @@ def view(
     return 1 if viewed.skipped else 0
 
 
-@app.command("list")
-def list_(
-    what: Annotated[
-        str,
-        typer.Argument(
-            metavar="WHAT",
-            help="solvers terms patterns presets formats groups styles assets samples.",
-        ),
-    ],
-    as_json: JsonOption = False,
-) -> int:
-    """List names: solvers, terms, patterns, presets, formats, groups, styles, assets, samples."""
-    from scenewright.cli import lists as cli_lists
-
-    rows = cli_lists.rows(what)
-    if as_json:
-        tables.print_json(rows)
-    else:
-        tables.table(tables.output_console(), cli_lists.select_columns(what, rows), title=what)
-    return 0
-
-
 @app.command()
 def warm(
     kinds: Annotated[
         list[str] | None,
-        typer.Argument(metavar="[KIND]...", help="home, hall, site, village, extend; or all."),
+        typer.Argument(
+            metavar="[KIND]...",
+            help="home, hall, site, village, extend; or all.",
+            autocompletion=completion.domains,
+        ),
     ] = None,
     as_json: JsonOption = False,
     quiet: QuietOption = False,
@@ -373,15 +384,4 @@ def warm(
     rows = cli_warm.run(kinds or (), terminal.console(stderr=True, quiet=quiet or as_json))
     if as_json:
         tables.print_json(cli_warm.document(rows))
-    return 0
-
-
-@app.command()
-def schema(
-    what: Annotated[str, typer.Argument(metavar="WHAT", help="brief or solution.")] = "brief",
-) -> int:
-    """Print the JSON Schema of an input file."""
-    from scenewright.cli import lists as cli_lists
-
-    tables.print_json(cli_lists.schema(what))
     return 0

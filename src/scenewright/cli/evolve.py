@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
 import typer
 
+from scenewright.cli import completion
 from scenewright.core.errors import InputError
 
 if TYPE_CHECKING:
@@ -37,11 +38,20 @@ class EvolveRequest(NamedTuple):
 
 def evolve(
     source: Annotated[
-        str | None, typer.Argument(metavar="[INPUT]", help="A file, or sample:NAME.")
+        str | None,
+        typer.Argument(
+            metavar="[INPUT]", help="A file, or sample:NAME.", autocompletion=completion.inputs
+        ),
     ] = None,
     outputs: Annotated[
         list[Path] | None,
-        typer.Option("-o", "--output", metavar="OUT", help="Output file; may be repeated."),
+        typer.Option(
+            "-o",
+            "--output",
+            metavar="OUT",
+            help="Output file; may be repeated.",
+            autocompletion=completion.outputs,
+        ),
     ] = None,
     resume: Annotated[
         Path | None, typer.Option("--from", metavar="LOG", help="Go on with a saved evolution.")

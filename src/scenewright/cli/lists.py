@@ -1,4 +1,4 @@
-"""The verbs ``list`` and ``schema``: rows of the tables, for people and machines."""
+"""What ``list`` and ``schema`` print: rows of the tables, for people and machines."""
 
 from __future__ import annotations
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from scenewright.cli import tables, terminal
+from scenewright.cli import completion, tables, terminal
 from scenewright.cli.reading import HiddenOption, KeepOption, ScaleOption
 from scenewright.cli.show_input import input_document, print_input, print_warnings
 from scenewright.core.atomic_file import recorded_run, whole_together
@@ -15,15 +15,23 @@ from scenewright.core.atomic_file import recorded_run, whole_together
 if TYPE_CHECKING:
     from scenewright.core.brief import Brief
     from scenewright.core.plan import Plan
-    from scenewright.core.solution import Solution
 
 
 def plan(
-    source: Annotated[str, typer.Argument(metavar="INPUT", help="A file, or sample:NAME.")],
+    source: Annotated[
+        str,
+        typer.Argument(
+            metavar="INPUT", help="A file, or sample:NAME.", autocompletion=completion.inputs
+        ),
+    ],
     outputs: Annotated[
         list[Path] | None,
         typer.Option(
-            "-o", "--output", metavar="OUT", help="A .json for the brief, a .svg to see it."
+            "-o",
+            "--output",
+            metavar="OUT",
+            help="A .json for the brief, a .svg to see it.",
+            autocompletion=completion.outputs,
         ),
     ] = None,
     keep: KeepOption = False,
@@ -68,6 +76,7 @@ def _lines(brief: Brief, made: Plan) -> list[str]:
 
 def _write(brief: Brief, made: Plan, outputs: list[Path]) -> None:
     """The brief as JSON; the plan of the empty rooms in any format that shows it."""
+    from scenewright.core.solution import unfurnished
     from scenewright.formats import brief_json, check_output, write
 
     for path in outputs:
@@ -77,12 +86,4 @@ def _write(brief: Brief, made: Plan, outputs: list[Path]) -> None:
             if path.suffix.lower() == ".json":
                 partial.write_text(brief_json.dumps(brief), encoding="utf-8")
             else:
-                write(_empty(brief), partial, made)
-
-
-def _empty(brief: Brief) -> Solution:
-    """A solution of no furniture."""
-    from scenewright._version import __version__
-    from scenewright.core.solution import Solution
-
-    return Solution(brief, (), (), (), (), {}, "default", "none", 0, __version__, "", 0.0, 0)
+                write(unfurnished(brief), partial, made)

@@ -6,6 +6,8 @@ from typing import Annotated
 
 import typer
 
+from scenewright.cli import completion
+
 KeepOption = Annotated[
     bool, typer.Option("--keep", help="Keep the furniture of a .sh3d file in place.")
 ]
@@ -40,5 +42,11 @@ GroupsOption = Annotated[
     typer.Option("--groups", metavar="PATH", help="Learned groups; may be repeated."),
 ]
 StyleOption = Annotated[
-    str, typer.Option("--style", metavar="STYLE", help="By name, or a file that learn has written.")
+    str,
+    typer.Option(
+        "--style",
+        metavar="STYLE",
+        help="By name, or a file that learn has written.",
+        autocompletion=completion.styles,
+    ),
 ]

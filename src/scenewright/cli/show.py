@@ -15,6 +15,7 @@ from scenewright.core.registry import domain_of
 
 if TYPE_CHECKING:
     from scenewright.core.brief import Brief
+    from scenewright.core.explanation import Advice
     from scenewright.core.plan import Plan
     from scenewright.core.report import Finding, Report
     from scenewright.core.solution import Solution
@@ -89,16 +90,12 @@ def describe_interruption(outputs: Sequence[Path]) -> str:
 
 
 def _left_out(console: Console, solution: Solution, names: Mapping[str, str]) -> None:
-    """What was not placed: what is essential or asked for, then what is optional."""
-    labels = domain_of(solution.brief.domain).table("labels")
-    for entry, count in Counter(solution.left_out).items():
-        mark = "not placed" if entry.required else "optional, not placed"
-        label = labels.get(entry.what, entry.what)
-        what = f"{count} × {label}" if count > 1 else label
-        name = names.get(entry.space, entry.space)
-        place = f" ({name})" if name else ""
-        line = f"{mark}: {what}{place}: {entry.reason}"
-        print_line(console, line, "yellow" if entry.required else "dim")
+    """What was not placed: what is essential or asked for with what helps, then what is optional
+    with the reason alone."""
+    from scenewright.domains.explaining import advise
+
+    advice = advise(solution, names)
+    _advice(console, [one if one.required else one._replace(remedy="") for one in advice])
 
 
 def print_scale(console: Console, file: Path, brief: Brief, plan: Plan) -> None:
@@ -211,17 +208,49 @@ def _format_usage(name: str, figures: Mapping[str, Any]) -> dict[str, Any]:
     }
 
 
-def print_explanation(console: Console, solution: Solution, plan: Plan | None = None) -> None:
-    """Costs by room, item and term, highest first; what the terms mean; what was not placed."""
-    from scenewright.domains import check, plan_of
+def print_explanation(
+    console: Console, solution: Solution, plan: Plan | None = None, with_terms: bool = False
+) -> None:
+    """What was decided, what was not placed and what helps, compromises, wishes and outlets; with
+    the costs of all terms only ``with_terms``."""
+    from scenewright.core.explanation import describe_remarks
+    from scenewright.domains import check, explain, plan_of
 
     plan = plan or plan_of(solution.brief)
-    rooms = plan.names
-    labels = domain_of(solution.brief.domain).table("labels")
+    told = explain(solution, plan=plan)
+    print_line(console, told.decided)
+    _advice(console, told.left_out)
+    if told.remarks:
+        print_line(console, "what the layout gives up, by what helps", "bold")
+    for line in describe_remarks(told.remarks):
+        print_line(console, line)
+    if not (told.left_out or told.remarks):
+        print_line(console, "everything is placed, and nothing is given up for it")
+    if any(room.wishes or room.outlets for room in solution.brief.rooms):
+        report = check(solution, plan=plan)
+        _wishes(console, report)
+        _outlets(console, report)
+    if with_terms:
+        print_terms(console, solution, plan.names)
+    print_input(console, solution.brief.input_report)
+    print_warnings(console, solution.brief.input_report)
+
+
+def _advice(console: Console, left_out: Sequence[Advice]) -> None:
+    from scenewright.core.explanation import describe_advice
+
+    for advice in left_out:
+        print_line(console, describe_advice(advice), "yellow" if advice.required else "dim")
+
+
+def print_terms(console: Console, solution: Solution, rooms: Mapping[str, str]) -> None:
+    """Costs by room, item and term, highest first, then figures and what the terms mean."""
+    domain, word = domain_of(solution.brief.domain), _space_word(solution)
+    labels = domain.table("labels")
     felt = [term for term in solution.terms if term.cost >= LEAST_COST]
     why = [
         {
-            _space_word(solution): rooms.get(term.space, term.space),
+            word: rooms.get(term.space, term.space),
             "item": " & ".join(labels.get(name, name) for name in term.item.split(" & ")),
             "term": term.term,
             "value": f"{term.value:.4g}",
@@ -230,39 +259,20 @@ def print_explanation(console: Console, solution: Solution, plan: Plan | None = 
         }
         for term in sorted(felt, key=lambda t: -t.cost)
     ]
-    print_line(console, _programme(solution, plan))
     if why:
-        table(console, why, "why", right=("value", "weight", "cost"))
+        table(console, why, "terms", right=("value", "weight", "cost"))
     else:
         print_line(console, "no term costs anything")
     _print_excess(console, solution, rooms)
-    domain = solution.brief.domain
     figures = [t for t in solution.terms if t.weight == 0.0]
     if figures:
         rows = [
-            {_space_word(solution): rooms.get(t.space, t.space), "figure": t.term, "value": t.value}
-            for t in figures
+            {word: rooms.get(t.space, t.space), "figure": t.term, "value": t.value} for t in figures
         ]
         table(console, rows, "figures")
-    if any(room.wishes or room.outlets for room in solution.brief.rooms):
-        report = check(solution, plan=plan)
-        _wishes(console, report)
-        _outlets(console, report)
-    for name, meaning in _meanings({term.term for term in (*felt, *figures)}, domain).items():
+    names = {term.term for term in (*felt, *figures)}
+    for name, meaning in _meanings(names, domain.name).items():
         print_line(console, f"{name}: {meaning}", "dim")
-    _left_out(console, solution, rooms)
-    print_input(console, solution.brief.input_report)
-    print_warnings(console, solution.brief.input_report)
-
-
-def _programme(solution: Solution, plan: Plan | None) -> str:
-    """What was decided for the whole, where the domain tells it."""
-    from scenewright.domains import plan_of
-
-    domain = domain_of(solution.brief.domain)
-    if not domain.has("programme"):
-        return ""
-    return str(domain.verb("programme")(solution, plan or plan_of(solution.brief)))
 
 
 def _floors(solution: Solution) -> dict[str, float]:
@@ -289,16 +299,19 @@ def _meanings(names: set[str], domain: str) -> dict[str, str]:
 
 def explained_document(solution: Solution, plan: Plan | None = None) -> dict[str, Any]:
     """Energies, terms and what was not placed, as plain values."""
-    from scenewright.domains import check
+    from scenewright.domains import check, explain
 
     wished = any(room.wishes or room.outlets for room in solution.brief.rooms)
     figures = check(solution, plan=plan).figures if wished else {}
+    told = explain(solution, plan=plan)
     return {
         "energies": dict(solution.energies),
         **({"floors": floors} if (floors := _floors(solution)) else {}),
-        **({"programme": programme} if (programme := _programme(solution, plan)) else {}),
+        **({"programme": told.decided} if told.decided else {}),
         "terms": [term._asdict() for term in solution.terms],
         "left_out": [entry._asdict() for entry in solution.left_out],
+        "advice": [advice._asdict() for advice in told.left_out],
+        "remarks": [remark._asdict() for remark in told.remarks],
         "wishes": figures.get("wishes", []),
         "outlets": figures.get("outlets", []),
         **input_document(solution.brief),

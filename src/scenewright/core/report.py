@@ -6,6 +6,8 @@ from collections import Counter
 from dataclasses import dataclass, field
 from typing import Any
 
+from scenewright.core.views import describe, show
+
 KINDS = (
     "malformed",
     "changed_given",
@@ -91,7 +93,7 @@ class Note:
     message: str
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class Report:
     """The verdict on a solution.
 
@@ -151,6 +153,14 @@ class Report:
         tail += f" ({accepted} accepted)" if accepted else ""
         tail += f", not complete: {self.unplaced} not placed" if self.unplaced else ""
         return (f"not valid: {counted}" if counted else "valid") + tail
+
+    def __repr__(self) -> str:
+        """The verdict in one line, with how many findings and notes there are."""
+        return describe("Report", str(self), findings=len(self.findings), notes=len(self.notes))
+
+    def _repr_html_(self) -> str:
+        """In notebooks: the verdict and a table of findings and notes."""
+        return str(show("report_html", self))
 
 
 def count_by_kind(findings: tuple[Finding, ...]) -> dict[str, int]:

@@ -14,6 +14,7 @@ from typing import NamedTuple
 from scenewright.core.footprint import Footprint
 from scenewright.core.space import Level, Opening, Points, Space
 from scenewright.core.stairs import Stairs
+from scenewright.core.views import describe, show
 
 STAIRS = "stairs"
 """The function of pieces that stand for what stairs take of a floor."""
@@ -96,7 +97,7 @@ class GroundSurface(NamedTuple):
     top: float
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class Scene:
     """Everything that is drawn: the shell (levels, spaces, walls, openings), what lies on open
     ground, the pieces, and the stairs; ``palette`` names the colours it is drawn in (empty: those
@@ -113,3 +114,18 @@ class Scene:
     stairs: tuple[Stairs, ...] = ()
     palette: str = ""
     sources: tuple[tuple[str, str, str], ...] = ()
+
+    def __repr__(self) -> str:
+        """One line: the name, and how much there is."""
+        return describe(
+            "Scene",
+            self.name,
+            levels=len(self.levels),
+            spaces=len(self.spaces),
+            pieces=len(self.pieces),
+        )
+
+    def _repr_png_(self) -> bytes | None:
+        """In notebooks: the scene from above at an angle, with the models shipped."""
+        picture: bytes | None = show("scene_png", self)
+        return picture

@@ -5,8 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
+from scenewright._version import __version__
 from scenewright.core.brief import Brief
 from scenewright.core.scene import Piece
+from scenewright.core.views import describe, show
 
 
 class Patch(NamedTuple):
@@ -41,7 +43,7 @@ class LeftOut(NamedTuple):
     required: bool
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class Solution:
     """Everything about one answer; saved as JSON it reads back and can be solved again.
 
@@ -65,3 +67,37 @@ class Solution:
     seconds: float = field(compare=False)
     evaluations: int
     detail: Any = None
+
+    def __repr__(self) -> str:
+        """One line: what was laid out, how much of it stands, and how to get it again."""
+        required = sum(entry.required for entry in self.left_out)
+        return describe(
+            "Solution",
+            self.brief.domain,
+            self.brief.name,
+            spaces=len(self.energies) or None,
+            pieces=len(self.pieces),
+            not_placed=required,
+            optional_not_placed=len(self.left_out) - required or None,
+            preset=self.preset,
+            seed=self.seed,
+        )
+
+    def _repr_html_(self) -> str:
+        """In notebooks: the verdict, the plan, and what was not placed and why."""
+        return str(show("solution_html", self))
+
+    def _repr_svg_(self) -> str | None:
+        """In notebooks: the plan, to scale; the picture is that of its scene."""
+        drawn: str | None = show("solution_svg", self)
+        return drawn
+
+
+def unfurnished(brief: Brief) -> Solution:
+    """The solution of a brief in which nothing is placed: what there is before anything is solved.
+
+    >>> from scenewright.formats import read
+    >>> unfurnished(read("sample:home-room")).pieces
+    ()
+    """
+    return Solution(brief, (), (), (), (), {}, "default", "none", 0, __version__, "", 0.0, 0)

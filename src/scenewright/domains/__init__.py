@@ -19,6 +19,7 @@ from scenewright.core.brief import Brief
 from scenewright.core.brief.domain_keys import check_domain
 from scenewright.core.catalog import Catalog
 from scenewright.core.edits import Adjusted, Edits, check_moves
+from scenewright.core.explanation import Explanation
 from scenewright.core.layout import Layouts, Watch
 from scenewright.core.learned import LearnedGroups
 from scenewright.core.passes import PassTrace
@@ -29,6 +30,7 @@ from scenewright.core.scene import Scene
 from scenewright.core.solution import Solution
 from scenewright.core.space import Space
 from scenewright.domains.contract import Domain
+from scenewright.domains.explaining import explain_solution
 from scenewright.engine.preference.features import composition_features
 
 if TYPE_CHECKING:
@@ -44,6 +46,7 @@ __all__ = [
     "domains",
     "draw_levels",
     "draw_plan",
+    "explain",
     "features_of",
     "learn_groups",
     "learn_style",
@@ -196,6 +199,18 @@ def check(
     unplaced = sum(out.required for out in solution.left_out)
     report = replace(report, findings=found, unplaced=unplaced)
     return accept_findings(report, brief.accepted, solution.pieces)
+
+
+def explain(solution: Solution, *, plan: Plan | None = None) -> Explanation:
+    """Why a solution is as it is, in words: what was decided, what was not placed and why, what
+    the layout gives up, and what helps. ``print`` shows it as ``scenewright explain`` does.
+
+    >>> from scenewright.formats import read
+    >>> told = explain(solve(read("sample:home-room"), steps=200))
+    >>> told.decided.startswith("1 person")
+    True
+    """
+    return explain_solution(solution, plan or plan_of(solution.brief))
 
 
 def scene_of(solution: Solution, plan: Plan | None = None) -> Scene:

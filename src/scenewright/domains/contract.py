@@ -69,7 +69,19 @@ spaces), ``programme`` (what was decided for the whole, in words), ``appearance`
 what chose it), ``draw_levels`` (a sheet a level; else the plan is one sheet), ``sources`` (author,
 licence and name of what a layout is learned from, of a brief), ``features``, ``breeder`` and the
 two of the detail are passed over where a domain has none, the rest refused by name."""
-Table = Literal["presets", "solvers", "terms", "meanings", "patterns", "labels", "reasons"]
+Table = Literal[
+    "presets",
+    "solvers",
+    "terms",
+    "meanings",
+    "patterns",
+    "labels",
+    "reasons",
+    "remedies",
+    "compromises",
+]
+"""Tables of a domain; ``remedies`` are rows of :class:`~scenewright.core.explanation.Remedy`,
+``compromises`` a :class:`~scenewright.core.explanation.Compromise` by term."""
 
 NEEDED: tuple[Verb, ...] = ("plan", "solve", "check", "scene", "draw")
 """The verbs every domain has."""

@@ -49,6 +49,7 @@ from scenewright.core.brief.stairs import StairsBrief
 from scenewright.core.brief.wishes import WishBrief
 from scenewright.core.brief.zones import Demand, Link, ZoneBrief
 from scenewright.core.registry import DEFAULT, domain_names, domain_of, part_keys
+from scenewright.core.views import describe, show
 
 Function = Literal[
     "living",
@@ -311,6 +312,25 @@ class Brief(StrictModel):
     def is_read_whole(self) -> bool:
         """Whether nothing that stands in the file this brief was read from is missing here."""
         return self.input_report is None or self.input_report.complete
+
+    def __repr__(self) -> str:
+        """One line: the domain, the name, and how much there is."""
+        lists = {key: len(value) for key, value in self.part or () if isinstance(value, list)}
+        counts = {"rooms": len(self.rooms), "levels": len(self.levels)} | lists
+        return describe(
+            "Brief", self.domain, self.name, **{k: n or None for k, n in counts.items()}
+        )
+
+    __str__ = __repr__
+
+    def _repr_html_(self) -> str:
+        """In notebooks: the plan without furniture, and a table of its rooms."""
+        return str(show("brief_html", self))
+
+    def _repr_svg_(self) -> str | None:
+        """In notebooks: the plan without furniture, to scale."""
+        drawn: str | None = show("brief_svg", self)
+        return drawn
 
     @model_serializer(mode="wrap")
     def _flat(self, plain: SerializerFunctionWrapHandler) -> dict[str, Any]:

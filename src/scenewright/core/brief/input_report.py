@@ -14,6 +14,7 @@ from typing import Annotated, Literal, NamedTuple
 from pydantic import Field
 
 from scenewright.core.brief.fields import Number, StrictModel, Switch, Whole
+from scenewright.core.views import describe, show
 
 Outcome = Literal["used", "changed", "left out"]
 OUTCOMES: tuple[Outcome, ...] = ("used", "changed", "left out")
@@ -106,6 +107,17 @@ class InputReport(StrictModel):
         if share is None or share >= LEAST_FLOOR_READ:
             return lost
         return (*lost, f"only {self.describe_floor()}")
+
+    def __repr__(self) -> str:
+        """One line: the format, and how many features were read and lost."""
+        lost = sum(row.count for row in self.lost)
+        return describe("InputReport", self.format, features=self.features, lost=lost)
+
+    __str__ = __repr__
+
+    def _repr_html_(self) -> str:
+        """In notebooks: a table of what became of the features."""
+        return str(show("input_report_html", self))
 
     def describe_floor(self) -> str:
         """The floor read of the floor drawn in words; empty where none was measured.

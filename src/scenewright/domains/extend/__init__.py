@@ -39,6 +39,8 @@ DOMAIN = Domain(
     tables={
         "presets": ".presets:PRESETS",
         "solvers": ".solvers:EXTEND_SOLVERS",
+        "remedies": ".advice:REMEDIES",
+        "compromises": ".advice:COMPROMISES",
         "meanings": ".reasons:MEANINGS",
         "reasons": ".features:REASONS",
     },

@@ -39,6 +39,8 @@ DOMAIN = Domain(
         "presets": ".presets:PRESETS",
         "solvers": ".solvers:HALL_SOLVERS",
         "terms": ".terms.table:HALL_TERMS",
+        "remedies": ".advice:REMEDIES",
+        "compromises": ".advice:COMPROMISES",
         "meanings": ".terms.table:MEANINGS",
         "patterns": ".patterns:PATTERNS",
     },

@@ -42,6 +42,8 @@ DOMAIN = Domain(
         "presets": ".presets:PRESETS",
         "solvers": ".solvers:SOLVERS",
         "terms": ".terms.table:TERMS",
+        "remedies": ".advice:REMEDIES",
+        "compromises": ".advice:COMPROMISES",
         "meanings": ".terms.table:MEANINGS",
         "labels": ".groups:LABELS",
     },

@@ -41,6 +41,8 @@ DOMAIN = Domain(
         "presets": ".presets:PRESETS",
         "solvers": ".solvers:SITE_SOLVERS",
         "terms": ".terms.table:TERM_ROWS",
+        "remedies": ".advice:REMEDIES",
+        "compromises": ".advice:COMPROMISES",
         "meanings": ".terms.table:MEANINGS",
     },
     formats=(

@@ -37,6 +37,8 @@ DOMAIN = Domain(
     tables={
         "presets": ".presets:PRESETS",
         "solvers": ".solvers:VILLAGE_SOLVERS",
+        "remedies": ".advice:REMEDIES",
+        "compromises": ".advice:COMPROMISES",
         "meanings": ".reasons:MEANINGS",
         "reasons": ".features:REASONS",
     },

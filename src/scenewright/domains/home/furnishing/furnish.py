@@ -159,7 +159,7 @@ def _try(
     if lean and not _leans(function, case, box, ground):
         return Refused("its closed end would face open floor")
     if GROUPS[function].back == 1 and not is_backed(box, ground.walls, OPEN):
-        return Refused("no free wall to stand against")
+        return Refused(f"no free wall of {case.width:.1f} m to stand against")
     boxes, spans, flat = lay_case(case, box, catalog)
     codes, offenders = faults(
         boxes,
