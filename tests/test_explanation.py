@@ -87,7 +87,7 @@ def test_what_is_not_placed_comes_first_and_alike_things_once(solution: sw.Solut
     bed = LeftOut(space, "single", "no free wall of 2.0 m to stand against", True)
     dark = TermValue(space, "desk", "daylight", 0.9, 30.0, 27.0)
     told = sw.explain(replace(solution, left_out=(spare, spare, bed), terms=(dark,)))
-    assert [advice.count for advice in told.left_out] == [1, 2]
+    assert [advice.number for advice in told.left_out] == [1, 2]
     first = describe_advice(told.left_out[0])
     assert first.startswith("not placed: single bed")
     assert "what helps: keep 2.0 m of wall free" in first

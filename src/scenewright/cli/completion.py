@@ -9,8 +9,12 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Iterator, MutableMapping
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from scenewright.core.errors import InputError
+
+if TYPE_CHECKING:
+    from scenewright.domains.contract import Table
 
 Words = list[tuple[str, str]]
 
@@ -103,7 +107,7 @@ def benchmarks(incomplete: str) -> Words:
         return []
 
 
-def _named(table: str, incomplete: str) -> Words:
+def _named(table: Table, incomplete: str) -> Words:
     """Names in a table of every domain, and of which domain they are."""
     from scenewright.domains import domains as all_domains
 

@@ -34,12 +34,12 @@ class Compromise(NamedTuple):
 
 
 class Advice(NamedTuple):
-    """``count`` things alike that were not placed in a space (by name), why, and what helps;
+    """``number`` things alike that were not placed in a space (by name), why, and what helps;
     ``required`` if they were asked for or are essential."""
 
     space: str
     what: str
-    count: int
+    number: int
     reason: str
     remedy: str
     required: bool
@@ -71,7 +71,7 @@ class Explanation(NamedTuple):
 
     def __repr__(self) -> str:
         """One line: how much there is to read."""
-        required = sum(advice.count for advice in self.left_out if advice.required)
+        required = sum(advice.number for advice in self.left_out if advice.required)
         counts = {"not_placed": required, "remarks": len(self.remarks)}
         return describe("Explanation", self.name, **counts)
 
@@ -96,7 +96,7 @@ def describe_advice(advice: Advice) -> str:
     'not placed: washing machine (Bath): no wall; what helps: free a wall'
     """
     mark = "not placed" if advice.required else "optional, not placed"
-    what = f"{advice.count} × {advice.what}" if advice.count > 1 else advice.what
+    what = f"{advice.number} × {advice.what}" if advice.number > 1 else advice.what
     place = f" ({advice.space})" if advice.space else ""
     helps = f"; what helps: {advice.remedy}" if advice.remedy else ""
     return f"{mark}: {what}{place}: {advice.reason}{helps}"
