@@ -92,7 +92,7 @@ def describe_interruption(outputs: Sequence[Path]) -> str:
 def _left_out(console: Console, solution: Solution, names: Mapping[str, str]) -> None:
     """What was not placed: what is essential or asked for with what helps, then what is optional
     with the reason alone."""
-    from scenewright.domains.explaining import advise
+    from scenewright.domains import advise
 
     advice = advise(solution, names)
     _advice(console, [one if one.required else one._replace(remedy="") for one in advice])

@@ -30,7 +30,7 @@ from scenewright.core.scene import Scene
 from scenewright.core.solution import Solution
 from scenewright.core.space import Space
 from scenewright.domains.contract import Domain
-from scenewright.domains.explaining import explain_solution
+from scenewright.domains.explaining import advise, explain_solution
 from scenewright.engine.preference.features import composition_features
 
 if TYPE_CHECKING:
@@ -38,6 +38,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "adjust",
+    "advise",
     "alternatives",
     "breeder_of",
     "check",
