@@ -32,9 +32,13 @@ from scenewright.cli.reading import (
     CatalogOption,
     GroupsOption,
     HiddenOption,
+    InputsArgument,
     KeepOption,
     LayoutsOption,
+    OutputsOption,
+    PresetOption,
     ScaleOption,
+    SolverOption,
     StepsOption,
     StyleOption,
 )
@@ -121,31 +125,10 @@ def _root(
 
 @app.command()
 def arrange(
-    sources: Annotated[
-        list[str],
-        typer.Argument(
-            metavar="INPUT...", help="A file, or sample:NAME.", autocompletion=completion.inputs
-        ),
-    ],
-    outputs: Annotated[
-        list[Path] | None,
-        typer.Option(
-            "-o",
-            "--output",
-            metavar="OUT",
-            help="Output file; may be repeated.",
-            autocompletion=completion.outputs,
-        ),
-    ] = None,
-    preset: Annotated[
-        str,
-        typer.Option(
-            help="Named set of weights and parameters.", autocompletion=completion.presets
-        ),
-    ] = "default",
-    solver: Annotated[
-        str | None, typer.Option(help="Solver by name.", autocompletion=completion.solvers)
-    ] = None,
+    sources: InputsArgument,
+    outputs: OutputsOption = None,
+    preset: PresetOption = "default",
+    solver: SolverOption = None,
     seconds: Annotated[float | None, typer.Option(help="Search budget in seconds.")] = None,
     steps: StepsOption = None,
     layouts: LayoutsOption = None,

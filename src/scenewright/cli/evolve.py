@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 import typer
 
 from scenewright.cli import completion
+from scenewright.cli.reading import OutputsOption
 from scenewright.core.errors import InputError
 
 if TYPE_CHECKING:
@@ -43,16 +44,7 @@ def evolve(
             metavar="[INPUT]", help="A file, or sample:NAME.", autocompletion=completion.inputs
         ),
     ] = None,
-    outputs: Annotated[
-        list[Path] | None,
-        typer.Option(
-            "-o",
-            "--output",
-            metavar="OUT",
-            help="Output file; may be repeated.",
-            autocompletion=completion.outputs,
-        ),
-    ] = None,
+    outputs: OutputsOption = None,
     resume: Annotated[
         Path | None, typer.Option("--from", metavar="LOG", help="Go on with a saved evolution.")
     ] = None,

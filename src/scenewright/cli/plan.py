@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from scenewright.cli import completion, tables, terminal
-from scenewright.cli.reading import HiddenOption, KeepOption, ScaleOption
+from scenewright.cli.reading import HiddenOption, InputArgument, KeepOption, ScaleOption
 from scenewright.cli.show_input import input_document, print_input, print_warnings
 from scenewright.core.atomic_file import recorded_run, whole_together
 
@@ -18,12 +18,7 @@ if TYPE_CHECKING:
 
 
 def plan(
-    source: Annotated[
-        str,
-        typer.Argument(
-            metavar="INPUT", help="A file, or sample:NAME.", autocompletion=completion.inputs
-        ),
-    ],
+    source: InputArgument,
     outputs: Annotated[
         list[Path] | None,
         typer.Option(

@@ -1,13 +1,39 @@
-"""Options of ``arrange`` that say how a plan is read, and with what beside it."""
+"""Words of several verbs: what is read and how, with what beside it, and what is written."""
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Annotated
 
 import typer
 
 from scenewright.cli import completion
 
+INPUT = "A file, or sample:NAME."
+
+InputsArgument = Annotated[
+    list[str], typer.Argument(metavar="INPUT...", help=INPUT, autocompletion=completion.inputs)
+]
+InputArgument = Annotated[
+    str, typer.Argument(metavar="INPUT", help=INPUT, autocompletion=completion.inputs)
+]
+OutputsOption = Annotated[
+    list[Path] | None,
+    typer.Option(
+        "-o",
+        "--output",
+        metavar="OUT",
+        help="Output file; may be repeated.",
+        autocompletion=completion.outputs,
+    ),
+]
+PresetOption = Annotated[
+    str,
+    typer.Option(help="Named set of weights and parameters.", autocompletion=completion.presets),
+]
+SolverOption = Annotated[
+    str | None, typer.Option(help="Solver by name.", autocompletion=completion.solvers)
+]
 KeepOption = Annotated[
     bool, typer.Option("--keep", help="Keep the furniture of a .sh3d file in place.")
 ]
