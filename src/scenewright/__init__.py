@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from scenewright.core.errors import InputError
     from scenewright.core.kind import Kind
     from scenewright.core.layout import Layout, NamedBox
+    from scenewright.core.map_options import MapOptions
     from scenewright.core.report import Report
     from scenewright.core.scene import Piece, Pose, Scene, Size
     from scenewright.core.solution import Solution
@@ -57,6 +58,7 @@ __all__ = [
     "Kind",
     "Layout",
     "Level",
+    "MapOptions",
     "NamedBox",
     "Opening",
     "Piece",
@@ -120,6 +122,7 @@ _HOMES = {
     "Asset": "core.catalog:Asset",
     "Kind": "core.kind:Kind",
     "InputError": "core.errors:InputError",
+    "MapOptions": "core.map_options:MapOptions",
 }
 """Where each name lives: module below this package, and name in it."""
 

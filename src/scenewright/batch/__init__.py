@@ -20,6 +20,7 @@ from scenewright.batch.table import CSV, JSON, ResultRow, write_summary
 from scenewright.batch.worker_pool import WorkerPool, arrange_with
 from scenewright.core.atomic_file import Identity, RunFiles, check_targets, recorded_run
 from scenewright.core.errors import InputError
+from scenewright.core.map_options import AS_IT_IS, MapOptions
 
 __all__ = ["MEMORY", "TIME", "BatchOptions", "Job", "Limits", "ResultRow", "batch"]
 
@@ -49,6 +50,7 @@ def batch(
     hidden_levels: bool = False,
     style: str = "",
     layouts: int | None = None,
+    map_options: MapOptions = AS_IT_IS,
     memory: float = MEMORY,
     limit: float = TIME,
     progress: OnResult | None = None,
@@ -80,6 +82,7 @@ def batch(
         accessible,
         style,
         layouts,
+        map_options,
     )
     limits = _check_limits(Limits(jobs or os.cpu_count() or 1, memory, limit), options)
     with recorded_run() as run:

@@ -14,6 +14,7 @@ from scenewright._version import __version__
 from scenewright.batch.fingerprints import Look, list_dependencies, look
 from scenewright.core.atomic_file import note_read
 from scenewright.core.errors import InputError
+from scenewright.core.map_options import AS_IT_IS, MapOptions
 from scenewright.formats import SAMPLE, formats, suffix_of
 
 TAKEN = ("summary",)
@@ -45,6 +46,7 @@ class BatchOptions(NamedTuple):
     accessible: bool = False
     style: str = ""
     layouts: int | None = None
+    map_options: MapOptions = AS_IT_IS
 
 
 class Job(NamedTuple):
@@ -112,7 +114,7 @@ def _files(path: Path, out: Path, suffixes: set[str]) -> Iterator[tuple[Path, Pu
         )
         for name in sorted(names):
             file = Path(top, name)
-            if file.suffix.lower() in suffixes and not name.startswith(".") and file.is_file():
+            if suffix_of(name).lower() in suffixes and not name.startswith(".") and file.is_file():
                 yield file, PurePosixPath(file.relative_to(path).as_posix())
 
 

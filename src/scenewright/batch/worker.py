@@ -21,6 +21,7 @@ from scenewright.batch.table import COMPLETE, LEFT_OUT, NOT_VALID, ResultRow, ma
 from scenewright.core.atomic_file import recorded_run
 from scenewright.core.errors import InputError
 from scenewright.core.garbage import collect_rarely
+from scenewright.core.map_options import restore_options
 from scenewright.core.plugins import REMEDY, blame_plugin
 
 PATIENCE = 0.5
@@ -38,6 +39,7 @@ def main() -> None:
     first = json.loads(sys.stdin.readline())
     given: dict[str, Any] = first["options"]
     given |= {key: tuple(given[key]) for key in ("formats", "catalogs", "groups")}
+    given["map_options"] = restore_options(given["map_options"])
     options = BatchOptions(**given)
     _bound(first["memory"])
     _answer(answers, READY)

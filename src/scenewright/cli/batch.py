@@ -104,6 +104,7 @@ def run(
             hidden_levels=request.hidden_levels,
             style=request.style,
             layouts=request.layouts,
+            map_options=request.map_options,
             memory=MEMORY if terms.memory is None else terms.memory,
             limit=TIME if terms.limit is None else terms.limit,
             progress=watch.on_row,

@@ -30,17 +30,22 @@ from scenewright.cli.pass_table import print_passes
 from scenewright.cli.reading import (
     AlternativesOption,
     CatalogOption,
+    CrsOption,
     GroupsOption,
     HiddenOption,
     InputsArgument,
     KeepOption,
+    LayerOption,
     LayoutsOption,
+    OriginOption,
     OutputsOption,
     PresetOption,
     ScaleOption,
+    SiteOption,
     SolverOption,
     StepsOption,
     StyleOption,
+    map_options_of,
 )
 from scenewright.cli.show_input import input_document, print_input, print_warnings
 from scenewright.cli.termination import Terminated, orderly_termination
@@ -140,6 +145,10 @@ def arrange(
     catalogs: CatalogOption = None,
     groups: GroupsOption = None,
     style: StyleOption = "",
+    crs: CrsOption = "",
+    origin: OriginOption = "",
+    layers: LayerOption = None,
+    site: SiteOption = "",
     alternatives: AlternativesOption = 1,
     many: cli_batch.BatchOption = False,
     formats: cli_batch.FormatOption = None,
@@ -170,6 +179,7 @@ def arrange(
         hidden_levels,
         style,
         layouts,
+        map_options_of(crs, origin, layers, site),
     )
     terms = cli_batch.BatchTerms(formats, jobs, memory, limit)
     if many:

@@ -8,7 +8,17 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from scenewright.cli import completion, tables, terminal
-from scenewright.cli.reading import HiddenOption, InputArgument, KeepOption, ScaleOption
+from scenewright.cli.reading import (
+    CrsOption,
+    HiddenOption,
+    InputArgument,
+    KeepOption,
+    LayerOption,
+    OriginOption,
+    ScaleOption,
+    SiteOption,
+    map_options_of,
+)
 from scenewright.cli.show_input import input_document, print_input, print_warnings
 from scenewright.core.atomic_file import recorded_run, whole_together
 
@@ -32,6 +42,10 @@ def plan(
     keep: KeepOption = False,
     scale: ScaleOption = 1.0,
     hidden_levels: HiddenOption = False,
+    crs: CrsOption = "",
+    origin: OriginOption = "",
+    layers: LayerOption = None,
+    site: SiteOption = "",
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON document only.")] = False,
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="Print nothing but errors.")] = False,
 ) -> int:
@@ -39,7 +53,13 @@ def plan(
     from scenewright.formats import read_planned
 
     with recorded_run():
-        brief, made = read_planned(source, keep, scale=scale, hidden_levels=hidden_levels)
+        brief, made = read_planned(
+            source,
+            keep,
+            scale=scale,
+            hidden_levels=hidden_levels,
+            map_options=map_options_of(crs, origin, layers, site),
+        )
         _write(brief, made, outputs or [])
     complete = brief.input_report is None or brief.input_report.complete
     if as_json:

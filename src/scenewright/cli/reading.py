@@ -8,6 +8,8 @@ from typing import Annotated
 import typer
 
 from scenewright.cli import completion
+from scenewright.core.errors import InputError
+from scenewright.core.map_options import MapOptions, place_in
 
 INPUT = "A file, or sample:NAME."
 
@@ -34,6 +36,7 @@ PresetOption = Annotated[
 SolverOption = Annotated[
     str | None, typer.Option(help="Solver by name.", autocompletion=completion.solvers)
 ]
+
 KeepOption = Annotated[
     bool, typer.Option("--keep", help="Keep the furniture of a .sh3d file in place.")
 ]
@@ -76,3 +79,37 @@ StyleOption = Annotated[
         autocompletion=completion.styles,
     ),
 ]
+CrsOption = Annotated[
+    str,
+    typer.Option(
+        "--crs", metavar="CRS", help="Reference system of a map, such as EPSG:25832, over its own."
+    ),
+]
+OriginOption = Annotated[
+    str,
+    typer.Option(
+        "--origin", metavar="X,Y", help="Place of a map that becomes 0, 0; or longitude,latitude."
+    ),
+]
+LayerOption = Annotated[
+    list[str] | None,
+    typer.Option("--layer", metavar="LAYER", help="Only this layer of a map; may be repeated."),
+]
+SiteOption = Annotated[
+    str,
+    typer.Option(
+        "--site",
+        metavar="PLACE",
+        help="Ground of a map to build on: the id of an area, or X,Y (longitude,latitude) in one "
+        "or between streets.",
+    ),
+]
+
+
+def map_options_of(crs: str, origin: str, layers: list[str] | None, site: str) -> MapOptions:
+    """The options of a map. InputError for an origin that is no place."""
+    place = place_in(origin) if origin else None
+    if origin and place is None:
+        fault = f"--origin '{origin[:40]}' is no place"
+        raise InputError(fault, "give two numbers, such as --origin 11.07,49.45")
+    return MapOptions(crs, place, tuple(layers or ()), site)

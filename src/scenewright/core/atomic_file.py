@@ -30,6 +30,9 @@ TEMPORARY = re.compile(r"\.scenewright-[0-9a-f]{16}(\..*)?")
 """What the temporary names of :func:`whole_together` and :func:`atomic_write` look like."""
 DATABASE = b"SQLite format 3\0"
 """How an SQLite database begins."""
+WRITTEN_BY_US = "written by Scenewright"
+"""What a map that is a database says in its first pages: an output may replace it."""
+HEAD = 256 * 1024
 _EXCLUSIVE = os.O_WRONLY | os.O_CREAT | os.O_EXCL
 
 
@@ -128,14 +131,16 @@ def _check_target(path: Path) -> None:
 
 
 def holds_database(path: Name) -> bool:
-    """Whether there is a plain file that begins as an SQLite database does."""
+    """Whether there is a plain file that begins as an SQLite database does, and that we have not
+    written as an output."""
     try:
         handle = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0))
     except (OSError, ValueError):
         return False
     with open(handle, "rb") as file:
         plain = stat.S_ISREG(os.fstat(handle).st_mode)
-        return plain and file.read(len(DATABASE)) == DATABASE
+        head = file.read(HEAD) if plain else b""
+    return head.startswith(DATABASE) and WRITTEN_BY_US.encode() not in head
 
 
 @contextmanager

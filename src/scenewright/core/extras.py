@@ -8,6 +8,7 @@ EXTRAS = {
     "bim": ("ifcopenshell",),
     "draco": ("DracoPy",),
     "dxf": ("ezdxf",),
+    "gis": ("pyogrio", "osmium"),
     "learn": ("torch",),
     "pdf": ("fpdf", "fontTools", "fontpkg_noto_sans"),
     "peers": ("scipy", "cma", "pymoo", "deap"),

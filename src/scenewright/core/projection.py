@@ -32,10 +32,7 @@ FLATTENING = 1 / 298.257223563
 GREATEST_LATITUDE = 85.0
 WIDEST_DEGREES = 0.5
 FARTHEST = 5_000.0
-METRIC = (
-    'GeoJSON is in degrees: write it from a site that has an "origin", or name its system of '
-    'metres in "crs"'
-)
+METRIC = "name its system of metres with --crs EPSG:…, or in the file"
 EXPORT = "export it as longitude and latitude (WGS 84, EPSG:4326)"
 
 
@@ -173,7 +170,7 @@ def _turned(corners: Points, system: ReferenceSystem | None) -> bool:
 def _check_degrees(corners: Points, system: ReferenceSystem | None) -> None:
     """InputError where coordinates, in degrees, are no longitude and latitude."""
     fits = bool((np.abs(corners) <= (180.0, 90.0)).all())
-    if fits and (system or _spread(_unroll_longitudes(corners, corners[0, 0])) <= WIDEST_DEGREES):
+    if (fits and system) or spreads_as_degrees(corners):
         return
     if system:
         raise InputError(
@@ -186,6 +183,21 @@ def _check_degrees(corners: Points, system: ReferenceSystem | None) -> None:
             METRIC,
         )
     raise InputError(f"its coordinates spread over {_spread(corners):.3g} degrees", METRIC)
+
+
+def spreads_as_degrees(corners: Points) -> bool:
+    """Whether corners ``(n, 2)`` can be degrees of a place: on the globe, and spread no farther
+    than a town.
+
+    >>> spreads_as_degrees(np.array([[2.358, 48.877], [2.359, 48.878]]))
+    True
+    >>> spreads_as_degrees(np.array([[0.0, 0.0], [12.0, 0.0], [80.0, 60.0]]))
+    False
+    """
+    fits = bool((np.abs(corners) <= (180.0, 90.0)).all())
+    if not fits or not len(corners):
+        return fits
+    return _spread(_unroll_longitudes(corners, float(corners[0, 0]))) <= WIDEST_DEGREES
 
 
 def _spread(corners: Points) -> float:

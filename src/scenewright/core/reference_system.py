@@ -125,6 +125,23 @@ def to_degrees(system: ReferenceSystem, points: Points) -> Points:
     return np.column_stack(found)
 
 
+def from_degrees(system: ReferenceSystem, lon: float, lat: float) -> tuple[float, float]:
+    """The place of a longitude and latitude in a system, x first; not finite where it has none.
+
+    >>> [round(v) for v in from_degrees(system_of("EPSG:25832"), 11.07, 49.45)]
+    [650033, 5479577]
+    """
+    from pyproj import Transformer
+    from pyproj.exceptions import ProjError
+
+    try:
+        turning = Transformer.from_crs("OGC:CRS84", _plane(_parse(system.named)), always_xy=True)
+        x, y = turning.transform(lon, lat, errcheck=False)
+    except ProjError:
+        return math.inf, math.inf
+    return float(x), float(y)
+
+
 def stretch_at(system: ReferenceSystem, x: float, y: float) -> float:
     """Metres that the plane of a system shows for a metre of ground at a place; 1 within half a
     per cent of that.

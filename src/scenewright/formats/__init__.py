@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING, Any
 
 from scenewright.core.atomic_file import check_targets
 from scenewright.core.errors import InputError
+from scenewright.core.map_options import AS_IT_IS, MapOptions
 from scenewright.core.registry import Format
 from scenewright.formats.foreign import name_foreign
 from scenewright.formats.losses import losses
@@ -67,6 +68,7 @@ def read_planned(
     scale: float = 1.0,
     hidden_levels: bool = False,
     style: str = "",
+    map_options: MapOptions = AS_IT_IS,
 ) -> tuple[Brief, Plan]:
     """The brief in a file, or a sample (``sample:home-flat``), and its plan, which checks it down
     to its geometry.
@@ -75,8 +77,8 @@ def read_planned(
     further catalogues of models and ``groups`` files of learned groups, below the working folder.
     ``scale`` multiplies every length in plan, for a plan drawn too small or too large;
     ``hidden_levels`` includes the levels that are hidden in a Sweet Home 3D file; ``style`` takes
-    the place of the brief's and must be known. Anything that
-    cannot be used raises :class:`InputError`, one line that names the file.
+    the place of the brief's and must be known; ``map_options`` say what a map does not. Anything
+    that cannot be used raises :class:`InputError`, one line that names the file.
 
     >>> brief, plan = read_planned("sample:home-flat")
     >>> brief.rooms[1].name, plan.spaces[1].name
@@ -92,7 +94,7 @@ def read_planned(
     try:
         named = absolute_names(catalogs, groups, style)
         opened = open_source(source)
-        drawn = _parse(opened, keep, hidden_levels, scale)
+        drawn = _parse(opened, keep, hidden_levels, scale, map_options)
         brief = add_named_files(drawn, *named)
         return brief, plan_valid(brief, style)
     except InputError as error:
@@ -108,13 +110,16 @@ def read(
     groups: Sequence[str] = (),
     scale: float = 1.0,
     hidden_levels: bool = False,
+    map_options: MapOptions = AS_IT_IS,
 ) -> Brief:
     """The brief in a file, or a sample, checked as by :func:`read_planned`.
 
     >>> read("sample:home-flat").rooms[1].name
     'Kitchen'
     """
-    return read_planned(source, keep, catalogs, groups, scale, hidden_levels)[0]
+    return read_planned(
+        source, keep, catalogs, groups, scale, hidden_levels, map_options=map_options
+    )[0]
 
 
 def write(solution: Solution, path: str | os.PathLike[str], plan: Plan | None = None) -> None:
@@ -186,7 +191,9 @@ def check_output(path: str | os.PathLike[str], brief: Brief) -> None:
         raise error.located(file=str(path)) from None
 
 
-def _parse(opened: Opened, keep: bool, hidden_levels: bool, scale: float) -> Brief:
+def _parse(
+    opened: Opened, keep: bool, hidden_levels: bool, scale: float, map_options: MapOptions
+) -> Brief:
     """The brief that a file holds, at its scale; a file of another program, if it is refused, is
     named."""
     from scenewright.core.brief.variations import report_scale, scale_brief
@@ -194,7 +201,10 @@ def _parse(opened: Opened, keep: bool, hidden_levels: bool, scale: float) -> Bri
     path, row = opened
     reading = load_function(row.reader, "read", path)
     known = signature(reading).parameters
-    wishes = {"scale": scale, "hidden_levels": hidden_levels}
+    wishes = {"scale": scale, "hidden_levels": hidden_levels, "map_options": map_options}
+    if map_options != AS_IT_IS and "map_options" not in known:
+        fault = f"is no map: {map_options.name_given()} cannot be used"
+        raise InputError(fault, "leave it out")
     try:
         found: Any = reading(path, keep=keep, **{k: v for k, v in wishes.items() if k in known})
     except OSError as error:

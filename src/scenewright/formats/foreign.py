@@ -121,13 +121,13 @@ FOREIGN = (
         "a USD scene", CONVERT, (".usd", ".usda", ".usdc", ".usdz"), (b"PXR-USDC", b"#usda")
     ),
     ForeignFormat("a USD scene", CONVERT, begins=(b"PK",), holds=(b".usdc",)),
+    ForeignFormat("changes of OpenStreetMap", OSMIUM, (".osc", ".osc.gz", ".o5m")),
     ForeignFormat(
-        "OpenStreetMap data",
-        OSMIUM,
-        (".osm", ".osm.gz", ".osm.bz2", ".pbf", ".osc"),
-        holds=(b"<osm ", b"<node "),
+        "OpenStreetMap data", "name it .osm", holds=(b"<osm ", b"<node "), read_as=(".osm", ".zip")
     ),
-    ForeignFormat("OpenStreetMap data", OSMIUM, holds=(b"OSMHeader",)),
+    ForeignFormat(
+        "OpenStreetMap data", "name it .osm.pbf", holds=(b"OSMHeader",), read_as=(".pbf",)
+    ),
     ForeignFormat(
         "a CityGML model",
         "citygml-tools to-cityjson {file} makes a city model that is read",
@@ -136,22 +136,22 @@ FOREIGN = (
     ),
     ForeignFormat("an IndoorGML map", DRAW, holds=(b"opengis.net/indoorgml",)),
     ForeignFormat("a gbXML building model", DRAW, (".gbxml",), holds=(b"<gbXML",)),
-    ForeignFormat("a KML map", OGR, (".kml", ".kmz"), holds=(b"<kml",)),
+    ForeignFormat("a KML map", "name it .kml", holds=(b"<kml",), read_as=(".kml", ".kmz", ".zip")),
     ForeignFormat("a GPX track", OGR, (".gpx",), holds=(b"<gpx",)),
     ForeignFormat("a GML map", OGR, (".gml",), holds=(b"opengis.net/gml",)),
     ForeignFormat(
         "a GeoPackage",
-        "ogr2ogr -t_srs EPSG:4326 map.geojson {file} LAYER makes a map that is read",
-        (".gpkg",),
-        (b"SQLite format 3",),
-        (b"gpkg_",),
+        "name it .gpkg",
+        begins=(b"SQLite format 3",),
+        holds=(b"gpkg_",),
+        read_as=(".gpkg",),
     ),
-    ForeignFormat("a shapefile", OGR, (".shp", ".shx", ".dbf"), (b"\0\0\x27\x0a",)),
+    ForeignFormat("a part of a shapefile", "give the .shp", (".shx", ".dbf")),
     ForeignFormat(
-        "a zipped shapefile",
-        "unzip {file}, then: ogr2ogr -t_srs EPSG:4326 map.geojson LAYER.shp",
-        begins=(b"PK",),
-        holds=(b".shp",),
+        "a shapefile", "name it .shp", begins=(b"\0\0\x27\x0a",), read_as=(".shp", ".shx")
+    ),
+    ForeignFormat(
+        "a zipped shapefile", "name it .zip", begins=(b"PK",), holds=(b".shp",), read_as=(".zip",)
     ),
     ForeignFormat("a FlatGeobuf map", OGR, (".fgb",), (b"fgb",)),
     ForeignFormat("a GeoParquet map", OGR, (".parquet", ".geoparquet"), (b"PAR1",)),
@@ -179,13 +179,15 @@ FOREIGN = (
         (b"\x89PNG", b"\xff\xd8\xff", b"GIF8", b"BM", b"II*\0", b"MM\0*"),
     ),
     ForeignFormat("a drawing in SVG", TRACE, (".svg",), holds=(b"<svg",)),
-    ForeignFormat("compressed with gzip", "gunzip {file} first", (".gz",), (b"\x1f\x8b",)),
+    ForeignFormat(
+        "compressed with gzip", "gunzip {file} first", begins=(b"\x1f\x8b",), read_as=(".osm.gz",)
+    ),
     ForeignFormat(
         "an archive",
         "unpack it and give a file in it",
-        (".zip", ".7z", ".rar", ".tar", ".tgz"),
+        (".7z", ".rar", ".tar", ".tgz"),
         (b"PK", b"7z\xbc\xaf", b"Rar!"),
-        read_as=(".sh3d",),
+        read_as=(".sh3d", ".zip", ".kmz"),
     ),
 )
 

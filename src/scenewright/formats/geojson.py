@@ -6,18 +6,24 @@ from importlib import import_module
 from pathlib import Path
 
 from scenewright.core.brief import Brief
+from scenewright.core.map_options import AS_IT_IS, MapOptions
 from scenewright.core.registry import domain_names, domain_of
-from scenewright.ground.map_features import load
+from scenewright.ground.map_features import Collection, load
+from scenewright.ground.map_place import place_map
 
 
-def read(path: Path, keep: bool = False) -> Brief:
-    """The brief of a map. There is no furniture to ``keep``.
+def read(path: Path, keep: bool = False, map_options: MapOptions = AS_IT_IS) -> Brief:
+    """The brief of a map, placed as the ``map_options`` say. There is no furniture to ``keep``."""
+    del keep
+    return brief_of_map(place_map(load(path), map_options), Path(path).stem)
+
+
+def brief_of_map(found: Collection, name: str) -> Brief:
+    """The brief of the features of a map.
 
     The domain that the features name reads them, else the first that recognises them; if none
     does, the first that reads maps says what is missing.
     """
-    del keep
-    found, name = load(path), Path(path).stem
     rows = [kind for kind in map(domain_of, domain_names()) if kind.maps]
     readers = [import_module(row.maps, row.package) for row in rows]
     named = [one for one in readers if getattr(one, "names_itself", lambda _found: False)(found)]

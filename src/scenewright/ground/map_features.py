@@ -24,7 +24,7 @@ from scenewright.core.space import Points
 from scenewright.ground.imdf import is_imdf, to_indoor_tags
 from scenewright.ground.map_geometry import GEOMETRIES, Shapes, gather, is_closed
 from scenewright.ground.map_kinds import kind_of
-from scenewright.ground.map_tags import LONGEST_TEXT, tags_of
+from scenewright.ground.map_tags import LONGEST_TEXT, plain, tags_of
 
 GREATEST_FILE = 64 * 2**20
 MOST_FEATURES = 100_000
@@ -38,7 +38,8 @@ Polygons = tuple[tuple[Points, ...], ...]
 class Feature(NamedTuple):
     """One feature: its id (plain letters), tags, a point ``(2,)`` or none, and polygons, each its
     outline and holes ``(n, 2)``. ``open_line`` marks a line that is not closed; ``lines`` are all
-    its lines ``(n, 2)``, closed or not; ``lost`` says which parts of it cannot be used."""
+    its lines ``(n, 2)``, closed or not; ``lost`` says which parts of it cannot be used, ``layer``
+    on which layer of its file it lies."""
 
     id: str
     tags: dict[str, str]
@@ -47,12 +48,13 @@ class Feature(NamedTuple):
     open_line: bool
     lines: tuple[Points, ...] = ()
     lost: str = ""
+    layer: str = ""
 
     @property
     def kind(self) -> str:
-        """What it is, in words."""
+        """What it is, in words, and its layer."""
         shape = "area" if self.polygons else "line" if self.lines else "point"
-        return kind_of(self.tags, shape)
+        return kind_of(self.tags, shape) + (f" (layer {self.layer})" if self.layer else "")
 
 
 class SkippedFeature(NamedTuple):
@@ -64,13 +66,18 @@ class SkippedFeature(NamedTuple):
 
 class Collection(NamedTuple):
     """All features of a file that can be read, those that cannot, the reference system, if one is
-    given, as :func:`scenewright.core.reference_system.system_of` takes it, and the tags of those
-    that cannot be read by their names."""
+    given, as :func:`scenewright.core.reference_system.system_of` takes it, the tags of those that
+    cannot be read by their names, and the format of the file in words. Coordinates of a ``plane``
+    that no system is given for are metres, where they cannot be degrees. ``origin`` is the place
+    that becomes 0, 0, in coordinates of the system."""
 
     features: tuple[Feature, ...]
     skipped: tuple[SkippedFeature, ...]
     crs: str
     broken: Mapping[str, dict[str, str]] = MappingProxyType({})
+    format: str = "GeoJSON"
+    plane: bool = False
+    origin: tuple[float, float] | None = None
 
 
 def load(path: Path) -> Collection:
@@ -123,7 +130,7 @@ def collection(document: Any) -> Collection:
 def in_degrees(found: Collection) -> Collection:
     """The same with longitudes and latitudes, where its coordinates are those of a plane."""
     corners = [ring for f in found.features for rings in (*f.polygons, f.lines) for ring in rings]
-    map_ = projection(np.vstack(corners), found.crs) if corners else None
+    map_ = projection(np.vstack(corners), found.crs, found.plane) if corners else None
     if map_ is None or map_.turns or map_.system is None:
         return found
     system, order = map_.system, -1 if map_.swapped else 1
@@ -139,7 +146,9 @@ def in_degrees(found: Collection) -> Collection:
         )
         for feature in found.features
     )
-    return found._replace(features=features, crs="OGC:CRS84")
+    at = None if found.origin is None else to_degrees(system, np.array([found.origin], float))[0]
+    origin = None if at is None else (float(at[0]), float(at[1]))
+    return found._replace(features=features, crs="OGC:CRS84", origin=origin)
 
 
 def levels_of(tags: dict[str, str]) -> tuple[float, ...]:
@@ -170,8 +179,9 @@ def levels_of(tags: dict[str, str]) -> tuple[float, ...]:
 
 def _feature(row: Any, name: str) -> Feature:
     geometry = row.get("geometry") if isinstance(row, dict) else None
+    layer, missing = _stated(row)
     if not isinstance(geometry, dict):
-        raise InputError("has no geometry", "correct it in the map")
+        raise InputError(missing or "has no geometry", "correct it in the map")
     shapes = Shapes([], [], [], [])
     gather(geometry, shapes, 0)
     whole = len(shapes.points) + len(shapes.lines) + len(shapes.polygons)
@@ -179,7 +189,7 @@ def _feature(row: Any, name: str) -> Feature:
         raise InputError(
             shapes.faults[0] if shapes.faults else "has an empty geometry", "correct it in the map"
         )
-    lost, count = "", len(shapes.faults)
+    lost, count = missing, len(shapes.faults)
     if shapes.faults:
         lost = f"{count} of its {whole + count} parts left out: one {shapes.faults[0]}"
     closed = [line for line in shapes.lines if is_closed(line)]
@@ -192,7 +202,16 @@ def _feature(row: Any, name: str) -> Feature:
         bool(shapes.lines) and not closed,
         tuple(shapes.lines),
         lost,
+        layer,
     )
+
+
+def _stated(row: Any) -> tuple[str, str]:
+    """What a reader of ours says of a feature beside what its file does: the layer that it lies
+    on, and what of it is lost."""
+    about = row.get("scenewright") if isinstance(row, dict) else None
+    stated = about if isinstance(about, dict) else {}
+    return plain(stated.get("layer", "")), plain(stated.get("lost", ""))
 
 
 def _identifier(row: Any, number: int) -> str:

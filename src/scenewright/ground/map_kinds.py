@@ -9,29 +9,30 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 
-def _words(text: str) -> tuple[str, ...]:
+def words_of(text: str) -> tuple[str, ...]:
+    """The words of a text, for tables of many."""
     return tuple(text.split())
 
 
-ELSE = _words(
+ELSE = words_of(
     "landuse natural leisure highway waterway water amenity place boundary railway indoor parking "
     "site block extend street_side aeroway aerialway power surface public_transport golf sport "
     "room level barrier man_made historic tourism shop office craft emergency route area:highway "
-    "area laid_out entrance door buildingpart"
+    "area laid_out entrance door buildingpart terrain"
 )
 """Keys that say what an area is, if it is no building."""
-FOOTWAYS = _words("footway path steps pedestrian cycleway bridleway corridor")
-SOLID = _words(
+FOOTWAYS = words_of("footway path steps pedestrian cycleway bridleway corridor")
+SOLID = words_of(
     "silo storage_tank water_tower chimney tower works gasometer bunker_silo kiln lighthouse "
     "cooling_tower windmill"
 )
 """Values of ``man_made`` that stand as a building does."""
-PUBLIC = _words(
+PUBLIC = words_of(
     "school kindergarten college university hospital clinic place_of_worship townhall library "
     "theatre cinema community_centre fire_station police courthouse"
 )
 """Amenities that are a building, or the ground around one."""
-NO_BUILDING = _words("no none false 0 proposed demolished razed")
+NO_BUILDING = words_of("no none false 0 proposed demolished razed")
 FAITHS = {
     "christian": "church",
     "muslim": "mosque",
@@ -40,7 +41,7 @@ FAITHS = {
     "shinto": "shrine",
     "jewish": "synagogue",
 }
-PLAIN = _words("yes building true 1")
+PLAIN = words_of("yes building true 1")
 
 
 def stands(tags: Mapping[str, str]) -> bool:

@@ -3,12 +3,29 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
-from scenewright.core.projection import Projection, coordinates_of
+from scenewright.core.projection import Projection, coordinates_of, projection
 from scenewright.core.space import Points
+
+
+def projection_about(origin: Sequence[float] | None) -> Projection:
+    """The projection by which a longitude and latitude is the origin; without one, of metres that
+    lie nowhere on earth."""
+    if origin is None:
+        return Projection((0.0, 0.0), (1.0, 1.0), False)
+    return projection(np.array([origin], float))
+
+
+def write_collection(
+    name: str, features: Sequence[dict[str, Any]], map_: Projection
+) -> dict[str, Any]:
+    """The FeatureCollection of features; its ``crs`` is null where they lie nowhere on earth."""
+    found = {"type": "FeatureCollection", "name": name, "features": [*features]}
+    return found if map_.turns else found | {"crs": None}
 
 
 def write_feature(

@@ -10,6 +10,7 @@ from typing import NamedTuple
 from scenewright import domains
 from scenewright.core.atomic_file import recorded_run
 from scenewright.core.errors import CancelledError, InputError
+from scenewright.core.map_options import AS_IT_IS, MapOptions
 from scenewright.core.plan import Plan
 from scenewright.core.report import Report
 from scenewright.core.solution import Solution
@@ -96,6 +97,7 @@ def arrange(
     hidden_levels: bool = False,
     style: str = "",
     layouts: int | None = None,
+    map_options: MapOptions = AS_IT_IS,
 ) -> Arranged:
     """Read a brief, solve it, judge the solution and write it to all ``outputs`` or none.
 
@@ -123,6 +125,7 @@ def arrange(
         hidden_levels=hidden_levels,
         style=style,
         layouts=layouts,
+        map_options=map_options,
     )
 
     def pass_on(event: Event) -> None:

@@ -10,6 +10,7 @@ from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief
 from scenewright.core.catalog import OWN
 from scenewright.core.errors import InputError
+from scenewright.core.map_options import AS_IT_IS, MapOptions
 from scenewright.core.plan import Plan
 from scenewright.core.solution import Solution
 from scenewright.domains import domain_of
@@ -48,6 +49,7 @@ class ArrangeRequest(NamedTuple):
     hidden_levels: bool = False
     style: str = ""
     layouts: int | None = None
+    map_options: MapOptions = AS_IT_IS
 
     @property
     def work(self) -> int | None:
@@ -72,6 +74,7 @@ def plan_request(request: ArrangeRequest) -> Planned:
         scale=request.scale,
         hidden_levels=request.hidden_levels,
         style=request.style,
+        map_options=request.map_options,
     )
     check_outputs(request.outputs, brief)
     domain: Domain = domain_of(brief.domain)

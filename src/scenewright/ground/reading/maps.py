@@ -14,6 +14,7 @@ from scenewright.ground.built import BuiltBuilding, BuiltRoad, BuiltScene
 from scenewright.ground.map_features import Collection, Feature, collection, in_degrees
 from scenewright.ground.map_footprints import find_footprints
 from scenewright.ground.map_kinds import stands
+from scenewright.ground.map_place import projection_of
 from scenewright.ground.reading.cleaning import MOST_BUILDINGS, clean_outline, drop_overlaps
 
 STOREY, HEIGHT = 3.0, 7.5
@@ -36,7 +37,7 @@ def scene_of_features(
     corners += [line for f in found.features for line in f.lines]
     if not corners:
         raise InputError("holds no buildings", "give a map with building polygons")
-    map_ = projection_about(np.vstack(corners), found.crs, origin)
+    map_ = projection_about(np.vstack(corners), found, origin)
     left_out: list[str] = [f"{row.feature}: {row.reason}" for row in found.skipped]
     buildings = list(buildings_of(found.features, map_, left_out))
     if len(buildings) > MOST_BUILDINGS:
@@ -46,9 +47,11 @@ def scene_of_features(
     return BuiltScene(name, kept, roads, None, (*left_out, *overlapping), map_.where)
 
 
-def projection_about(corners: Points, crs: str, origin: tuple[float, float] | None) -> Projection:
+def projection_about(
+    corners: Points, found: Collection, origin: tuple[float, float] | None
+) -> Projection:
     """The projection of a map about a given longitude and latitude, else about its middle."""
-    map_ = projection(corners, crs)
+    map_ = projection_of(found, corners)
     if origin is None or not map_.turns:
         return map_
     return projection(np.array([origin], float))

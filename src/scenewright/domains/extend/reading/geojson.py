@@ -12,12 +12,13 @@ import numpy as np
 
 from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
-from scenewright.core.projection import Projection, metres, projection
+from scenewright.core.projection import Projection, metres
 from scenewright.ground.built import BuiltRoad
 from scenewright.ground.fates import Note
 from scenewright.ground.map_features import Collection, Feature, in_degrees
 from scenewright.ground.map_footprints import PARCEL, UNTAGGED, find_footprints
 from scenewright.ground.map_kinds import stands
+from scenewright.ground.map_place import projection_of
 from scenewright.ground.map_report import report_map
 from scenewright.ground.reading.maps import buildings_of, number_of, roads_of
 
@@ -47,7 +48,7 @@ def brief_of(found: Collection, name: str) -> Brief:
         raise InputError(
             "holds no area to fill", 'draw a polygon with the property "extend": "yes"'
         )
-    map_ = projection(np.vstack(corners), found.crs)
+    map_ = projection_of(found, np.vstack(corners))
     lost: list[str] = []
     buildings = list(buildings_of(found.features, map_, lost))
     if not buildings:

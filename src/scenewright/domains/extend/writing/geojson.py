@@ -11,25 +11,31 @@ import json
 import os
 from typing import Any
 
-import numpy as np
-
 from scenewright.building.outlines import rings
 from scenewright.core.atomic_file import write_atomically
 from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
 from scenewright.core.piece_outlines import outline_of
 from scenewright.core.plan import Plan
-from scenewright.core.projection import Projection, projection
+from scenewright.core.projection import Projection
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
 from scenewright.domains.extend.areas import OLD, ExtendPlan
 from scenewright.domains.extend.pattern import STOREY
 from scenewright.domains.extend.plan import plan_extend
-from scenewright.ground.map_writing import bearing_of, write_feature, write_points, write_ring
+from scenewright.ground.map_writing import (
+    bearing_of,
+    projection_about,
+    write_collection,
+    write_feature,
+    write_points,
+    write_ring,
+)
 
 
 def write(solution: Solution, path: str | os.PathLike[str], plan: Plan | None = None) -> None:
     """Write the map of a solution to ``path``; the file appears whole or not at all."""
+    check(solution.brief)
     write_atomically(path, json.dumps(document(solution, plan), ensure_ascii=False) + "\n")
 
 
@@ -44,9 +50,8 @@ def check(brief: Brief) -> None:
 
 def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
     """The FeatureCollection of a solution of an extension."""
-    check(solution.brief)
     plan: ExtendPlan = (made or plan_extend(solution.brief)).detail
-    map_ = projection(np.array([solution.brief.part.origin], float))
+    map_ = projection_about(solution.brief.part.origin)
     features = []
     for area in plan.areas:
         outline, holes = rings(area.outline)
@@ -59,7 +64,7 @@ def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
         tags = {"highway": kind, "name": way.name, "width": way.width}
         features.append(write_feature(way.id, "LineString", write_points(way.line, map_), tags))
     features += [_building(p, map_) for p in solution.pieces if p.category == "building"]
-    return {"type": "FeatureCollection", "name": solution.brief.name, "features": features}
+    return write_collection(solution.brief.name, features, map_)
 
 
 def _building(piece: Piece, map_: Projection) -> dict[str, Any]:

@@ -19,7 +19,7 @@ import shapely
 from scenewright.building import plan
 from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
-from scenewright.core.projection import Projection, metres, projection
+from scenewright.core.projection import Projection, metres
 from scenewright.core.space import Points
 from scenewright.domains.hall.demands.programme import shop_kind
 from scenewright.domains.hall.indoor.doors import (
@@ -42,6 +42,7 @@ from scenewright.domains.hall.indoor.floors import (
 from scenewright.domains.hall.indoor.report import report_indoor
 from scenewright.ground.map_features import Collection, Feature, SkippedFeature, load
 from scenewright.ground.map_levels import number_levels
+from scenewright.ground.map_place import projection_of
 
 STOREY = 4.0
 CEILING = 3.2
@@ -111,7 +112,7 @@ def report(found: Collection, name: str) -> IndoorReport:
             "export a building with simple indoor tagging",
         )
     corners = np.vstack([ring for f in drawn for rings_ in f.polygons for ring in rings_])
-    map_ = projection(corners, found.crs)
+    map_ = projection_of(found, corners)
     floors, skipped, changed = floors_of(features, map_)
     if not floors:
         first = " ".join(skipped[0])

@@ -45,7 +45,7 @@ def report_indoor(
     about = {f.id: NO_ROOM for f in found.features if f.point is not None and shop_kind(f.tags)}
     return report_input(
         settle(kinds, notes, lambda name: LINE if name in lines else about.get(name, UNREAD)),
-        format="GeoJSON",
+        format=found.format,
         system=map_.system_in_words,
         unit=map_.unit_in_words,
     )

@@ -10,6 +10,7 @@ carries a report of what became of every feature.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import lru_cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -19,7 +20,7 @@ import shapely
 from scenewright.building.outlines import rings
 from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
-from scenewright.core.projection import Projection, metres, projection
+from scenewright.core.projection import Projection, metres
 from scenewright.domains.site.brief import VERGE
 from scenewright.domains.site.reading.standing import (
     OUTSIDE,
@@ -30,6 +31,7 @@ from scenewright.domains.site.reading.standing import (
 from scenewright.domains.site.reading.tags import OWN, is_water, number_of, width_of
 from scenewright.ground.fates import Note
 from scenewright.ground.map_features import Collection, Feature, SkippedFeature, load
+from scenewright.ground.map_place import projection_of
 from scenewright.ground.map_report import report_map
 from scenewright.ground.outlines import GRID
 from scenewright.ground.reading.road_areas import pieces
@@ -89,7 +91,7 @@ def report(found: Collection, name: str) -> SiteReport:
     if len(outlines) > MOST_SITES:
         raise InputError(f"holds {len(outlines):,} sites", f"at most {MOST_SITES} are read")
     corners = np.vstack([ring for f in outlines for part in f.polygons for ring in part])
-    map_ = projection(corners, found.crs)
+    map_ = projection_of(found, corners)
     notes: list[Note] = []
     drawn = [DrawnFeature(f, _shape(f, map_, notes)) for f in found.features if f.polygons]
     sites = []
@@ -231,6 +233,7 @@ def _roads(
 ) -> list[dict[str, Any]]:
     """Roads and paths that reach the site or run beside it, cut off a few metres outside it."""
     near = shapely.buffer(floor, verge + BEYOND)
+    shapely.prepare(floor)
     found: list[dict[str, Any]] = []
     for feature in features:
         way = width_of(feature.tags)
@@ -261,14 +264,22 @@ def _near_parts(
 ) -> list[shapely.LineString]:
     """The parts of a line whose surface comes within a verge of a floor: cut off :data:`BEYOND`
     metres outside, or so much farther that the street beside the verge is whole."""
+    if not shapely.dwithin(floor, whole, verge + width):
+        return []
     found = []
     for far, least, most in ((BEYOND, 0.0, 0.0), (verge + width / 2 + BEYOND, 1e-9, verge)):
-        cut = shapely.intersection(whole, shapely.buffer(floor, far))
+        cut = shapely.intersection(whole, _grow(floor, far))
         for part in shapely.get_parts(shapely.line_merge(cut)):
             area = shapely.buffer(part, width / 2, cap_style="flat", join_style="mitre")
             if part.geom_type == "LineString" and least <= shapely.distance(area, floor) <= most:
                 found.append(part)
     return found
+
+
+@lru_cache(maxsize=8)
+def _grow(floor: shapely.Polygon, far: float) -> shapely.Geometry:
+    """A floor and what lies about it, made once for all ways of a width."""
+    return shapely.buffer(floor, far)
 
 
 def _middle_lines(

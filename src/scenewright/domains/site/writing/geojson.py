@@ -59,12 +59,13 @@ AREA_TAGS = {
 
 def write(solution: Solution, path: str | os.PathLike[str], plan: Plan | None = None) -> None:
     """Write the map of a solution to ``path``; the file appears whole or not at all."""
+    check(solution.brief)
     write_atomically(path, json.dumps(document(solution, plan), ensure_ascii=False) + "\n")
 
 
 def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
-    """The FeatureCollection of a solution of sites."""
-    check(solution.brief)
+    """The FeatureCollection of a solution of sites; its ``crs`` is null where its metres are of no
+    system."""
     plans: tuple[SitePlan, ...] = made.detail if made else plans_of(solution.brief)
     rows = standing(solution, plans)
     in_degrees = _in_degrees(solution.brief)
@@ -85,8 +86,9 @@ def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
     models = catalog_of(solution.brief.catalogs)
     found["credits"] = authorship.document(authorship.credits_of_solution(solution, models))
     if not in_degrees:
-        name = {"name": urn_of(solution.brief.part.sites[0].system)}
-        found["crs"] = {"type": "name", "properties": name}
+        names = {urn_of(site.system) for site in solution.brief.part.sites}
+        name = {"name": names.pop() if len(names) == 1 else ""}
+        found["crs"] = {"type": "name", "properties": name} if name["name"] else None
     return found
 
 

@@ -18,13 +18,14 @@ import shapely
 
 from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
-from scenewright.core.projection import Projection, metres, projection
+from scenewright.core.projection import Projection, metres
 from scenewright.core.space import Points
 from scenewright.domains.village.house import rectangle_about
 from scenewright.ground.fates import Note
 from scenewright.ground.map_features import Collection, Feature, in_degrees
 from scenewright.ground.map_footprints import PARCEL, UNTAGGED, find_footprints
 from scenewright.ground.map_kinds import stands, use_of
+from scenewright.ground.map_place import projection_of
 from scenewright.ground.map_report import report_map
 from scenewright.ground.plain_buildings import fits_footprint, plain_building
 
@@ -65,7 +66,7 @@ def brief_of(found: Collection, name: str) -> Brief:
         )
     if len(blocks) > MOST_BLOCKS:
         raise InputError(f"holds {len(blocks):,} blocks", f"at most {MOST_BLOCKS} are read")
-    map_ = projection(np.vstack([p[0] for f in blocks for p in f.polygons]), found.crs)
+    map_ = projection_of(found, np.vstack([p[0] for f in blocks for p in f.polygons]))
     lanes = [lane for f in found.features for lane in _lanes(f, map_)]
     notes: list[Note] = []
     document: dict[str, Any] = {

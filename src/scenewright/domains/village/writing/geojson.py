@@ -10,8 +10,6 @@ import json
 import os
 from typing import Any
 
-import numpy as np
-
 from scenewright.catalog import credits as authorship
 from scenewright.catalog.loading import catalog_of
 from scenewright.core.atomic_file import write_atomically
@@ -19,26 +17,33 @@ from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
 from scenewright.core.piece_outlines import outline_of
 from scenewright.core.plan import Plan
-from scenewright.core.projection import Projection, projection
+from scenewright.core.projection import Projection
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
 from scenewright.domains.village.blocks import VillagePlan
 from scenewright.domains.village.plan import plan_village
-from scenewright.ground.map_writing import bearing_of, write_feature, write_points, write_ring
+from scenewright.ground.map_writing import (
+    bearing_of,
+    projection_about,
+    write_collection,
+    write_feature,
+    write_points,
+    write_ring,
+)
 
 STOREY = 2.7
 
 
 def write(solution: Solution, path: str | os.PathLike[str], plan: Plan | None = None) -> None:
     """Write the map of a solution to ``path``; the file appears whole or not at all."""
+    check(solution.brief)
     write_atomically(path, json.dumps(document(solution, plan), ensure_ascii=False) + "\n")
 
 
 def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
     """The FeatureCollection of a solution of a village."""
-    check(solution.brief)
     village: VillagePlan = (made or plan_village(solution.brief)).detail
-    map_ = projection(np.array([solution.brief.part.origin], float))
+    map_ = projection_about(solution.brief.part.origin)
     features = []
     for block in village.blocks:
         tags = {"block": "yes", "name": block.name}
@@ -53,12 +58,8 @@ def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
         features.append(write_feature(way.id, "LineString", write_points(way.line, map_), tags_))
     features += [_house(p, map_) for p in solution.pieces if p.category == "building"]
     models = catalog_of(solution.brief.catalogs)
-    return {
-        "type": "FeatureCollection",
-        "name": solution.brief.name,
-        "credits": authorship.document(authorship.credits_of_solution(solution, models)),
-        "features": features,
-    }
+    stated = {"credits": authorship.document(authorship.credits_of_solution(solution, models))}
+    return write_collection(solution.brief.name, features, map_) | stated
 
 
 def check(brief: Brief) -> None:
