@@ -34,7 +34,9 @@ LAYERS: dict[str, tuple[str, list[Any], dict[str, list[Any]]]] = {
 FEATURES = sum(len(shapes) for _, shapes, _ in LAYERS.values())
 
 
-def write_layers(path: Path, crs: str | None = UTM, only: tuple[str, ...] = ()) -> Path:
+def write_layers(
+    path: Path, crs: str | None = UTM, only: tuple[str, ...] = (), site: str = ""
+) -> Path:
     """The layers as one file, or as a shapefile of the first of them."""
     import shapely
     from pyogrio.raw import write
@@ -42,6 +44,7 @@ def write_layers(path: Path, crs: str | None = UTM, only: tuple[str, ...] = ()) 
     for name, (kind, shapes, columns) in LAYERS.items():
         if only and name not in only:
             continue
+        columns = columns | ({"site": [site]} if site and name == "Baufeld" else {})
         typed = {
             key: np.array(values, object if isinstance(values[0], str) else float)
             for key, values in columns.items()

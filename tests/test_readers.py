@@ -10,6 +10,7 @@ from typing import Any
 
 import pytest
 
+import map_files
 from hostile_documents import CITY, LAND, MAP
 from scenewright import formats
 from scenewright.core.brief import Brief
@@ -57,6 +58,23 @@ def write_archive(path: Path) -> None:
         archive.writestr("Home.xml", HOME)
 
 
+def write_map(path: Path) -> None:
+    pytest.importorskip("pyogrio", reason="extra gis")
+    map_files.write_layers(path, only=("Baufeld",) if path.suffix == ".shp" else (), site="yes")
+
+
+def write_osm(path: Path) -> None:
+    pytest.importorskip("osmium", reason="extra gis")
+    plain = path.with_name("plain.osm")
+    plain.write_text(map_files.osm_xml(), encoding="utf-8")
+    if path.suffix == ".gz":
+        path.write_bytes(gzip.compress(plain.read_bytes()))
+    elif path.suffix == ".pbf":
+        map_files.write_pbf(plain, path)
+    else:
+        plain.rename(path)
+
+
 def write_saved(path: Path) -> None:
     path.write_bytes(gzip.decompress((SAVED / "home-room.json.gz").read_bytes()))
 
@@ -91,6 +109,12 @@ READERS: dict[str, tuple[str, Callable[[Path], None], str]] = {
     "extension map": (".geojson", write_json(EXTENSION), "extend"),
     "dxf": (".dxf", write_by("ezdxf"), "home"),
     "ifc": (".ifc", write_by("ifcopenshell"), "home"),
+    "geopackage": (".gpkg", write_map, "site"),
+    "shapefile": (".shp", write_map, "site"),
+    "kml": (".kml", write_map, "site"),
+    "openstreetmap": (".osm", write_osm, "site"),
+    "openstreetmap packed": (".osm.gz", write_osm, "site"),
+    "openstreetmap in blocks": (".pbf", write_osm, "site"),
     "city": (".city.json", write_json(CITY), "site"),
     "cities in lines": (".city.jsonl", write_sequence, "site"),
 }
@@ -129,8 +153,8 @@ def test_the_report_is_carried_through_scale_and_saving(name: str, tmp_path: Pat
 def test_every_reader_has_a_sample() -> None:
     suffixes = {row.suffix for row in formats.formats() if row.reader}
     tried = {suffix for suffix, _, _ in READERS.values()}
-    others = {".cityjson", ".jsonl"}
-    assert suffixes - tried <= others, "those have the readers of .city.json and .city.jsonl"
+    others = {".cityjson", ".jsonl", ".osm.bz2", ".zip", ".kmz"}
+    assert suffixes - tried <= others, "those have the readers of others, some unpacked first"
     maps = {name for name in domain_names() if domain_of(name).maps}
     assert maps <= {domain for suffix, _, domain in READERS.values() if suffix == ".geojson"}
 

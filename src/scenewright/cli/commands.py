@@ -162,24 +162,18 @@ def arrange(
     from scenewright.workflow.request import ArrangeRequest
 
     check_budget(seconds, {"steps": steps, "layouts": layouts})
-    request = ArrangeRequest(
-        sources[0],
-        tuple(outputs or ()),
-        preset,
-        solver,
-        seconds,
-        steps,
-        seed,
-        keep,
-        alternatives,
-        tuple(catalogs or ()),
-        tuple(groups or ()),
-        accessible,
-        scale,
-        hidden_levels,
-        style,
-        layouts,
-        map_options_of(crs, origin, layers, site),
+    asked = ArrangeRequest(sources[0], tuple(outputs or ()), preset, solver, seconds, steps, seed)
+    request = asked._replace(
+        keep=keep,
+        alternatives=alternatives,
+        catalogs=tuple(catalogs or ()),
+        groups=tuple(groups or ()),
+        accessible=accessible,
+        scale=scale,
+        hidden_levels=hidden_levels,
+        style=style,
+        layouts=layouts,
+        map_options=map_options_of(crs, origin, layers, site),
     )
     terms = cli_batch.BatchTerms(formats, jobs, memory, limit)
     if many:

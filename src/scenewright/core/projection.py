@@ -32,7 +32,9 @@ FLATTENING = 1 / 298.257223563
 GREATEST_LATITUDE = 85.0
 WIDEST_DEGREES = 0.5
 FARTHEST = 5_000.0
-METRIC = "name its system of metres with --crs EPSG:…, or in the file"
+METRIC = (
+    'name its system of metres with --crs EPSG:…, or write it from a brief that has an "origin"'
+)
 EXPORT = "export it as longitude and latitude (WGS 84, EPSG:4326)"
 
 

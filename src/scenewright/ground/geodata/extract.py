@@ -98,8 +98,8 @@ def _layers(files: list[Path], wanted: list[str]) -> Iterator[Layer]:
                 yield _layer(file, name)
     missing = [name for name in wanted if name not in known]
     if missing:
-        names = ", ".join(known)[:300]
-        raise Refusal(f"holds no layer '{missing[0][:60]}'", f"give --layer one of: {names}")
+        there = ", ".join(known)[:300]
+        raise Refusal(f"holds no layer '{missing[0][:60]}'", f"give --layer one of: {there}")
     if not found:
         raise Refusal("holds no layer with shapes", AGAIN)
 

@@ -12,7 +12,7 @@ import lzma
 import re
 import zipfile
 import zlib
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path, PurePosixPath
 from typing import IO, Any
 
@@ -24,7 +24,7 @@ from scenewright.ground.geodata.limits import CUT
 GREATEST_FILE = 256 * 2**20
 """Bytes of a map, unpacked, that are read."""
 MOST_ENTRIES, MOST_FILES = 10_000, 200
-PACKED = {".gz": gzip.open, ".bz2": bz2.open}
+PACKED: dict[str, Callable[..., Any]] = {".gz": gzip.open, ".bz2": bz2.open}
 ARCHIVES = (".zip", ".kmz")
 DAMAGED = (
     zipfile.BadZipFile,
