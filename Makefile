@@ -2,13 +2,14 @@
 # make test   the whole check
 # make test-all   the same with many more random cases, moments and repetitions
 # make test-learn   training with PyTorch (installs the extra learn), not part of the check
+# make site   the documents and the library as web pages in site/ (installs the extra docs)
 # make install   installs into .venv and compiles for all kinds of scenes
 # Needs Python 3.11 or newer and make; nothing else.
 
 PYTHON ?= python3
 BIN := .venv/bin
 
-.PHONY: demo install test test-all test-learn types tests clean
+.PHONY: demo install site test test-all test-learn types tests clean
 
 demo: .venv/installed
 	$(BIN)/scenewright arrange sample:home-flat -o demo/home.glb -o demo/home.svg -o demo/home.png -o demo/home.json || [ $$? -eq 1 ]
@@ -35,8 +36,12 @@ types:
 tests:
 	$(BIN)/pytest -n auto --maxprocesses 8 --dist worksteal
 
+site: .venv/installed
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[docs]'
+	$(BIN)/python -m sphinx -q -W --keep-going -b html docs site
+
 clean:
-	rm -rf .venv demo build dist .mypy_cache .ruff_cache .pytest_cache .hypothesis
+	rm -rf .venv demo site build dist .mypy_cache .ruff_cache .pytest_cache .hypothesis
 
 # An interrupted installation leaves no stamp and is done again.
 .venv/installed: pyproject.toml
@@ -47,7 +52,7 @@ clean:
 
 .venv/checked: .venv/installed
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[dev]'
-	for extra in solve peers bim dxf pdf gis; do \
+	for extra in solve peers bim dxf pdf gis docs; do \
 	  $(BIN)/python -m pip install --quiet --disable-pip-version-check --editable ".[$$extra]" \
 	    || echo "The extra $$extra cannot be installed here: its tests are skipped, as pytest's summary says."; \
 	done

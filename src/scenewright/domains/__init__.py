@@ -138,7 +138,7 @@ def solve(
     ['desk', 'dining_wall']
     """
     watched = {} if watch is None else {"watch": watch}
-    made = plan or plan_of(brief)
+    made = plan or plan_valid(brief)
     solution: Solution = domain_of(brief.domain).verb("solve")(
         brief,
         plan=made,

@@ -112,7 +112,13 @@ def read(
     hidden_levels: bool = False,
     map_options: MapOptions = AS_IT_IS,
 ) -> Brief:
-    """The brief in a file, or a sample, checked as by :func:`read_planned`.
+    """The brief in a file, or a sample (``sample:home-flat``), checked down to its geometry.
+
+    ``keep`` leaves movable furniture of the file where it is, as fixed items; ``catalogs`` are
+    further catalogues of models and ``groups`` files of learned groups. ``scale`` multiplies every
+    length in plan, for a plan drawn too small or too large; ``hidden_levels`` includes the levels
+    that are hidden in a Sweet Home 3D file. Raises :class:`InputError`, one line that names file,
+    place, fault and remedy. What became of each feature of the file is in ``input_report``.
 
     >>> read("sample:home-flat").rooms[1].name
     'Kitchen'

@@ -36,7 +36,8 @@ def write(solution: Solution, path: str | os.PathLike[str]) -> None:
 
 
 def read(path: str | os.PathLike[str]) -> Solution:
-    """Read a solution; raises :class:`InputError` naming file, place and fault."""
+    """Read a saved solution, which can be judged, explained, changed, written in other formats or
+    solved again. Raises :class:`InputError`, one line that names file, place, fault and remedy."""
     return read_planned(path)[0]
 
 
