@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import zipfile
 from contextlib import suppress
 from pathlib import Path
 
@@ -104,6 +105,7 @@ def test_furniture_stays_where_it_is_to_be_kept(model: Path, solution: Solution)
     ("content", "fault"),
     [
         (b"", "is no IFC text file"),
+        (b"\xef\xbb\xbf<ifcXML>", "an IFC building model as XML"),
         (b"PK\x03\x04" + bytes(100), "is an archive"),
         (b"ISO-10303-21;\nHEADER;/* IFC4 */\n" + b"\xff" * 300, "cannot be read as IFC"),
         (b"ISO-10303-21;HEADER;FILE_SCHEMA(('IFC9'));ENDSEC;DATA;ENDSEC;", "cannot be read as IFC"),
@@ -117,6 +119,19 @@ def test_what_is_no_model_is_one_line(content: bytes, fault: str, tmp_path: Path
     assert "\n" not in str(caught.value)
 
 
+def test_a_zipped_model_is_read(model: Path, tmp_path: Path) -> None:
+    path = tmp_path / "flat.ifczip"
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.write(model, "flat.ifc")
+    brief = formats.read(path)
+    assert areas(brief) == areas(formats.read(model))
+    assert brief.source_file is None
+    with zipfile.ZipFile(path, "a") as archive:
+        archive.write(model, "other.IFC")
+    with pytest.raises(InputError, match="is an archive of 2 models"):
+        formats.read(path)
+
+
 def test_a_model_cut_short_is_read_or_refused(model: Path, tmp_path: Path) -> None:
     text = model.read_bytes()
     for share in (0.2, 0.6):
@@ -127,13 +142,27 @@ def test_a_model_cut_short_is_read_or_refused(model: Path, tmp_path: Path) -> No
 
 
 @pytest.mark.realdata
-def test_every_room_of_a_real_model_is_found(real_data: Path) -> None:
-    brief = formats.read(real_data / "professional_files/ifc/duplex_revit_ifc2x3.ifc")
-    assert len(brief.rooms) == 20
-    assert len(brief.levels) == 2
-    assert sum(len(room.doors) for room in brief.rooms) >= 14
+@pytest.mark.parametrize(
+    ("name", "rooms", "doors"),
+    [
+        ("duplex_revit_ifc2x3", 20, 14),
+        ("fzk_haus_adt_ifc2x", 7, 5),
+        ("largebuilding_revit2021_ifc2x3", 8, 18),
+        ("tallbuilding_revit2021_ifc2x3", 3, 5),
+        ("revit2013_japanese_ifc2x3", 2, 1),
+        ("sample_project_revit_es_ifc2x3", 1, 1),
+    ],
+)
+def test_every_room_of_a_real_model_is_found(
+    name: str, rooms: int, doors: int, real_data: Path
+) -> None:
+    brief = formats.read(real_data / f"professional_files/ifc/{name}.ifc")
+    assert len(brief.rooms) == rooms
     report = brief.input_report
     assert report is not None
-    assert [row.reason for row in report.rows if row.kind == "room (IfcSpace)" and row.reason] == [
-        "by its name it is no room"
-    ]
+    assert report.complete
+    assert sum(row.count for row in report.rows if (row.kind, row.outcome) == ("door", "used")) == (
+        doors
+    )
+    lost = [row.reason for row in report.rows if row.kind == "room (IfcSpace)" and row.reason]
+    assert lost == ["by its name it is no room"] * name.startswith("duplex")

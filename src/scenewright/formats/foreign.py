@@ -97,8 +97,7 @@ FOREIGN = (
         holds=(b"IFC",),
         read_as=(".ifc",),
     ),
-    ForeignFormat("an IFC building model as XML or zipped", IFC, (".ifcxml", ".ifczip")),
-    ForeignFormat("an IFC building model as XML", IFC, holds=(b"<ifcXML",)),
+    ForeignFormat("an IFC building model as XML", IFC, (".ifcxml",), holds=(b"<ifcXML",)),
     ForeignFormat("a STEP model", CONVERT, (".step", ".stp"), (b"ISO-10303-21",)),
     ForeignFormat(
         "a DWG drawing",
@@ -187,7 +186,7 @@ FOREIGN = (
         "unpack it and give a file in it",
         (".7z", ".rar", ".tar", ".tgz"),
         (b"PK", b"7z\xbc\xaf", b"Rar!"),
-        read_as=(".sh3d", ".zip", ".kmz"),
+        read_as=(".sh3d", ".zip", ".kmz", ".ifczip"),
     ),
 )
 

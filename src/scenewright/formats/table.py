@@ -66,12 +66,13 @@ FORMATS = (
     ),
     Format(
         ".ifc",
-        "building model (IFC2x3 or IFC4, read; IFC4, or the one that was read with more, written)",
+        "building model (IFC2x to IFC4x3, read; IFC4, or the one that was read with more, written)",
         "scenewright.formats.ifc",
         "scenewright.formats.ifc",
         extends=True,
         lacks=("glow of materials", "sloped ceilings", "outlets", *JUDGED),
     ),
+    Format(".ifczip", "building model, zipped (read)", "scenewright.formats.ifc"),
     Format(".svg", "plan drawing", writer="scenewright.formats.svg", lacks=("ids", *FLAT)),
     Format(
         ".dxf",

@@ -91,7 +91,7 @@ def open_request(request: ArrangeRequest) -> Generator[Event, None, Planned]:
     """The brief and plan of a request, told, and what the user should know of them."""
     planned = plan_request(request)
     yield planned
-    if request.extending:
+    if request.extending and planned.brief.source_file:
         yield Notice(f"furniture is added to a copy of {Path(request.source).name}, all else stays")
     yield from note_ineffective(request, planned.brief)
     yield from note_scale(request.source, *planned, request.scale)
@@ -126,7 +126,7 @@ def make_accessible(brief: Brief, domain: Domain, source: str) -> Brief:
 def note_ineffective(request: ArrangeRequest, brief: Brief) -> Iterator[Notice]:
     """Options of a request that change nothing for this file."""
     home = request.source.lower().endswith(SWEET_HOME)
-    drawn = home or request.source.lower().endswith(".ifc")
+    drawn = home or request.source.lower().endswith((".ifc", ".ifczip"))
     if request.keep and not (drawn and any(room.fixed for room in brief.rooms)):
         yield Notice("--keep has no effect: the file holds no furniture to keep")
     if request.hidden_levels and not home:

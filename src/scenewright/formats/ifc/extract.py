@@ -1,25 +1,32 @@
-"""What a reader of plans needs of an IFC file, as plain values; run as a program of its own.
-
-The parser is compiled code that a damaged file can bring down: it works in a process apart, with a
-limit of memory and time, and what it finds comes back as one JSON document on the standard output.
+"""What a reader of plans needs of an IFC file, as plain values; run in a process of its own.
 
 Each product is a dict: ``kind`` (its entity), ``id``, ``number`` (in the file), ``name``,
-``long_name``, ``use`` (its object type), ``storey`` (an index, or -1), ``rings`` (the outline of
-what it covers in plan and its holes), ``low`` and ``high`` (metres), ``heading``, ``hosted`` (a
-door or window in a wall) and ``operation`` (of doors). Storeys are names and numbers, from below.
-Metres in the file's own frame.
+``long_name``, ``use`` (its object type), ``uses`` (by property sets and classes), ``storey`` (an
+index, or -1), ``rings`` (the outline of what it covers in plan and its holes), ``low`` and ``high``
+(metres), ``heading``, ``hosted`` (a door or window in a wall) and ``operation`` (of doors, or the
+type of a space). Storeys are names and numbers, from below. Metres in the file's own frame.
 """
 
 from __future__ import annotations
 
-import json
-import sys
+import re
+import zipfile
+import zlib
 from collections.abc import Iterator
-from typing import Any
+from pathlib import Path
+from typing import Any, NamedTuple
 
 import numpy as np
 import shapely
 
+from scenewright.core.errors import InputError
+
+GREATEST_FILE = 256 * 2**20
+"""Bytes above which a model is not read."""
+HEAD = 65536
+SCHEMA = re.compile(rb"FILE_SCHEMA\s*\(\s*\(\s*'([^']*)'")
+EARLIER = ("IFC2X", "IFC2X_FINAL", "IFC2X2", "IFC2X2_FINAL")
+"""Schemas that are read as IFC2x3, which has their entities of buildings as they were."""
 MOST_PRODUCTS = 50_000
 SHAPED = (
     "IfcSpace",
@@ -28,6 +35,7 @@ SHAPED = (
     "IfcWindow",
     "IfcColumn",
     "IfcStair",
+    "IfcCurtainWall",
     "IfcOpeningElement",
 )
 """Entities whose shape in plan is read, with their subtypes."""
@@ -43,26 +51,66 @@ MOVABLE = (
 TINY = 1e-7
 MERGE = 0.002
 """Gap in metres between faces of one product that counts as none."""
+APART = 0.05
+"""The same between the panes and posts of a curtain wall."""
+USES = {
+    *("occupancytype", "category description", "omniclass table 13 category", "use", "usage"),
+    *("function", "room function", "room type", "roomtype", "space type", "spacetype"),
+    *("nutzung", "nutzungsart", "raumnutzung", "raumtyp", "raumfunktion"),
+}
+"""Properties that say what a space is for."""
 
 
-def main() -> int:
-    """Print the document of the file named on the command line, or ``{"fault": …}``; a second
-    argument ``keep`` asks for the shapes of furniture too."""
-    print(json.dumps(extract(sys.argv[1], "keep" in sys.argv[2:])))  # noqa: T201
-    return 0
+class Surface(NamedTuple):
+    """Triangles in space: ``points (n, 3)`` in metres, ``faces (m, 3)``."""
+
+    points: np.ndarray
+    faces: np.ndarray
 
 
 def extract(path: str, keep: bool = False) -> dict[str, Any]:
-    """The document of a file."""
+    """The document of a file; ``keep`` asks for the shapes of furniture too. Raises
+    :class:`InputError` for what is no model."""
     import ifcopenshell
 
+    data = _content(Path(path))
+    named = SCHEMA.search(data, 0, HEAD)
+    schema = named[1].decode("ascii", "replace") if named else ""
     try:
-        file = ifcopenshell.open(path)
-        if file is None:
-            return {"fault": "is no IFC file that can be parsed"}
-        return _document(file, keep)
-    except (ifcopenshell.SchemaError, RuntimeError, OSError, ValueError, KeyError) as error:
-        return {"fault": " ".join(str(error).split())[:200] or "cannot be parsed"}
+        if schema.upper() in EARLIER:
+            data = data[: named.start(1)] + b"IFC2X3" + data[named.end(1) :] if named else data
+        file = ifcopenshell.file.from_string(data.decode("latin-1"))
+        file.by_type("IfcProject")
+    except (ifcopenshell.Error, RuntimeError, ValueError, KeyError) as error:
+        reason = " ".join(str(error).split())[:120] or f"its schema is {schema or 'not stated'}"
+        fault = f"cannot be read as IFC: {reason}"
+        raise InputError(fault, "export it as IFC2x3 or IFC4 (STEP)") from None
+    return _document(file, keep) | {"schema": schema}
+
+
+def _content(path: Path) -> bytes:
+    """The STEP text of a model, out of its archive if it is in one."""
+    data = path.read_bytes()
+    if data.startswith(b"PK"):
+        try:
+            data = _unzip(path)
+        except (zipfile.BadZipFile, zlib.error, NotImplementedError, RuntimeError) as error:
+            reason = " ".join(str(error).split())[:80]
+            fault = f"is an archive that cannot be unpacked ({reason})"
+            raise InputError(fault, "give the .ifc in it") from None
+    if not data[:4096].lstrip(b"\xef\xbb\xbf \r\n\t").startswith(b"ISO-10303-21"):
+        raise InputError("is no IFC text file (STEP)", "export it as .ifc, not as XML")
+    return data
+
+
+def _unzip(path: Path) -> bytes:
+    """The one model in an archive."""
+    with zipfile.ZipFile(path) as archive:
+        models = [one for one in archive.infolist() if one.filename.lower().endswith(".ifc")]
+        if len(models) != 1 or models[0].file_size > GREATEST_FILE:
+            raise InputError(f"is an archive of {len(models)} models", "give one .ifc in it")
+        with archive.open(models[0]) as file:
+            return file.read(GREATEST_FILE)
 
 
 def _document(file: Any, keep: bool) -> dict[str, Any]:
@@ -77,10 +125,10 @@ def _document(file: Any, keep: bool) -> dict[str, Any]:
     products = [p for p in products if not p.is_a("IfcFeatureElement")]
     products += [p for p in file.by_type("IfcOpeningElement") if not p.HasFillings]
     if len(products) > MOST_PRODUCTS:
-        return {"fault": f"holds {len(products):,} elements, more than {MOST_PRODUCTS:,}"}
+        fault = f"holds {len(products):,} elements, more than {MOST_PRODUCTS:,}"
+        raise InputError(fault, "export one building, or one storey")
     rows = [_product(p, settings, numbers, ifcopenshell.util.element, keep) for p in products]
     return {
-        "schema": str(file.schema),
         "unit": _unit_name(file),
         "storeys": [{"name": s.Name or s.LongName or "", "number": s.id()} for s in storeys],
         "products": rows,
@@ -106,8 +154,9 @@ def _product(
         "name": product.Name or "",
         "long_name": getattr(product, "LongName", None) or "",
         "use": product.ObjectType or "",
+        "uses": _uses(product, element),
         "storey": storeys.get(_storey_of(product, element), -1),
-        "operation": str(getattr(product, "OperationType", None) or ""),
+        "operation": _operation(product),
         "rings": [],
     }
     stands = any(product.is_a(kind) for kind in STANDING)
@@ -115,6 +164,24 @@ def _product(
     if (stands and (keep or not moves)) or any(product.is_a(kind) for kind in SHAPED):
         row |= _shape(product, settings, hull=stands)
     return row
+
+
+def _operation(product: Any) -> str:
+    """How a door opens, or the type of a space."""
+    name = "PredefinedType" if product.is_a("IfcSpace") else "OperationType"
+    return str(getattr(product, name, None) or "")
+
+
+def _uses(product: Any, element: Any) -> list[str]:
+    """What property sets and classes say a space is for."""
+    if not product.is_a("IfcSpace"):
+        return []
+    sets = element.get_psets(product, psets_only=True).values()
+    found = [v for group in sets for key, v in group.items() if key.casefold().strip() in USES]
+    for link in getattr(product, "HasAssociations", ()) or ():
+        if link.is_a("IfcRelAssociatesClassification"):
+            found.append(getattr(link.RelatingClassification, "Name", None))
+    return [text[:200] for text in found if isinstance(text, str) and text.strip()]
 
 
 def _storey_of(product: Any, element: Any) -> int:
@@ -142,26 +209,45 @@ def _host(product: Any) -> Any:
 
 def _shape(product: Any, settings: Any, hull: bool) -> dict[str, Any]:
     """What a product covers in plan, between which heights, and where its front looks."""
+    holes = [filled.RelatingOpeningElement for filled in getattr(product, "FillsVoids", ()) or ()]
+    own = (_surface(part, settings) for part in (*holes[:1], product))
+    found = next((surface for surface in own if surface), None)
+    found = found or _joined([s for part in _parts(product) if (s := _surface(part, settings))])
+    if found is None:
+        return {}
+    points, faces = found
+    gap = APART if product.is_a("IfcCurtainWall") else MERGE
+    return {
+        "rings": [r.tolist() for r in (_hull(points) if hull else _rings(points, faces, gap))],
+        "low": float(points[:, 2].min()),
+        "high": float(points[:, 2].max()),
+        "heading": _turn(product),
+        "hosted": bool(holes),
+    }
+
+
+def _surface(product: Any, settings: Any) -> Surface | None:
+    """The triangles of a product, of which it must have some."""
     import ifcopenshell.geom
 
-    holes = [filled.RelatingOpeningElement for filled in getattr(product, "FillsVoids", ()) or ()]
-    for part in (*holes[:1], product, *_parts(product)):
-        try:
-            made = ifcopenshell.geom.create_shape(settings, part)
-        except (RuntimeError, ValueError):
-            continue
-        points = np.asarray(made.geometry.verts, float).reshape(-1, 3)
-        faces = np.asarray(made.geometry.faces, int).reshape(-1, 3)
-        if not len(faces) or not np.isfinite(points).all():
-            continue
-        return {
-            "rings": [r.tolist() for r in (_hull(points) if hull else _rings(points, faces))],
-            "low": float(points[:, 2].min()),
-            "high": float(points[:, 2].max()),
-            "heading": _turn(product),
-            "hosted": bool(holes),
-        }
-    return {}
+    try:
+        made = ifcopenshell.geom.create_shape(settings, product)
+    except (RuntimeError, ValueError):
+        return None
+    points = np.asarray(made.geometry.verts, float).reshape(-1, 3)
+    faces = np.asarray(made.geometry.faces, int).reshape(-1, 3)
+    return Surface(points, faces) if len(faces) and np.isfinite(points).all() else None
+
+
+def _joined(surfaces: list[Surface]) -> Surface | None:
+    """The surfaces of the parts of a product as one."""
+    if not surfaces:
+        return None
+    starts = np.cumsum([0, *(len(one.points) for one in surfaces[:-1])])
+    return Surface(
+        np.vstack([one.points for one in surfaces]),
+        np.vstack([one.faces + start for one, start in zip(surfaces, starts, strict=True)]),
+    )
 
 
 def _parts(product: Any) -> Iterator[Any]:
@@ -183,21 +269,17 @@ def _hull(points: np.ndarray) -> list[np.ndarray]:
     return [shapely.get_coordinates(found)[:-1].round(6)] if found.area > TINY else []
 
 
-def _rings(points: np.ndarray, faces: np.ndarray) -> list[np.ndarray]:
-    """Outline and holes of the largest region that the faces cover in plan."""
+def _rings(points: np.ndarray, faces: np.ndarray, gap: float) -> list[np.ndarray]:
+    """Outline and holes of the largest region that the faces cover in plan, over gaps."""
     flat = shapely.polygons(points[faces][:, :, :2])
     flat = flat[shapely.area(flat) > TINY]
     if not len(flat):
         return []
-    region = shapely.union_all(shapely.buffer(flat, MERGE, join_style="mitre", mitre_limit=2.0))
-    region = shapely.buffer(region, -MERGE, join_style="mitre", mitre_limit=2.0).simplify(1e-4)
+    region = shapely.union_all(shapely.buffer(flat, gap, join_style="mitre", mitre_limit=2.0))
+    region = shapely.buffer(region, -gap, join_style="mitre", mitre_limit=2.0).simplify(1e-4)
     parts = [part for part in shapely.get_parts(region) if part.geom_type == "Polygon"]
     if not parts:
         return []
     largest = max(parts, key=lambda part: part.area)
     rings = (largest.exterior, *(r for r in largest.interiors if shapely.Polygon(r).area > 1e-3))
     return [shapely.get_coordinates(ring)[:-1].round(6) for ring in rings]
-
-
-if __name__ == "__main__":
-    sys.exit(main())

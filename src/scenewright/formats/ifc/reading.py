@@ -7,10 +7,7 @@ holds (slabs, roofs, pipes …) is counted in the input report.
 
 from __future__ import annotations
 
-import json
-import subprocess
-import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
@@ -18,27 +15,22 @@ import shapely
 from pydantic import ValidationError
 
 from scenewright.building.outlines import rings as clean_rings
-from scenewright.building.room_names import functions_from_name
+from scenewright.building.room_names import functions_from_name, says_nothing
 from scenewright.core.brief import Brief
 from scenewright.core.brief.input_report import Fate, report_input
 from scenewright.core.document_faults import to_input_error
 from scenewright.core.errors import InputError
+from scenewright.formats.apart import Allowance, read_apart
+from scenewright.formats.ifc.extract import GREATEST_FILE
 from scenewright.formats.ifc.openings import OPENINGS, add_open_sides, place_openings
 from scenewright.formats.ifc.pieces import BUILT_IN, MOVABLE, fixed_item
-from scenewright.formats.ifc.rooms import DrawnRoom, Row, floor_of
-from scenewright.formats.ifc.source import ANEW, GREATEST_FILE, record_source
+from scenewright.formats.ifc.rooms import WALLS, DrawnRoom, Row, find_rooms, floor_of, is_outside
+from scenewright.formats.ifc.source import ANEW, record_source
 
-LONGEST = 300
-"""Seconds of the processor that parsing may take."""
-MEMORY = 4 * 2**30
+ALLOWANCE = Allowance(memory=768, per_size=24, seconds=300)
 FAR = 5000.0
 """Coordinates beyond this, in metres, are brought near to the origin."""
 BEDROOM = 7.0
-LEAST_ROOM = 0.5
-"""Floor in m² below which a space is no room."""
-OUTSIDE = ("roof", "dach", "toit", "tejado", "cubierta", "屋根", "site", "plot")
-"""Words of spaces that are no rooms."""
-WALLS = ("IfcWall", "IfcWallStandardCase", "IfcWallElementedCase")
 
 
 def read_brief(path: Path, keep: bool = False) -> Brief:
@@ -52,33 +44,14 @@ def parse(path: Path, keep: bool = False) -> Row:
     if path.stat().st_size > GREATEST_FILE:
         fault = f"is larger than {GREATEST_FILE // 2**20} MiB"
         raise InputError(fault, "export one building, or its plan alone")
-    if not path.read_bytes()[:4096].lstrip().startswith(b"ISO-10303-21"):
-        raise InputError("is no IFC text file (STEP)", "export it as .ifc, not zipped or XML")
-    command = [sys.executable, "-c", _PROGRAM, str(path.resolve()), *["keep"] * keep]
-    try:
-        done = subprocess.run(command, capture_output=True, check=False, timeout=2 * LONGEST)
-        document: Row = json.loads(done.stdout)
-    except (subprocess.TimeoutExpired, ValueError):
-        document = {"fault": "is damaged: the IFC parser gave up"}
-    if "fault" in document:
-        fault = f"cannot be read as IFC: {document['fault']}"
-        raise InputError(fault, "export it as IFC2x3 or IFC4 (STEP)")
-    return document
-
-
-_PROGRAM = (
-    "import resource as r, sys; "
-    f"r.setrlimit(r.RLIMIT_AS, ({MEMORY}, {MEMORY})); "
-    f"r.setrlimit(r.RLIMIT_CPU, ({LONGEST}, {LONGEST})); "
-    "from scenewright.formats.ifc.extract import main; sys.exit(main())"
-)
+    return read_apart("scenewright.formats.ifc.extract", path, ALLOWANCE, {"keep": keep})
 
 
 def brief_of(document: Row, path: Path, keep: bool = False) -> Brief:
     """The brief of a parsed model, the file at ``path``."""
     products = document["products"]
     move = _offset(products)
-    rooms, fates = _rooms(document, move)
+    rooms, fates = find_rooms(document, move)
     if not rooms:
         raise InputError(
             "holds no room: no IfcSpace with a floor, and no storey whose walls enclose one",
@@ -92,7 +65,7 @@ def brief_of(document: Row, path: Path, keep: bool = False) -> Brief:
     levels = sorted({room.level for room in rooms})
     floors = {n: min(r.low for r in rooms if r.level == n) for n in levels}
     heights = {n: max(r.height for r in rooms if r.level == n) for n in levels}
-    spaces = [row for row in products if row["kind"] == "IfcSpace" and not _is_outside(row)]
+    spaces = [row for row in products if row["kind"] == "IfcSpace" and not is_outside(row)]
     drawn = sum(floor_of(row, move).area for row in spaces)
     read = sum(room.floor.area for room in rooms)
     try:
@@ -115,7 +88,7 @@ def brief_of(document: Row, path: Path, keep: bool = False) -> Brief:
         raise to_input_error(error) from None
     report = report_input(
         fates,
-        format=f"IFC ({document['schema']})",
+        format=f"IFC ({document['schema']})"[:100],
         system=f"moved by {-move[0]:.0f}, {-move[1]:.0f} m" if move.any() else "its own",
         unit=document["unit"] or "metre",
         drawn_floor=round(drawn or read, 3),
@@ -133,57 +106,6 @@ def _offset(products: Sequence[Row]) -> np.ndarray:
         return np.zeros(2)
     low = np.floor(np.median(np.vstack(corners), axis=0))
     return low if np.abs(low).max() > FAR else np.zeros(2)
-
-
-def _rooms(document: Row, move: np.ndarray) -> tuple[list[DrawnRoom], list[Fate]]:
-    """The rooms of a model by its spaces, else by its walls, and what became of each space."""
-    spaces = [row for row in document["products"] if row["kind"] == "IfcSpace"]
-    rooms, fates = [], []
-    for row in spaces:
-        floor = floor_of(row, move)
-        fault = _no_room(row, floor)
-        name = f"{row['name']} {row['long_name']}".strip() or row["id"]
-        if fault:
-            lost = floor.area >= LEAST_ROOM and not _is_outside(row)
-            fates.append(Fate(name, "room (IfcSpace)", "left out", fault, stands=lost))
-            continue
-        height = min(row["high"] - row["low"], 100.0)
-        rooms.append(DrawnRoom(row, floor, row["storey"], row["low"], height))
-        fates.append(Fate(name, "room (IfcSpace)", "used"))
-    if rooms:
-        return rooms, fates
-    return list(_enclosed(document, move)), fates
-
-
-def _no_room(row: Row, floor: shapely.Polygon) -> str:
-    """Why a space is no room; empty if it is one."""
-    if _is_outside(row):
-        return "by its name it is no room"
-    if floor.area < LEAST_ROOM:
-        return "it has no body, or less than half a square metre of floor"
-    return ""
-
-
-def _is_outside(row: Row) -> bool:
-    words = f"{row['name']} {row['long_name']} {row['use']}".casefold().split()
-    return any(word.strip(":,.") in OUTSIDE for word in words)
-
-
-def _enclosed(document: Row, move: np.ndarray) -> Iterator[DrawnRoom]:
-    """What the walls of each storey enclose."""
-    walls = [row for row in document["products"] if row["kind"] in WALLS and row["rings"]]
-    for number in sorted({row["storey"] for row in walls}):
-        mine = [row for row in walls if row["storey"] == number]
-        solid = shapely.union_all(
-            [floor_of(row, move).buffer(0.02, join_style="mitre") for row in mine]
-        )
-        low = float(np.median([row["low"] for row in mine]))
-        height = float(np.median([row["high"] - row["low"] for row in mine]))
-        for part in shapely.get_parts(solid):
-            for ring in part.interiors if part.geom_type == "Polygon" else ():
-                floor = shapely.Polygon(ring).buffer(0.02, join_style="mitre")
-                if floor.area >= LEAST_ROOM:
-                    yield DrawnRoom({}, floor, number, low, min(max(height, 0.5), 100.0))
 
 
 def _room(number: int, room: DrawnRoom) -> Row:
@@ -206,11 +128,11 @@ def _room(number: int, room: DrawnRoom) -> Row:
 
 
 def _functions(room: DrawnRoom, name: str) -> tuple[str, ...]:
-    """What a room is for by its long name, name, stated use, and last, without any, by size."""
+    """What a room is for by its long name, name, object type, stated uses, else by size."""
     row = room.row
-    for text in (name, row.get("name", ""), row.get("use", "")):
-        if found := functions_from_name(text):
-            return tuple(found)
+    for text in (name, row.get("name", ""), row.get("use", ""), *row.get("uses", ())):
+        if not says_nothing(text):
+            return functions_from_name(text)
     if row:
         return ()
     return (

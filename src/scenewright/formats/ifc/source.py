@@ -13,18 +13,20 @@ from scenewright.core.atomic_file import note_read
 from scenewright.core.brief import Brief
 from scenewright.core.brief.source_file import SourceFile
 from scenewright.core.errors import InputError
+from scenewright.formats.ifc.extract import EARLIER, GREATEST_FILE
 from scenewright.formats.ifc.rooms import DrawnRoom, Row
 
-GREATEST_FILE = 256 * 2**20
-"""Bytes above which a model is not read."""
 ANEW = "furniture is planned anew (--keep keeps it)"
 """Why furniture of a model is left out."""
 
 
 def record_source(
     brief: Brief, path: Path, document: Row, rooms: Sequence[DrawnRoom], move: np.ndarray
-) -> SourceFile:
-    """What is recorded of the model at ``path`` that a brief was read from."""
+) -> SourceFile | None:
+    """What is recorded of the model at ``path`` that a brief was read from; nothing of one that is
+    zipped or of an earlier schema, to which nothing is added."""
+    if path.suffix.lower() != ".ifc" or document["schema"].upper() in EARLIER:
+        return None
     storeys = document["storeys"]
     found = list(zip(room_ids(brief), rooms, strict=True))
     rows = brief.input_report.rows if brief.input_report else ()
