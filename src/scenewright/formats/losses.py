@@ -8,11 +8,12 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
-from scenewright.catalog.loading import catalog_of
-from scenewright.core.solution import Solution
 from scenewright.formats.table import row_of
+
+if TYPE_CHECKING:
+    from scenewright.core.solution import Solution
 
 
 class Loss(NamedTuple):
@@ -31,6 +32,8 @@ class Loss(NamedTuple):
 
 
 def _count_hanging(solution: Solution) -> int:
+    from scenewright.catalog.loading import catalog_of
+
     kinds = catalog_of(solution.brief.catalogs).kinds
     above = {name for name, kind in kinds.items() if kind.support == "ceiling"}
     return sum(piece.category in above for piece in solution.pieces)

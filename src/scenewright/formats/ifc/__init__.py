@@ -11,7 +11,7 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING
 
-import ifcopenshell  # noqa: F401 (a missing extra is named when the format is chosen)
+from scenewright.core.extras import require
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from scenewright.core.brief import Brief
     from scenewright.core.plan import Plan
     from scenewright.core.solution import Solution
+
+require("ifcopenshell")
 
 
 def read(path: Path, keep: bool = False) -> Brief:

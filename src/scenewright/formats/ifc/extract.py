@@ -98,9 +98,14 @@ def _content(path: Path) -> bytes:
             reason = " ".join(str(error).split())[:80]
             fault = f"is an archive that cannot be unpacked ({reason})"
             raise InputError(fault, "give the .ifc in it") from None
-    if not data[:4096].lstrip(b"\xef\xbb\xbf \r\n\t").startswith(b"ISO-10303-21"):
-        raise InputError("is no IFC text file (STEP)", "export it as .ifc, not as XML")
+    check_head(data[:HEAD])
     return data
+
+
+def check_head(head: bytes) -> None:
+    """Raise :class:`InputError` for what does not begin as a model or an archive does."""
+    if not head.lstrip(b"\xef\xbb\xbf \r\n\t").startswith((b"ISO-10303-21", b"PK")):
+        raise InputError("is no IFC text file (STEP)", "export it as .ifc, not as XML")
 
 
 def _unzip(path: Path) -> bytes:

@@ -21,7 +21,7 @@ from scenewright.core.brief.input_report import Fate, report_input
 from scenewright.core.document_faults import to_input_error
 from scenewright.core.errors import InputError
 from scenewright.formats.apart import Allowance, read_apart
-from scenewright.formats.ifc.extract import GREATEST_FILE
+from scenewright.formats.ifc.extract import GREATEST_FILE, HEAD, check_head
 from scenewright.formats.ifc.openings import OPENINGS, add_open_sides, place_openings
 from scenewright.formats.ifc.pieces import BUILT_IN, MOVABLE, fixed_item
 from scenewright.formats.ifc.rooms import WALLS, DrawnRoom, Row, find_rooms, floor_of, is_outside
@@ -44,6 +44,8 @@ def parse(path: Path, keep: bool = False) -> Row:
     if path.stat().st_size > GREATEST_FILE:
         fault = f"is larger than {GREATEST_FILE // 2**20} MiB"
         raise InputError(fault, "export one building, or its plan alone")
+    with path.open("rb") as file:
+        check_head(file.read(HEAD))
     return read_apart("scenewright.formats.ifc.extract", path, ALLOWANCE, {"keep": keep})
 
 
