@@ -116,6 +116,7 @@ def _no_room(row: Row, floor: shapely.Polygon) -> str:
 
 
 def is_outside(row: Row) -> bool:
+    """Whether a space by its name is none that is lived in."""
     words = f"{row['name']} {row['long_name']} {row['use']}".casefold().split()
     return any(word.strip(":,.") in OUTSIDE for word in words)
 
