@@ -47,7 +47,7 @@ class PassDomain(NamedTuple):
     name: str
     passes: Callable[[], Sequence[Pass[Any]]]
     solve: Callable[[Brief, PassOptions], Solution]
-    count: Callable[[Solution], float]
+    faults: Callable[[Solution], float]
     subjects: Callable[[bool], Sequence[PassSubject]]
 
 
@@ -114,7 +114,7 @@ def measure_run(domain: PassDomain, brief: Brief, options: PassOptions) -> Outco
     seconds = time.process_time() - begun
     report: Report = check(solution)
     return Outcome(
-        domain.count(solution),
+        domain.faults(solution),
         len(report.findings),
         sum(solution.energies.values()),
         len(solution.left_out),
@@ -153,8 +153,9 @@ def tally_domain(domain: PassDomain, measured: list[PassedSubject]) -> list[Reco
         off = [subject.outcomes.get(name, subject.outcomes[ALL]) for subject in measured]
         usual = [subject.outcomes[ALL] for subject in measured]
         for k, figure in enumerate(Outcome._fields):
-            pair = (sum(each[k] for each in outcomes) for outcomes in (off, usual))
-            found.append(_record(domain, name, f"{figure} without it", *pair, len(measured)))
+            ours, baseline = (sum(each[k] for each in outcomes) for outcomes in (off, usual))
+            metric = f"{figure} without it"
+            found.append(_record(domain, name, metric, ours, baseline, len(measured)))
     return found
 
 
