@@ -92,6 +92,29 @@ def test_names_doors_and_their_leaves(tmp_path: Path) -> None:
     assert inner.at == (pytest.approx(4.0), pytest.approx(1.5))
 
 
+def test_a_threshold_leaves_the_opening_in_the_wall(tmp_path: Path) -> None:
+    """The door to the outside is closed by a line on the outer face, as thresholds are drawn."""
+    draw(tmp_path / "plan.dxf", 6, 1.0)
+    document = ezdxf.readfile(tmp_path / "plan.dxf")
+    document.modelspace().add_line((13_999.8, -13_998.9), (13_999.8, -13_998.1))
+    document.saveas(tmp_path / "plan.dxf")
+    brief = read(tmp_path / "plan.dxf")
+    assert areas(brief) == [12.0, 9.0]
+    assert sorted(len(room.doors) for room in brief.rooms) == [0, 2]
+
+
+def test_elevations_beside_a_plan_are_no_storeys(tmp_path: Path) -> None:
+    """A front of many panes is larger than the plan, and has no way in."""
+    draw(tmp_path / "plan.dxf", 6, 1.0)
+    document = ezdxf.readfile(tmp_path / "plan.dxf")
+    for k in range(20):
+        x, y = 14_020 + 2 * (k % 10), -14_000 + 1.5 * (k // 10)
+        pane = [(x, y), (x + 2, y), (x + 2, y + 1.5), (x, y + 1.5)]
+        document.modelspace().add_lwpolyline(pane, close=True)
+    document.saveas(tmp_path / "plan.dxf")
+    assert areas(read(tmp_path / "plan.dxf")) == [12.0, 9.0]
+
+
 def test_our_own_plans_read_back(tmp_path: Path) -> None:
     solution = flat_solution()
     for name in ("flat.dxf", "flat.mm.dxf"):
@@ -186,5 +209,6 @@ def test_rooms_of_real_drawings(real_data: Path) -> None:
     for name, listed in by_corners.items():
         assert areas(read(folder / f"{name}.dxf")) == pytest.approx(listed, rel=0.03)
     counts = {"ship_deck_jupedsim": 6, "house_double_wall_gama": 9, "iso_office_jupedsim": 12}
+    counts["barcelona_pavilion_sheet_autocad"] = 4
     for name, count in counts.items():
         assert len(read(folder / f"{name}.dxf").rooms) == count

@@ -10,6 +10,7 @@ from shapely import MultiLineString, Polygon
 
 from scenewright.building.drawn.bridges import Gap, bridge_lines, extend_loose_ends, find_gaps
 from scenewright.building.drawn.drawing import Drawn
+from scenewright.building.drawn.niches import cut_niches
 
 GRID = 0.002
 """Metres to which lines are drawn together."""
@@ -18,6 +19,8 @@ THIN, LEAST_AREA, SLIT = 0.27, 0.7, 0.03
 half the width of a slit that is no opening."""
 AROUND = 0.5
 """A face whose holes take this share of it lies around a building: a frame, a plot, a terrace."""
+WAY_IN = 0.5
+"""Metres from a room to what leads into it."""
 MOST_ROOMS, LEAST_FLOOR, USUAL_ROOM = 600, 6.0, (1.5, 600.0)
 """The most rooms of a plan, its least floor, and the area of its middle room, in m²."""
 
@@ -41,7 +44,8 @@ def find_faces(drawn: Drawn) -> Faces:
     found = Faces([], [], gaps, [], [])
     for face in faces:
         _sort(face, found)
-    return found
+    rooms, closed = cut_niches(found.rooms, found.walls)
+    return found._replace(rooms=rooms, gaps=gaps + closed)
 
 
 def node_lines(drawn: Drawn) -> shapely.Geometry:
@@ -81,15 +85,29 @@ def _tidy(face: Polygon) -> list[Polygon]:
 def is_plan(found: Faces, drawn: Drawn) -> bool:
     """Whether rooms are as many and as large as those of a building, and there is a way in: a gap,
     a leaf, or something on a layer of doors; most rooms lie together."""
-    areas = sorted(room.area for room in found.rooms)
+    groups = entered_groups(found, drawn)
+    areas = sorted(found.rooms[k].area for group in groups for k in group)
     if not areas or len(areas) > MOST_ROOMS or sum(areas) < LEAST_FLOOR:
         return False
     middle = areas[len(areas) // 2]
     if not USUAL_ROOM[0] <= middle <= USUAL_ROOM[1]:
         return False
-    largest = group_rooms(found.rooms)[0]
-    together = sum(found.rooms[k].area for k in largest) >= 0.3 * sum(areas)
+    together = sum(found.rooms[k].area for k in groups[0]) >= 0.3 * sum(areas)
     return together and bool(found.gaps or drawn.arcs or len(drawn.doors))
+
+
+def entered_groups(found: Faces, drawn: Drawn) -> list[list[int]]:
+    """Rooms in groups that lie apart, the largest first: those with a way in, where any has one;
+    elevations and sections beside a plan have none."""
+    ways = [gap.middle for gap in found.gaps] + [np.array(arc.middle) for arc in drawn.arcs]
+    ways += list(drawn.doors.mean(1))
+    groups = group_rooms(found.rooms)
+    if not ways or not groups:
+        return groups
+    tree = shapely.STRtree(shapely.points(np.array(ways)))
+    near, _ = tree.query(found.rooms, predicate="dwithin", distance=WAY_IN)
+    entered = set(near.tolist())
+    return [group for group in groups if not entered.isdisjoint(group)] or groups
 
 
 def group_rooms(rooms: list[Polygon], apart: float = 1.2) -> list[list[int]]:

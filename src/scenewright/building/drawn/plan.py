@@ -11,7 +11,7 @@ import numpy as np
 from shapely import Polygon, box, union_all
 
 from scenewright.building.drawn.drawing import NO_LINES, Drawn, Segments
-from scenewright.building.drawn.faces import Faces, find_faces, group_rooms, is_plan
+from scenewright.building.drawn.faces import Faces, entered_groups, find_faces, is_plan
 from scenewright.building.drawn.layers import kind_of_layer
 from scenewright.building.drawn.leaves import find_leaves
 from scenewright.building.drawn.names import name_rooms
@@ -134,9 +134,9 @@ def _names(sheet: Sheet, plan: DrawnPlan) -> list[str]:
 
 
 def _storeys(plan: DrawnPlan) -> list[list[int]]:
-    """The rooms of each storey, from left to right: groups that lie apart and are large enough."""
+    """The rooms of each storey, from left to right: groups that lie apart, large enough."""
     rooms = plan.faces.rooms
-    groups = group_rooms(rooms)
+    groups = entered_groups(plan.faces, plan.drawn)
     areas = [sum(rooms[k].area for k in group) for group in groups]
     kept = [g for g, area in zip(groups, areas, strict=True) if area >= SHARE * max(areas)]
     return sorted(kept, key=lambda group: min(rooms[k].bounds[0] for k in group))
@@ -211,7 +211,7 @@ def _fates(
     for number, face in enumerate(plan.faces.rooms):
         name = f"room {number + 1} ({face.area:.1f} m²)"
         aside = number not in used
-        reason = "lies apart and is small: another drawing" * aside
+        reason = "lies apart: another drawing" * aside
         yield name, "room", "left out" if aside else "used", reason, 1
     for face in plan.faces.around:
         yield f"{face.area:.0f} m²", "ground", "left out", "lies around the building", 1
