@@ -235,6 +235,21 @@ def _sound_glb(folder: Path) -> bytes:
     return (folder / "sound.glb").read_bytes()
 
 
+def _sound_plan(suffix: str) -> Callable[[Path], bytes]:
+    def sound(folder: Path) -> bytes:
+        from scenewright import formats
+
+        formats.write(_solution(), folder / f"sound.{suffix}")
+        return (folder / f"sound.{suffix}").read_bytes()
+
+    return sound
+
+
+def _plan(path: Path, folder: Path) -> int:
+    out = folder / "out.json"
+    return _written(run_quietly(["plan", str(path), "-o", str(out), "-q"]), out)
+
+
 def _sound_style(_: Path) -> bytes:
     return files("scenewright.domains.village.learned").joinpath("europe.npz").read_bytes()
 
@@ -307,6 +322,9 @@ FORMATS: tuple[DamagedFormat, ...] = (
     DamagedFormat("city sites", 60, ".city.json", _given(CITY), _plain(damage_json), _arrange(10)),
     DamagedFormat("city models", 40, ".cityjson", _given(CITY), _plain(damage_json), _models),
     DamagedFormat("GLB", 70, ".glb", _sound_glb, _plain(damage_bytes), _models),
+    DamagedFormat("DXF plans", 60, ".dxf", _sound_plan("dxf"), _plain(damage_text), _plan),
+    DamagedFormat("SVG plans", 60, ".svg", _sound_plan("svg"), _plain(damage_text), _plan),
+    DamagedFormat("PDF plans", 60, ".pdf", _sound_plan("pdf"), _plain(damage_bytes), _plan),
     DamagedFormat("OBJ", 30, ".obj", _given(OBJ.encode()), _plain(damage_text), _models),
     DamagedFormat(
         "libraries", 40, ".sh3f", _given(LIBRARY), _plain(damage_zip(damage_text)), _models

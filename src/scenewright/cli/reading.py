@@ -44,10 +44,10 @@ ScaleOption = Annotated[
     float,
     typer.Option(
         min=0.001,
-        max=20,
+        max=1000,
         help="Multiply all lengths in plan (2: drawn half as large as it is); heights, of sills, "
         "doors and ceilings too, and sizes of furniture stay. 0.01 reads centimetres, "
-        "0.001 millimetres, 0.0254 inches.",
+        "0.001 millimetres, 0.0254 inches. Of a PDF or SVG: the 50 of 1:50.",
     ),
 ]
 HiddenOption = Annotated[

@@ -10,9 +10,10 @@ EXTRAS = {
     "dxf": ("ezdxf",),
     "gis": ("pyogrio", "osmium"),
     "learn": ("torch",),
-    "pdf": ("fpdf", "fontTools", "fontpkg_noto_sans"),
+    "pdf": ("fpdf", "fontTools", "fontpkg_noto_sans", "pypdfium2"),
     "peers": ("scipy", "cma", "pymoo", "deap"),
     "solve": ("ortools",),
+    "svg": ("svgelements",),
 }
 """Our extras and the modules that each brings."""
 

@@ -17,8 +17,9 @@ DRAW = (
     "draw its rooms in Sweet Home 3D (.sh3d), or write them as a brief (scenewright schema brief)"
 )
 TRACE = (
-    "trace it in Sweet Home 3D (Plan, Import background image) and save that as .sh3d, or write "
-    "its rooms as a brief (scenewright schema brief)"
+    "plans are read from lines (.dxf, .pdf, .svg), not from pixels: trace it in Sweet Home 3D "
+    "(Plan, Import background image) and save that as .sh3d, or write its rooms as a brief "
+    "(scenewright schema brief)"
 )
 MODEL = "give the brief of a place, and this file beside it: --catalog {file}"
 IFC = "export it as .ifc, or its plan as .dxf"
@@ -170,14 +171,14 @@ FOREIGN = (
         (".fbx", ".dae", ".3ds", ".3dm", ".3mf", ".blend", ".max", ".ply", ".c4d"),
         (b"Kaydara FBX", b"BLENDER", b"ply\n"),
     ),
-    ForeignFormat("a PDF document", TRACE, (".pdf",), (b"%PDF",)),
+    ForeignFormat("a PDF document", "name it .pdf", begins=(b"%PDF",), read_as=(".pdf",)),
     ForeignFormat(
         "a picture",
         TRACE,
         (".png", ".jpg", ".jpeg", ".gif", ".bmp", ".tif", ".tiff", ".webp"),
         (b"\x89PNG", b"\xff\xd8\xff", b"GIF8", b"BM", b"II*\0", b"MM\0*"),
     ),
-    ForeignFormat("a drawing in SVG", TRACE, (".svg",), holds=(b"<svg",)),
+    ForeignFormat("a drawing in SVG", "name it .svg", holds=(b"<svg",), read_as=(".svg",)),
     ForeignFormat(
         "compressed with gzip", "gunzip {file} first", begins=(b"\x1f\x8b",), read_as=(".osm.gz",)
     ),

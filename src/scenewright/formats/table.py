@@ -73,7 +73,13 @@ FORMATS = (
         lacks=("glow of materials", "sloped ceilings", "outlets", *JUDGED),
     ),
     Format(".ifczip", "building model, zipped (read)", "scenewright.formats.ifc"),
-    Format(".svg", "plan drawing", writer="scenewright.formats.svg", lacks=("ids", *FLAT)),
+    Format(
+        ".svg",
+        "plan drawing (read and written)",
+        "scenewright.formats.painted.svg",
+        "scenewright.formats.svg",
+        lacks=("ids", *FLAT),
+    ),
     Format(
         ".dxf",
         "plan for CAD (read; written in metres)",
@@ -95,8 +101,9 @@ FORMATS = (
     ),
     Format(
         ".pdf",
-        "set of sheets to print",
-        writer="scenewright.formats.pdf",
+        "set of sheets to print (a plan in it is read)",
+        "scenewright.formats.painted.pdf",
+        "scenewright.formats.pdf",
         lacks=("ids", "3D shapes", *JUDGED),
     ),
     Format(

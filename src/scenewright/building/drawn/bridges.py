@@ -13,8 +13,9 @@ from scenewright.building.drawn.drawing import Drawn
 
 THICK, NARROW, WIDE = 0.65, 0.45, 3.2
 """Metres: the thickest wall, the narrowest and the widest gap that is bridged."""
-DRAWN = 8.0
-"""The widest gap that a line on a layer of doors closes."""
+DRAWN, GLAZED = 8.0, 20.0
+"""The widest gap that a line on a layer of doors closes, and that what is drawn all along it does.
+"""
 ALONE = 1.35
 """The widest gap to a wall opposite, where no door is drawn."""
 SQUARE, AHEAD = 0.2, 0.94
@@ -60,7 +61,8 @@ def find_gaps(lines: shapely.Geometry, drawn: Drawn) -> list[Gap]:
     jambs = _jambs(parts)
     tree = STRtree(parts)
     doors = door_marks(drawn)
-    marked = shapely.union_all([doors, *shapely.linestrings(drawn.windows)])
+    others = shapely.linestrings(np.concatenate([drawn.windows, drawn.marks]))
+    marked = shapely.union_all([doors, *others])
     gaps, used = _between_jambs(jambs, tree, parts, marked)
     gaps += _drawn_across(drawn, tree, parts)
     for number, jamb in enumerate(jambs):
@@ -195,7 +197,7 @@ def _between_jambs(
             other = jambs[j]
             way = other.middle - one.middle
             far = float(np.hypot(*way))
-            if not NARROW <= far <= DRAWN or one.out @ other.out > -AHEAD:
+            if not NARROW <= far <= GLAZED or one.out @ other.out > -AHEAD:
                 continue
             if one.out @ way > AHEAD * far and other.out @ way < -AHEAD * far:
                 pairs.append((far, i, j))
@@ -220,7 +222,8 @@ def _is_meant(a: Vector, b: Vector, marked: shapely.Geometry) -> bool:
     if far <= ALONE or marked.is_empty:
         return far <= WIDE
     place = LineString([a, b]).buffer(NEAR_DOOR)
-    return bool(shapely.intersection(marked, place).length >= 0.3 * far)
+    share = 0.3 if far <= DRAWN else 0.9
+    return bool(shapely.intersection(marked, place).length >= share * far)
 
 
 def _gap(corners: Vector) -> Gap:

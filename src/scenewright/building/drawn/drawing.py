@@ -30,13 +30,15 @@ class Word(NamedTuple):
 
 class Drawn(NamedTuple):
     """What a drawing holds of a plan: ``walls`` (n, 2, 2), ``doors`` (m, 2, 2) and ``windows``
-    (k, 2, 2) are lines on layers of these, ``arcs`` quarter circles, ``words`` texts."""
+    (k, 2, 2) are lines on layers of these, ``arcs`` quarter circles, ``words`` texts;
+    ``marks`` (j, 2, 2) lines of what else is drawn, which may close a gap."""
 
     walls: Segments
     doors: Segments
     windows: Segments
     arcs: tuple[Arc, ...]
     words: tuple[Word, ...]
+    marks: Segments
 
     def scaled(self, factor: float, shift: NDArray[np.float64]) -> Drawn:
         """The drawing moved by ``-shift`` and then multiplied."""
@@ -54,6 +56,7 @@ class Drawn(NamedTuple):
                 for a in self.arcs
             ),
             tuple(Word(w.words, *move((w.x, w.y)), w.size * factor) for w in self.words),
+            (self.marks - shift) * factor,
         )
 
 

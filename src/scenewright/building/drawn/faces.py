@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 import shapely
-from shapely import MultiLineString, Polygon
+from shapely import Geometry, MultiLineString, Polygon, prepare
 
 from scenewright.building.drawn.bridges import Gap, bridge_lines, extend_loose_ends, find_gaps
 from scenewright.building.drawn.drawing import Drawn
@@ -46,6 +46,15 @@ def find_faces(drawn: Drawn) -> Faces:
         _sort(face, found)
     rooms, closed = cut_niches(found.rooms, found.walls)
     return found._replace(rooms=rooms, gaps=gaps + closed)
+
+
+def without_solid(found: Faces, solid: Geometry) -> Faces:
+    """The faces without rooms that lie in what walls cover: these are thick walls."""
+    prepare(solid)
+    inside = [solid.contains(room.representative_point()) for room in found.rooms]
+    rooms = [room for room, within in zip(found.rooms, inside, strict=True) if not within]
+    walls = [room for room, within in zip(found.rooms, inside, strict=True) if within]
+    return found._replace(rooms=rooms, walls=found.walls + walls)
 
 
 def node_lines(drawn: Drawn) -> shapely.Geometry:

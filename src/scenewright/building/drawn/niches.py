@@ -46,7 +46,7 @@ def _niche(points: Vector, walls: list[Polygon], tree: STRtree) -> Gap | None:
     """The gap that four corners of an outline are, counter-clockwise: out, along, and back."""
     out, along, back = np.diff(points, axis=0)
     depths, width = np.hypot(*np.stack([out, back], 1)), float(np.hypot(*along))
-    if not (NARROW <= width <= WIDE and BESIDE <= depths.min() and depths.max() <= THICK):
+    if not (NARROW <= width <= WIDE and depths.min() >= BESIDE and depths.max() <= THICK):
         return None
     unit = along / width
     normal = np.array([unit[1], -unit[0]])

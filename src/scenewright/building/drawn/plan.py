@@ -4,19 +4,26 @@ brief, and what became of every entity. Plain values throughout, so that a proce
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Any, NamedTuple
 
 import numpy as np
-from shapely import Polygon, box, union_all
+from shapely import Geometry, Polygon, box, union_all
+from shapely.affinity import affine_transform
 
 from scenewright.building.drawn.drawing import NO_LINES, Drawn, Segments
-from scenewright.building.drawn.faces import Faces, entered_groups, find_faces, is_plan
+from scenewright.building.drawn.faces import (
+    Faces,
+    entered_groups,
+    find_faces,
+    is_plan,
+    without_solid,
+)
 from scenewright.building.drawn.layers import kind_of_layer
 from scenewright.building.drawn.leaves import find_leaves
 from scenewright.building.drawn.names import name_rooms
 from scenewright.building.drawn.openings import Found, find_openings
-from scenewright.building.drawn.sheet import Sheet
+from scenewright.building.drawn.sheet import Layer, Sheet
 from scenewright.building.drawn.units import UnitFound, list_units
 from scenewright.core.errors import InputError
 
@@ -25,6 +32,8 @@ STOREY = 2.8
 SHARE = 0.3
 """Rooms that lie apart are a storey if they have this share of the floor of the largest."""
 LEFT_ASIDE = {
+    "mark": "furniture, dimensions or symbols: another pen than that of the walls",
+    "aside": "a frame of the page, or a light fill",
     "other": "furniture, dimensions, notes or what lies above or below",
     "": "nothing that its layer says to be of the building",
 }
@@ -39,41 +48,57 @@ class DrawnPlan(NamedTuple):
 
 
 def plan_sheet(sheet: Sheet, scale: float = 1.0) -> dict[str, Any]:
-    """The plan of a sheet: ``rooms`` and ``levels`` as keys of a brief, ``fates`` (rows of
-    name, kind, outcome, reason, count), ``unit`` in words, ``drawn_floor`` and ``read_floor`` in
-    m². ``scale`` multiplies the lengths of the stated unit, which then is taken as it is.
+    """The plan of a sheet by the names of its layers: ``rooms`` and ``levels`` as keys of a brief,
+    ``fates`` (rows of name, kind, outcome, reason, count), ``unit`` in words, ``drawn_floor`` and
+    ``read_floor`` in m². ``scale`` multiplies the lengths of the stated unit, which then is taken
+    as it is.
 
     Raises :class:`InputError` where the sheet holds no plan of a building.
     """
-    chosen = choose_layers(sheet)
-    plan = _marked_plan(sheet, chosen, scale) or _find_plan(sheet, chosen, scale)
-    groups = _storeys(plan)
-    if not groups:
-        raise _no_plan(chosen)
-    openings = find_openings(plan.drawn, plan.faces.rooms, plan.faces.gaps)
-    rooms, levels = _rooms(plan, _names(sheet, plan), groups, openings)
-    fates = [list(row) for row in _fates(sheet, plan, groups)]
-    return {"rooms": rooms, "levels": levels, "fates": fates, **_measures(plan, groups)}
-
-
-def choose_layers(sheet: Sheet) -> Drawn:
-    """The drawing of a plan: lines of layers called walls, or of all that are not called anything
-    else; doors and windows by their layers, arcs and words wherever they are."""
-    kinds = _kinds(sheet)
-    layers = sheet.layers
-    named = {kind: [name for name in kinds if kinds[name] == kind] for kind in ("door", "window")}
-    drawn = [name for name, kind in kinds.items() if kind not in ("other", "aside")]
-    arcs = find_leaves([a for n in drawn for a in layers[n].arcs], _lines(sheet, drawn))
-    return Drawn(
-        _lines(sheet, [name for name, kind in kinds.items() if kind == "wall"]),
-        _lines(sheet, named["door"]),
-        _lines(sheet, named["window"]),
-        arcs,
-        tuple(word for layer in layers.values() for word in layer.words),
+    return plan_layers(
+        sheet, kinds_by_name(sheet), lambda drawn: _scaled_units(drawn, sheet.unit, scale), scale
     )
 
 
-def _kinds(sheet: Sheet) -> dict[str, str]:
+def plan_layers(
+    sheet: Sheet,
+    kinds: dict[str, str],
+    units_of: Callable[[Drawn], list[UnitFound]],
+    scale: float = 1.0,
+) -> dict[str, Any]:
+    """The plan of a sheet whose layers hold the ``kinds`` (wall, door, window, mark, other, aside
+    or nothing known), in the first unit that makes one."""
+    chosen = choose_layers(sheet, kinds)
+    plan = _marked_plan(sheet, chosen, scale) or _find_plan(chosen, sheet.solid, units_of)
+    groups = _storeys(plan)
+    openings = find_openings(plan.drawn, plan.faces.rooms, plan.faces.gaps)
+    rooms, levels = _rooms(plan, _names(sheet, plan), groups, openings)
+    fates = [list(row) for row in _fates(sheet, kinds, plan, groups)]
+    return {"rooms": rooms, "levels": levels, "fates": fates, **_measures(plan, groups)}
+
+
+def _scaled_units(drawn: Drawn, stated: float | None, scale: float) -> list[UnitFound]:
+    units = list_units(drawn, stated)
+    if scale == 1.0:
+        return units
+    base = units[0].metres if units else stated or 1.0
+    return [UnitFound("as scaled", base * scale, False)]
+
+
+def choose_layers(sheet: Sheet, kinds: dict[str, str]) -> Drawn:
+    """The drawing of a plan by what its layers hold; words are taken wherever they are."""
+    layers = sheet.layers
+    drawn = [name for name in layers if kinds[name] not in ("other", "aside")]
+    arcs = find_leaves([a for n in drawn for a in layers[n].arcs], _lines(layers, drawn))
+    walls, doors, windows, marks = (
+        _lines(layers, [name for name in layers if kinds[name] == kind])
+        for kind in ("wall", "door", "window", "mark")
+    )
+    words = tuple(word for layer in layers.values() for word in layer.words)
+    return Drawn(walls, doors, windows, arcs, words, marks)
+
+
+def kinds_by_name(sheet: Sheet) -> dict[str, str]:
     """What lies on each layer; those that say nothing hold walls where too few others do."""
     kinds = {name: kind_of_layer(name) for name in sheet.layers}
     lines = sum(len(sheet.layers[n].lines) for n, kind in kinds.items() if kind == "wall")
@@ -81,8 +106,8 @@ def _kinds(sheet: Sheet) -> dict[str, str]:
     return {name: kind or silent for name, kind in kinds.items()}
 
 
-def _lines(sheet: Sheet, names: list[str]) -> Segments:
-    rows = [row for name in names for row in sheet.layers[name].lines]
+def _lines(layers: dict[str, Layer], names: list[str]) -> Segments:
+    rows = [row for name in names for row in layers[name].lines]
     return np.array(rows).reshape(-1, 2, 2) if rows else NO_LINES
 
 
@@ -100,19 +125,17 @@ def _marked_plan(sheet: Sheet, chosen: Drawn, scale: float) -> DrawnPlan | None:
     return DrawnPlan(drawn, unit, found._replace(rooms=rooms, around=[], small=[]))
 
 
-def _find_plan(sheet: Sheet, chosen: Drawn, scale: float) -> DrawnPlan:
-    """The plan in the first unit that makes one; with a scale, in the stated unit times it."""
-    if not len(chosen.walls):
-        raise _no_plan(chosen)
-    stated = sheet.unit
-    units = list_units(chosen, stated)
-    if scale != 1.0:
-        base = units[0].metres if units else stated or 1.0
-        units = [UnitFound("as scaled", base * scale, False)]
-    shift = chosen.walls.reshape(-1, 2).min(0)
-    for unit in units:
+def _find_plan(
+    chosen: Drawn, solid: Geometry | None, units_of: Callable[[Drawn], list[UnitFound]]
+) -> DrawnPlan:
+    """The plan in the first unit that makes one; no room lies within what is solid."""
+    shift = chosen.walls.reshape(-1, 2).min(0) if len(chosen.walls) else np.zeros(2)
+    for unit in units_of(chosen) if len(chosen.walls) else ():
         drawn = chosen.scaled(unit.metres, shift)
         found = find_faces(drawn)
+        if solid is not None:
+            moved = affine_transform(solid, [k := unit.metres, 0, 0, k, *(-k * shift)])
+            found = without_solid(found, moved)
         if is_plan(found, drawn):
             return DrawnPlan(drawn, unit, found)
     raise _no_plan(chosen)
@@ -183,7 +206,7 @@ def _measures(plan: DrawnPlan, groups: list[list[int]]) -> dict[str, Any]:
     read_floor = sum(faces.rooms[k].area for k in used)
     reach = union_all([box(*faces.rooms[k].bounds) for k in used])
     lost = sum(face.area for face in faces.small if reach.contains(face))
-    note = "as stated" if plan.unit.stated else "by walls and doors; the header is wrong or silent"
+    note = "as stated" if plan.unit.stated else "by walls and doors, not as stated or not stated"
     return {
         "unit": f"{plan.unit.name} ({note})",
         "drawn_floor": read_floor + lost,
@@ -192,11 +215,11 @@ def _measures(plan: DrawnPlan, groups: list[list[int]]) -> dict[str, Any]:
 
 
 def _fates(
-    sheet: Sheet, plan: DrawnPlan, groups: list[list[int]]
+    sheet: Sheet, kinds: dict[str, str], plan: DrawnPlan, groups: list[list[int]]
 ) -> Iterator[tuple[str, str, str, str, int]]:
     used = {k for group in groups for k in group}
     words = {"wall": "walls", "door": "doors", "window": "windows"}
-    for name, kind in _kinds(sheet).items():
+    for name, kind in kinds.items():
         for entity, count in sheet.layers[name].counts.items():
             lettered = entity in ("TEXT", "MTEXT", "ATTRIB")
             what = "words" if lettered else words.get(kind, "other lines")

@@ -7,6 +7,7 @@ from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
+from shapely import Geometry
 
 from scenewright.building.drawn.drawing import Arc, Word
 
@@ -47,11 +48,13 @@ class Layer:
 
 class Sheet(NamedTuple):
     """A drawing: its layers by name, the metres of its stated unit (``None``: none), and the
-    outlines Scenewright has marked as rooms: id, name, points ``(n, 2)``."""
+    outlines Scenewright has marked as rooms: id, name, points ``(n, 2)``; ``solid`` is what walls
+    cover, where they are filled."""
 
     layers: dict[str, Layer]
     unit: float | None
     rooms: tuple[tuple[str, str, np.ndarray], ...]
+    solid: Geometry | None = None
 
 
 def is_near(*values: float) -> bool:

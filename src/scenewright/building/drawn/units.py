@@ -29,11 +29,11 @@ class UnitFound(NamedTuple):
 def list_units(drawn: Drawn, stated: float | None) -> list[UnitFound]:
     """The units that may be a drawing's, the likeliest first. ``stated`` is that of the header in
     metres: the first where it can be."""
-    fitting = [UnitFound(*row, False) for row in UNITS if _fits(drawn, row[1])]
-    leaf = _leaf(drawn)
+    fitting = [UnitFound(*row, False) for row in UNITS if fits_building(drawn, row[1])]
+    leaf = median_leaf(drawn)
     if leaf is not None:
         fitting.sort(key=lambda unit: abs(np.log(leaf * unit.metres / USUAL_LEAF)))
-    if stated is not None and _fits(drawn, stated):
+    if stated is not None and fits_building(drawn, stated):
         others = [unit for unit in fitting if abs(unit.metres - stated) > 1e-9]
         return [UnitFound(_name(stated), stated, True), *others]
     return fitting
@@ -43,11 +43,11 @@ def _name(metres: float) -> str:
     return next((name for name, size in UNITS if abs(size - metres) < 1e-9), f"{metres:g} m")
 
 
-def _fits(drawn: Drawn, metres: float) -> bool:
+def fits_building(drawn: Drawn, metres: float) -> bool:
     """Whether walls are as long as a building is, leaves as wide as people, walls as thick."""
     points = drawn.walls.reshape(-1, 2)
     long, short = sorted(np.ptp(points, axis=0) * metres)[::-1] if len(points) else (0.0, 0.0)
-    leaf, thick = _leaf(drawn), _thickness(drawn)
+    leaf, thick = median_leaf(drawn), _thickness(drawn)
     if not EXTENT[0] <= long <= EXTENT[1] or short < 2.0:
         return False
     if leaf is not None:
@@ -55,7 +55,8 @@ def _fits(drawn: Drawn, metres: float) -> bool:
     return thick is None or USUAL_WALL[0] <= thick * metres <= USUAL_WALL[1]
 
 
-def _leaf(drawn: Drawn) -> float | None:
+def median_leaf(drawn: Drawn) -> float | None:
+    """The median radius of the leaves drawn; ``None`` for fewer than two."""
     radii = [arc.radius for arc in drawn.arcs]
     return float(np.median(radii)) if len(radii) >= 2 else None
 

@@ -1,0 +1,173 @@
+"""A page as painted: paths with pens and fills, words; what is dark on it, and its arcs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from itertools import groupby
+from typing import NamedTuple
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+
+from scenewright.building.drawn.drawing import Arc, Word
+from scenewright.building.drawn.sheet import Layer, Sheet, is_near
+
+DARK = 0.55
+"""The lightness below which a fill is that of a wall cut through."""
+QUARTER, ROUND = (70.0, 110.0), 0.02
+"""Degrees of the arcs that leaves sweep; how far their points may lie off, in radii."""
+LEAST_POINTS = 6
+"""Points of a polyline that may be an arc."""
+FRAME = (0.8, 0.12)
+"""A line of the page's frame: its least share of the page's side, and how far from the edge."""
+DARK_FILLS, LIGHT_FILLS, PAGE_FRAME = "dark fills", "light fills", "page frame"
+Vector = NDArray[np.float64]
+
+
+class Run(NamedTuple):
+    """Points (n, 2) of a path, joined by lines, and whether they follow a curve."""
+
+    points: Vector
+    curved: bool
+
+
+class Shape(NamedTuple):
+    """A path: its subpaths, each of runs that begin where the last one ended; the lightness of its
+    fill and the width of its pen (``None``: none), and the layer it says to lie on."""
+
+    subpaths: tuple[tuple[Run, ...], ...]
+    fill: float | None
+    pen: float | None
+    layer: str = ""
+
+
+class Paper(NamedTuple):
+    """A page: shapes in the order they are painted, words, its corners (low, high), the metres a
+    unit of it is on paper, and whether it has a size on paper at all. y is upwards."""
+
+    shapes: tuple[Shape, ...]
+    words: tuple[Word, ...]
+    low: Vector
+    high: Vector
+    metres: float
+    printed: bool
+
+
+def sheet_of(paper: Paper) -> tuple[Sheet, dict[str, float]]:
+    """What a page paints as a sheet of layers, one a pen (and a layer it names), one of all that is
+    dark; and the widths of the pens."""
+    layers: dict[str, Layer] = {}
+    pens: dict[str, float] = {}
+    for shape in paper.shapes:
+        name = _layer_name(shape)
+        if shape.pen is not None:
+            pens[name] = shape.pen
+        _add_shape(layers, name, shape, paper)
+    solid = layers.setdefault(DARK_FILLS, Layer())
+    dark = dark_area(paper.shapes)
+    for ring in _rings_of(dark):
+        solid.add_path(ring.tolist())
+    words = layers.setdefault("words", Layer())
+    for word in paper.words:
+        words.count("TEXT")
+        words.add_word(word)
+    return Sheet(layers, None, (), dark), pens
+
+
+def _layer_name(shape: Shape) -> str:
+    if shape.pen is None:
+        return DARK_FILLS if shape.fill is not None and shape.fill < DARK else LIGHT_FILLS
+    pen = f"pen {shape.pen:.2f}"
+    return f"{shape.layer} ({pen})" if shape.layer else pen
+
+
+def _add_shape(layers: dict[str, Layer], name: str, shape: Shape, paper: Paper) -> None:
+    layer = layers.setdefault(name, Layer())
+    layer.count("PATH")
+    for run in (run for subpath in shape.subpaths for run in subpath):
+        arc = arc_of(run)
+        if arc is not None:
+            layer.add_arc(arc)
+        elif shape.pen is not None:
+            for line in np.stack([run.points[:-1], run.points[1:]], 1):
+                framed = paper.printed and _is_frame(line, paper)
+                home = layers.setdefault(PAGE_FRAME, Layer()) if framed else layer
+                home.add_path(line.tolist())
+
+
+def _is_frame(line: Vector, paper: Paper) -> bool:
+    """Whether a line runs along an edge of the page, as long as the page is."""
+    sides = paper.high - paper.low
+    way = np.abs(line[1] - line[0])
+    for along in (0, 1):
+        across = 1 - along
+        edge = min(line[0, across] - paper.low[across], paper.high[across] - line[0, across])
+        upright = way[across] < 1e-3 * sides[across]
+        if upright and way[along] >= FRAME[0] * sides[along] and edge <= FRAME[1] * sides[across]:
+            return True
+    return False
+
+
+def dark_area(shapes: Sequence[Shape]) -> shapely.Geometry:
+    """What is dark once all is painted: light fills cover the dark ones below them."""
+    area: shapely.Geometry = shapely.Polygon()
+    filled = [shape for shape in shapes if shape.fill is not None]
+    for dark, group in groupby(filled, key=lambda s: bool(s.fill is not None and s.fill < DARK)):
+        if not dark and area.is_empty:
+            continue
+        painted = shapely.union_all([_filled(shape) for shape in group])
+        area = area.union(painted) if dark else area.difference(painted)
+    return area
+
+
+def _filled(shape: Shape) -> shapely.Geometry:
+    """What a shape covers, holes by the even-odd rule."""
+    rings = [np.vstack([run.points for run in subpath]) for subpath in shape.subpaths if subpath]
+    rings = [ring for ring in rings if len(ring) >= 3 and is_near(*ring.ravel().tolist())]
+    faces = [shapely.make_valid(shapely.Polygon(ring)) for ring in rings]
+    area: shapely.Geometry = shapely.Polygon()
+    for face in faces:
+        area = area.symmetric_difference(face)
+    return area
+
+
+def _rings_of(area: shapely.Geometry) -> Iterable[Vector]:
+    for part in shapely.get_parts(area):
+        if part.geom_type == "Polygon":
+            yield from (np.asarray(ring.coords) for ring in (part.exterior, *part.interiors))
+
+
+def arc_of(run: Run) -> Arc | None:
+    """The quarter circle that a run of points is, if it is one.
+
+    >>> turn = np.linspace(0.0, np.pi / 2, 9)
+    >>> arc_of(Run(np.stack([np.cos(turn), np.sin(turn)], 1), True)).radius
+    1.0
+    """
+    points = run.points
+    if len(points) < LEAST_POINTS or not is_near(*points.ravel().tolist()):
+        return None
+    middle, radius = _circle(points)
+    if not 0.0 < radius < 1e9:
+        return None
+    away = points - middle
+    if np.abs(np.hypot(*away.T) - radius).max() > ROUND * radius:
+        return None
+    turns = np.unwrap(np.arctan2(away[:, 1], away[:, 0]))
+    if not QUARTER[0] <= abs(np.degrees(turns[-1] - turns[0])) <= QUARTER[1]:
+        return None
+    start, end = ((float(x), float(y)) for x, y in points[[0, -1]])
+    return Arc((float(middle[0]), float(middle[1])), round(radius, 9), start, end)
+
+
+def _circle(points: Vector) -> tuple[Vector, float]:
+    """The middle and radius of the circle nearest to points (by algebraic distance)."""
+    mean = points.mean(0)
+    near = points - mean
+    size = float(np.abs(near).max()) or 1.0
+    near = near / size
+    columns = np.column_stack([2 * near, np.ones(len(near))])
+    found, *_ = np.linalg.lstsq(columns, (near**2).sum(1), rcond=None)
+    radius = float(np.sqrt(max(found[2] + found[:2] @ found[:2], 0.0)))
+    return mean + size * found[:2], size * radius
