@@ -177,5 +177,5 @@ def test_the_table_of_files_in_the_readme_is_that_of_the_formats() -> None:
 
 
 def test_every_field_of_a_site_is_in_the_documents() -> None:
-    text = (ROOT / "docs" / "brief.md").read_text(encoding="utf-8")
+    text = (ROOT / "docs" / "brief-sites.md").read_text(encoding="utf-8")
     assert [name for name in Site.model_fields if f"`{name}`" not in text] == []
