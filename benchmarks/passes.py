@@ -1,10 +1,11 @@
 """What each pass is worth: ``scenewright bench passes``.
 
-Flats of ``floorplans_r2v`` at their true scale (100, 8 if quick) and all samples are solved as
-usual, then once more without each pass and each group of passes that changed anything there; where
-a pass changes nothing, solving without it is the same work and is not done. Faults are those of
-:mod:`benchmarks.composition_faults`, counted by simple geometry that shares nothing with the
-passes.
+Flats of ``floorplans_r2v`` at their true scale (100, 8 if quick) and all samples, for halls also
+:mod:`benchmarks.new_halls`, are solved as usual, then once more without each pass and each group of
+passes that changed anything there; where a pass changes nothing, solving without it is the same
+work and is not done. Faults are those of :mod:`benchmarks.composition_faults`, counted by simple
+geometry that shares nothing with the passes; those of halls are metres, as their retouches count
+them.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ from typing import Any, NamedTuple
 
 from benchmarks import stages
 from benchmarks.composition_faults import FAULTS, list_rooms
+from benchmarks.new_halls import NEW_HALLS, new_halls
 from benchmarks.plans_r2v import PLANS, adapt, raw_plans
 from benchmarks.real_data import data_set
 from benchmarks.rescaled_r2v import rescale
@@ -42,12 +44,13 @@ class PassSubject(NamedTuple):
 
 class PassDomain(NamedTuple):
     """A domain with passes: its table, how a brief is solved with options, how many faults a
-    solution has, and what it is measured on, fewer if quick."""
+    solution has by itself and by what was heard of its passes, and what it is measured on, fewer if
+    quick."""
 
     name: str
     passes: Callable[[], Sequence[Pass[Any]]]
     solve: Callable[[Brief, PassOptions], Solution]
-    faults: Callable[[Solution], float]
+    faults: Callable[[Solution, Sequence[PassRun]], float]
     subjects: Callable[[bool], Sequence[PassSubject]]
 
 
@@ -94,39 +97,41 @@ def stages_of(
 def measure_subject(name: str, subject: PassSubject) -> PassedSubject:
     """A subject solved with all passes, then without each that changed it."""
     domain, brief = DOMAINS[name], read_subject(subject)
-    heard = list[PassRun]()
-    usual = measure_run(domain, brief, PassOptions(hear=heard.append))
+    usual, heard = measure_run(domain, brief, frozenset())
     changed = {run.name for run in heard if run.changes}
-    groups = {each.group for each in domain.passes() if each.name in changed}
-    outcomes = {
-        off: measure_run(domain, brief, PassOptions(frozenset((off,))))
-        for off in sorted(changed | groups)
-    }
+    rows = [each for each in domain.passes() if each.name in changed]
+    names = sorted({name for each in rows for name in (each.name, each.group)})
+    outcomes = {off: measure_run(domain, brief, frozenset((off,)))[0] for off in names}
     return PassedSubject({ALL: usual, **outcomes}, tuple(heard))
 
 
-def measure_run(domain: PassDomain, brief: Brief, options: PassOptions) -> Outcome:
-    """The outcome of a brief solved with options."""
+def measure_run(
+    domain: PassDomain, brief: Brief, off: frozenset[str]
+) -> tuple[Outcome, list[PassRun]]:
+    """The outcome of a brief solved with some passes off, and the runs heard of."""
     from scenewright.domains import check
 
-    begun = time.process_time()
-    solution = domain.solve(brief, options)
+    begun, heard = time.process_time(), list[PassRun]()
+    solution = domain.solve(brief, PassOptions(off, heard.append))
     seconds = time.process_time() - begun
     report: Report = check(solution)
-    return Outcome(
-        domain.faults(solution),
+    outcome = Outcome(
+        domain.faults(solution, heard),
         len(report.findings),
         sum(solution.energies.values()),
         len(solution.left_out),
         len(solution.pieces),
         seconds,
     )
+    return outcome, heard
 
 
 def read_subject(subject: PassSubject) -> Brief:
     """The brief of a subject."""
     from scenewright.formats import read
 
+    if subject.name in NEW_HALLS:
+        return new_halls()[subject.name]
     if subject.flat is None:
         return read(subject.name)
     brief = adapt(rescale(raw_plans()[subject.flat])).brief
@@ -205,7 +210,7 @@ def _solve_home(brief: Brief, options: PassOptions) -> Solution:
     return solve(brief, seed=0, threads=1, passes=options)
 
 
-def _count_home_faults(solution: Solution) -> float:
+def _count_home_faults(solution: Solution, _heard: Sequence[PassRun]) -> float:
     from scenewright.building import plan
 
     home = list_rooms(plan.spaces(solution.brief), solution.pieces)
@@ -222,6 +227,33 @@ def _list_homes(quick: bool) -> Sequence[PassSubject]:
     return [*(PassSubject(f"flat {k}", k) for k in usable), *map(PassSubject, names)]
 
 
+def _list_hall_passes() -> Sequence[Pass[Any]]:
+    from scenewright.domains.hall.retouch import RETOUCHES
+
+    return RETOUCHES
+
+
+def _solve_hall(brief: Brief, options: PassOptions) -> Solution:
+    from scenewright.domains.hall.solving import solve
+
+    return solve(brief, seed=0, threads=1, passes=options)
+
+
+def _count_hall_faults(_solution: Solution, heard: Sequence[PassRun]) -> float:
+    """Metres left; of a hall laid out several times those of the best."""
+    from scenewright.domains.hall.retouch import LEFT
+
+    return min((-run.changes[0].faults for run in heard if run.name == LEFT), default=0.0)
+
+
+def _list_halls(quick: bool) -> Sequence[PassSubject]:
+    from scenewright.formats.opening import samples
+
+    names = [name for name in samples() if name.startswith("sample:hall-")]
+    return [PassSubject(name) for name in [*names, *NEW_HALLS][:: 4 if quick else 1]]
+
+
 DOMAINS = {
-    "home": PassDomain("home", _list_home_passes, _solve_home, _count_home_faults, _list_homes)
+    "home": PassDomain("home", _list_home_passes, _solve_home, _count_home_faults, _list_homes),
+    "hall": PassDomain("hall", _list_hall_passes, _solve_hall, _count_hall_faults, _list_halls),
 }

@@ -61,5 +61,5 @@ def test_a_row_is_moved_along_its_line_with_narrower_gaps() -> None:
 
 
 def test_rows_are_parted_before_they_spread() -> None:
-    names = list(RETOUCHES)
+    names = [row.name for row in RETOUCHES]
     assert names.index("parted") < names.index("spread")

@@ -65,7 +65,7 @@ def test_columns_stand_in_the_line_of_a_row(seed: int) -> None:
 
 
 def test_without_the_touch_a_column_stands_in_an_aisle(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(compose, "retouch_layout", lambda _, layout: layout)
+    monkeypatch.setattr(compose, "retouch_layout", lambda *given: given[1])
     demand = {"category": "showcase", "count": 12, "patterns": ["grid", "chain"]}
     found = [of(laid(seed, holes=COLUMNS, demands=[demand]), "showcase") for seed in range(4)]
     assert any(in_aisle(cases, x, y) for cases in found for x in (4, 8, 12) for y in (4, 8))

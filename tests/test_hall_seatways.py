@@ -13,7 +13,7 @@ from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains.hall.demands.holdings import SEATWAY
 from scenewright.domains.hall.patterns import ACROSS, ALONG
 from scenewright.domains.hall.problem import HallProblem
-from scenewright.domains.hall.retouch import RETOUCHES
+from scenewright.domains.hall.retouch import retouch_named
 from scenewright.domains.hall.retouch.lines import find_layers
 from scenewright.domains.hall.retouch.mending import SeenTouch, mend
 from scenewright.domains.hall.retouch.seatways import (
@@ -69,7 +69,7 @@ def test_what_gaps_lack_counts_and_some_proposal_has_all_of_it() -> None:
 def test_tables_packed_together_are_set_apart() -> None:
     problem, kept = pack(ROUND)
     layout = layout_of(begin_chain(problem, kept, streams(0, 1)[0]))
-    found = mend(problem, layout, [SeenTouch(RETOUCHES["seatways"], problem)], 0)
+    found = mend(problem, layout, [SeenTouch(retouch_named("seatways"), problem)], 0)
     assert measure_seatways(problem, found.kept, found.boxes) < 0.1
     assert found.missed <= layout.missed
 

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
+from typing import Any
 
 import pytest
 from typer.testing import CliRunner
@@ -13,6 +14,8 @@ from scenewright.cli.commands import app
 from scenewright.core.errors import InputError
 from scenewright.core.passes import Pass, PassChange, PassOptions, PassRun, run_passes, tally_passes
 from scenewright.core.registry import domain_of
+from scenewright.domains.hall.retouch import LEFT, RETOUCHES
+from scenewright.domains.hall.solving import solve as solve_hall
 from scenewright.domains.home.passes import PASSES
 from scenewright.domains.home.solving import solve
 from scenewright.formats import read, solution_json
@@ -48,10 +51,11 @@ def test_every_run_is_heard_and_tallied_in_the_order_of_the_table() -> None:
     ]
 
 
-def test_names_of_passes_are_unique_and_differ_from_groups() -> None:
-    names = [each.name for each in PASSES]
+@pytest.mark.parametrize("passes", [PASSES, RETOUCHES])
+def test_names_of_passes_are_unique_and_differ_from_groups(passes: Sequence[Pass[Any]]) -> None:
+    names = [each.name for each in passes]
     assert len(set(names)) == len(names)
-    assert not {each.group for each in PASSES} & set(names)
+    assert not {each.group for each in passes} & set(names)
 
 
 def test_a_home_without_passes_is_another_and_hearing_changes_nothing() -> None:
@@ -76,6 +80,25 @@ def test_explain_tells_what_each_pass_changed(tmp_path: Path) -> None:
     assert [row["name"] for row in document["passes"]] == [each.name for each in PASSES]
     shown = CliRunner().invoke(app, ["explain", str(file), "--passes"])
     assert all(each.purpose in shown.stdout for each in PASSES)
+
+
+def test_retouches_are_switched_off_and_heard_and_tell_what_is_left() -> None:
+    brief = read("sample:hall-reading-room")
+
+    def run_without(*off: str) -> list[PassRun]:
+        heard = list[PassRun]()
+        options = PassOptions(frozenset(off), heard.append)
+        solve_hall(brief, steps=300, threads=1, passes=options)
+        return heard
+
+    heard, bare = run_without(), run_without("desks")
+    assert {run.name for run in heard} == {LEFT, *(each.name for each in RETOUCHES)}
+    assert max(c.faults for run in heard if run.name == "desks" for c in run.changes) > 1.0
+    assert "desks" not in {run.name for run in bare}
+    left = [
+        min(-run.changes[0].faults for run in runs if run.name == LEFT) for runs in (heard, bare)
+    ]
+    assert left[1] > left[0] + 1.0
 
 
 def test_a_domain_without_passes_says_so() -> None:

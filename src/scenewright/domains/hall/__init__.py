@@ -33,6 +33,7 @@ DOMAIN = Domain(
         "detail_of": ".record:detail_of",
         "features": ".features:measure_features",
         "breeder": ".breeding:make_breeder",
+        "passes": ".passes:trace_passes",
     },
     tables={
         "reasons": ".features:REASONS",

@@ -19,6 +19,6 @@ def compose(
     retouching mends, and what is ``missing`` with the seats that no rows hold."""
     fitted, layout, unseated = seat_audiences(search, fitted, layout)
     layout = place_exhibit(search, fitted, layout)
-    layout = retouch_layout(fitted.problem, layout)
+    layout = retouch_layout(fitted.problem, layout, search.passes, search.hall.space.id)
     layout = turn_fronts(search.wishes, fitted.units, fitted.problem, layout)
     return fitted, layout, (*missing, *unseated)

@@ -10,6 +10,7 @@ import numpy as np
 
 from scenewright.core.catalog import Catalog
 from scenewright.core.layout import NamedBox, Watch, name_rows
+from scenewright.core.passes import ALL_PASSES, PassOptions
 from scenewright.domains.hall.build_problem import HallContext, build_problem
 from scenewright.domains.hall.demands.holdings import HallDemand
 from scenewright.domains.hall.fit import Fitted, build_hosts
@@ -40,7 +41,7 @@ WAYS = ("access", "reach")
 
 class HallSearch(NamedTuple):
     """A hall to solve, and how; ``stated`` if a user said how many steps; ``watch`` gets the
-    best layouts of objects."""
+    best layouts of objects, ``passes`` switches retouches off or hears of them."""
 
     hall: HallContext
     wishes: list[HallDemand]
@@ -51,6 +52,7 @@ class HallSearch(NamedTuple):
     catalog: Catalog
     stated: bool
     watch: Watch | None = None
+    passes: PassOptions = ALL_PASSES
 
 
 class Answer(NamedTuple):

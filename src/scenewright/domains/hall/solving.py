@@ -22,6 +22,7 @@ from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief
 from scenewright.core.catalog import Catalog
 from scenewright.core.layout import Watch
+from scenewright.core.passes import ALL_PASSES, PassOptions
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
 from scenewright.core.solution import LeftOut, Solution
@@ -84,6 +85,7 @@ class HallTask(NamedTuple):
     budget: Budget
     seed: int
     lean: int
+    passes: PassOptions = ALL_PASSES
 
 
 def solve(
@@ -101,6 +103,7 @@ def solve(
     watch: Watch | None = None,
     variant: int = 0,
     lean: int = 0,
+    passes: PassOptions = ALL_PASSES,
 ) -> Solution:
     """Lay out every hall of a brief.
 
@@ -110,7 +113,7 @@ def solve(
     ``variant`` takes another proposal of zones where the brief leaves them open; ``lean`` above 0
     narrows every demand to one of its patterns, another for another number. ``progress`` gets
     the share done and what is done, ``watch`` the best layouts of objects; when ``cancel`` answers
-    true, what was found so far is returned.
+    true, what was found so far is returned. ``passes`` switches retouches off or hears of them.
     """
     started, chosen = time.perf_counter(), preset_named(PRESETS, preset)
     named = solver or chosen.solver
@@ -125,7 +128,7 @@ def solve(
     if seconds is not None:
         each = each._replace(seconds=seconds * share)
     tasks = {
-        k: HallTask(halls[k], k, chosen, named, each._replace(steps=steps), stream, lean)
+        k: HallTask(halls[k], k, chosen, named, each._replace(steps=steps), stream, lean, passes)
         for k, stream in ((k, _stream(seed, rooms[k])) for k in busy)
     }
     laid = _run(brief, tasks, catalog, threads, progress, cancel, watch)
@@ -297,6 +300,7 @@ def _lay(
         catalog,
         task.budget.steps is not None,
         watch,
+        task.passes,
     )
     slack = read_slack(brief.rooms[task.number], hall)
     begun = search_with_borders(search, slack)

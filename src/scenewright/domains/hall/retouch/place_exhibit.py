@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from scenewright.domains.hall.fit import Fitted
-from scenewright.domains.hall.retouch import RETOUCHES
+from scenewright.domains.hall.retouch import retouch_named
 from scenewright.domains.hall.retouch.mending import LEAST, SeenTouch, weigh_layout, weigh_proposals
 from scenewright.domains.hall.search import HallSearch, weigh_wrong
 from scenewright.domains.hall.solvers.chains import begin_chain, cooled_hall, layout_of
@@ -26,7 +26,7 @@ SETTLED, STEPS = 8, 4000
 def place_exhibit(search: HallSearch, fitted: Fitted, layout: MeasuredLayout) -> MeasuredLayout:
     """The layout with its main exhibit in its place, where that costs less with the fault and
     leaves nothing out of reach."""
-    problem, touch = fitted.problem, RETOUCHES["exhibit"]
+    problem, touch = fitted.problem, retouch_named("exhibit")
     one = SeenTouch(touch, touch.look(problem))
     if layout.loose or not len(layout.boxes) or one.fault(layout) <= ASIDE:
         return layout

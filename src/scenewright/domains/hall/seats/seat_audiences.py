@@ -18,7 +18,7 @@ from scenewright.domains.hall.energy import capacity
 from scenewright.domains.hall.fit import Fitted
 from scenewright.domains.hall.gates.idle_guides import drop_units
 from scenewright.domains.hall.problem import Floats, HallProblem
-from scenewright.domains.hall.retouch import RETOUCHES
+from scenewright.domains.hall.retouch import retouch_named
 from scenewright.domains.hall.retouch.audience import FEWEST
 from scenewright.domains.hall.retouch.lines import count_objects, line_up
 from scenewright.domains.hall.retouch.mending import SeenTouch, weigh_proposals
@@ -107,7 +107,7 @@ def _seat(
         joined = join_units(search, fitted, layout.kept, mine, count)
         chain = begin_chain(joined.problem, joined.start, streams(0, 1)[0])
         start = layout._replace(kept=joined.start, boxes=_join_boxes(fitted, layout, mine, count))
-        touch = SeenTouch(RETOUCHES["audience"], joined.problem)
+        touch = SeenTouch(retouch_named("audience"), joined.problem)
         every = weigh_proposals(chain, touch, start, [])
         rows = sorted((p for p in every if np.isfinite(p.cost)), key=lambda p: p.cost)
         for found in _walk_through(search, chain, [p.kept for p in rows]):
