@@ -5,26 +5,13 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-import pytest
 
 from scenewright.building.plan import spaces
 from scenewright.core.brief import Brief
 from scenewright.core.scene import Piece, Pose, Size
-from scenewright.domains.hall.demands.holdings import SEATWAY
-from scenewright.domains.hall.patterns import ACROSS, ALONG
 from scenewright.domains.hall.problem import HallProblem
-from scenewright.domains.hall.retouch import retouch_named
-from scenewright.domains.hall.retouch.lines import find_layers
-from scenewright.domains.hall.retouch.mending import SeenTouch, mend
-from scenewright.domains.hall.retouch.seatways import (
-    WORTH,
-    find_seated,
-    measure_seatways,
-    propose_seatways,
-)
 from scenewright.domains.hall.seats.reachable import keep_drawn_back
 from scenewright.domains.hall.solvers.chains import begin_chain, layout_of
-from scenewright.domains.hall.solving import problems
 from scenewright.domains.hall.terms.state import Kept
 from scenewright.engine.draws import streams
 
@@ -40,44 +27,11 @@ def hall(table: dict[str, Any], **room: Any) -> Brief:
     return Brief.model_validate({"domain": "hall", "rooms": [found]})
 
 
-def pack(table: dict[str, Any]) -> tuple[HallProblem, Kept]:
-    """Nine tables in a grid with no room between the chairs of two rows."""
-    (one,) = problems(hall(table | {"count": 9, "patterns": ["grid"]}))
-    first, used = find_layers(one.problem, 0)[0], int(one.start.rows[0, 1])
-    layers = one.start.layers.copy()
-    layers[first : first + used, ACROSS] = 0.02
-    layers[first : first + used, ALONG] = 1.0
-    return one.problem, one.start._replace(layers=layers)
-
-
 ROUND: dict[str, Any] = {"category": "round_table", "size": [1.2, 1.2, 0.74]}
 
 
 def boxes_of(problem: HallProblem, kept: Kept) -> np.ndarray:
     return layout_of(begin_chain(problem, kept, streams(0, 1)[0])).boxes
-
-
-def test_what_gaps_lack_counts_and_some_proposal_has_all_of_it() -> None:
-    problem, kept = pack(ROUND)
-    boxes = boxes_of(problem, kept)
-    assert find_seated(problem, kept) == [0]
-    assert measure_seatways(problem, kept, boxes) == pytest.approx(WORTH * (SEATWAY - 0.02))
-    proposed = list(propose_seatways(problem, kept, boxes))
-    assert min(measure_seatways(problem, other, boxes) for other in proposed) == 0.0
-
-
-def test_tables_packed_together_are_set_apart() -> None:
-    problem, kept = pack(ROUND)
-    layout = layout_of(begin_chain(problem, kept, streams(0, 1)[0]))
-    found = mend(problem, layout, [SeenTouch(retouch_named("seatways"), problem)], 0)
-    assert measure_seatways(problem, found.kept, found.boxes) < 0.1
-    assert found.missed <= layout.missed
-
-
-def test_high_tables_without_chairs_need_no_seatway() -> None:
-    problem, kept = pack(ROUND | {"size": [0.7, 0.7, 1.1]})
-    assert find_seated(problem, kept) == []
-    assert measure_seatways(problem, kept, boxes_of(problem, kept)) == 0.0
 
 
 def chair(x: float, y: float, heading: float) -> Piece:

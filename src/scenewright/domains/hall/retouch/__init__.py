@@ -52,23 +52,12 @@ from scenewright.domains.hall.retouch.nearness import (
     propose_distances,
 )
 from scenewright.domains.hall.retouch.outer_rows import measure_slots, propose_lines
-from scenewright.domains.hall.retouch.parted import measure_parted, propose_sides
-from scenewright.domains.hall.retouch.poufs import forgive_poufs, measure_fences, propose_circles
 from scenewright.domains.hall.retouch.queues import measure_queues, propose_queues
-from scenewright.domains.hall.retouch.rings import propose_rings, rings_off
 from scenewright.domains.hall.retouch.ropes import forgive_queues, propose_ropes, ropes_adrift
 from scenewright.domains.hall.retouch.runs import measure_runs, propose_runs
-from scenewright.domains.hall.retouch.seats import propose_rows, sit_too_near
-from scenewright.domains.hall.retouch.seatways import (
-    forgive_floor,
-    measure_seatways,
-    propose_seatways,
-)
 from scenewright.domains.hall.retouch.spread import measure_spread, propose_spread
-from scenewright.domains.hall.retouch.square import measure_askew, propose_squared
 from scenewright.domains.hall.retouch.stands import measure_backs, propose_turns
 from scenewright.domains.hall.retouch.tills import find_tills, propose_tills, tills_adrift
-from scenewright.domains.hall.retouch.waiting import forgive_backs, measure_waiting, propose_waiting
 from scenewright.domains.hall.solvers.outcome import MeasuredLayout
 
 ROUNDS = 4
@@ -107,12 +96,6 @@ RETOUCHES: tuple[Pass[Retouch], ...] = (
         "a stage nobody has a seat before stands amid a wall",
     ),
     Pass(
-        "seats",
-        "seating",
-        Retouch(_whole, sit_too_near, propose_rows),
-        "the first row is not under its screen",
-    ),
-    Pass(
         "lecterns",
         "seating",
         Retouch(_whole, lecterns_adrift, propose_lecterns),
@@ -123,12 +106,6 @@ RETOUCHES: tuple[Pass[Retouch], ...] = (
         "exhibits",
         Retouch(find_exhibit, stand_aside, propose_places, charge_hiding, find_placed),
         "the main exhibit stands amid its zone or on the axis of the entrance",
-    ),
-    Pass(
-        "rings",
-        "exhibits",
-        Retouch(_whole, rings_off, propose_rings),
-        "a ring has the main exhibit in its middle",
     ),
     Pass(
         "stands",
@@ -155,12 +132,6 @@ RETOUCHES: tuple[Pass[Retouch], ...] = (
         "counters stand at walls with room for who serves",
     ),
     Pass(
-        "waiting",
-        "seating",
-        Retouch(_whole, measure_waiting, propose_waiting, forgive_backs),
-        "who waits sits near a desk, on its visitors' side",
-    ),
-    Pass(
         "tills",
         "service",
         Retouch(_whole, tills_adrift, propose_tills, mind_order, find_tills),
@@ -177,18 +148,6 @@ RETOUCHES: tuple[Pass[Retouch], ...] = (
         "service",
         Retouch(_whole, ropes_adrift, propose_ropes, forgive_queues),
         "ropes guide to the desk people queue at",
-    ),
-    Pass(
-        "parted",
-        "rows",
-        Retouch(_whole, measure_parted, propose_sides, make_room=False),
-        "no row runs through a partition",
-    ),
-    Pass(
-        "poufs",
-        "seating",
-        Retouch(_whole, measure_fences, propose_circles, forgive_poufs, make_room=False),
-        "poufs stand in a circle, not in a fence",
     ),
     Pass(
         "gazes",
@@ -225,18 +184,6 @@ RETOUCHES: tuple[Pass[Retouch], ...] = (
         "rows",
         Retouch(_whole, measure_slots, propose_lines, make_room=False),
         "an aisle lies between outer rows and the wall",
-    ),
-    Pass(
-        "seatways",
-        "seating",
-        Retouch(_whole, measure_seatways, propose_seatways, forgive_floor),
-        "chairs back to back have room to get up",
-    ),
-    Pass(
-        "square",
-        "rows",
-        Retouch(_whole, measure_askew, propose_squared, make_room=False),
-        "groups amid the floor stand square to the hall",
     ),
     Pass(
         "nearness",

@@ -15,8 +15,6 @@ from scenewright.domains.hall.terms.visitors import MAIN
 FEWEST, WIDER = 5, (0.0, 0.5, 1.0, 2.0)
 """Fewest exhibits of a ring about another, and by how many metres it is made wider than it must
 be."""
-APART, MOST = 0.5, 4.0
-"""What a metre between two middles counts, and metres beyond which more count no more."""
 SHIFTS = (-1.5, -0.75, 0.0, 0.75, 1.5)
 
 
@@ -38,15 +36,6 @@ def find_ring(problem: HallProblem, kept: Kept) -> tuple[int, int, int] | None:
         return None
     ring = max(rings, key=lambda unit: int(sizes[unit]))
     return mains[0], ring, find_layers(problem, ring)[0]
-
-
-def rings_off(problem: HallProblem, kept: Kept, boxes: Floats) -> float:
-    """Metres from the main exhibit to the middle of the ring of its zone, halved; 0 without."""
-    found = find_ring(problem, kept)
-    if found is None:
-        return 0.0
-    main = boxes[int(problem.units.spans[found[0], 0]), :2]
-    return APART * min(float(np.hypot(*(main - kept.pose[found[1], :2]))), MOST)
 
 
 def propose_rings(problem: HallProblem, kept: Kept, boxes: Floats) -> Iterator[Kept]:
