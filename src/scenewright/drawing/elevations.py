@@ -7,14 +7,15 @@ wall with its windows and doors behind it, its length and the height of the room
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from scenewright.core.catalog import Catalog, asset_of
-from scenewright.core.scene import Piece, Scene
+from scenewright.core.catalog import Asset, Catalog, asset_of
+from scenewright.core.scene import Piece, Scene, Size
 from scenewright.core.space import Opening, Space
 from scenewright.drawing.layers import PlanDrawing, PlanLayer
 from scenewright.drawing.marks import (
@@ -177,18 +178,24 @@ def _opening(view: WallView, opening: Opening, paper: PaperView) -> Mark:
 def _piece(view: WallView, piece: Piece, catalog: Catalog, paper: PaperView) -> list[Mark]:
     """The outlines of a piece's parts as seen from before it; its box where there is no model."""
     asset = asset_of(piece, catalog)
-    parts = asset.mesh(piece.size)[:MOST_PARTS] if asset else ()
     place = float((np.array(piece.pose[:2]) - view.start) @ view.along)
     right = np.array([np.sin(piece.pose.heading), -np.cos(piece.pose.heading)])
     turn = float(np.sign(right @ view.along)) or 1.0
-    shapes = []
-    for part in sorted(parts, key=lambda part: float(part.vertices[:, 1].max())):
-        flat = part.vertices[:, [0, 2]] * (turn, 1.0) + (place, piece.pose.z)
-        shapes += _silhouette(flat[part.faces])
+    seen = _silhouettes(asset, piece.size) if asset else ()
+    spot = np.array([place, piece.pose.z])
+    shapes = [shapely.transform(one, lambda at: at * (turn, 1.0) + spot) for one in seen]
     if not shapes:
         w, (low, high) = piece.size.width / 2, (piece.pose.z, piece.pose.z + piece.size.height)
         shapes = [shapely.box(place - w, low, place + w, high)]
     return [_outline(one, paper) for one in shapes]
+
+
+@lru_cache(maxsize=1024)
+def _silhouettes(asset: Asset, size: Size) -> tuple[shapely.Polygon, ...]:
+    """The outlines of the parts of a model as seen from before it, the farthest first."""
+    parts = sorted(asset.mesh(size)[:MOST_PARTS], key=lambda part: float(part.vertices[:, 1].max()))
+    flat = (part.vertices[:, [0, 2]][part.faces] for part in parts)
+    return tuple(one for triangles in flat for one in _silhouette(triangles))
 
 
 def _silhouette(triangles: NDArray[np.float64]) -> list[shapely.Polygon]:
