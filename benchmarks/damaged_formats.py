@@ -321,6 +321,7 @@ FORMATS: tuple[DamagedFormat, ...] = (
     DamagedFormat("maps", 70, ".geojson", _given(LAND), _plain(damage_json), _arrange(10)),
     DamagedFormat("city sites", 60, ".city.json", _given(CITY), _plain(damage_json), _arrange(10)),
     DamagedFormat("city models", 40, ".cityjson", _given(CITY), _plain(damage_json), _models),
+    DamagedFormat("IFC models", 60, ".ifc", _sound_plan("ifc"), _plain(damage_text), _plan),
     DamagedFormat("GLB", 70, ".glb", _sound_glb, _plain(damage_bytes), _models),
     DamagedFormat("DXF plans", 60, ".dxf", _sound_plan("dxf"), _plain(damage_text), _plan),
     DamagedFormat("SVG plans", 60, ".svg", _sound_plan("svg"), _plain(damage_text), _plan),
@@ -344,4 +345,4 @@ FORMATS: tuple[DamagedFormat, ...] = (
         _learn_groups,
     ),
 )
-"""Every format but plug-ins, and how many of 2,000 files are of it."""
+"""Every format but plug-ins, and how many of some 2,000 files are of it."""

@@ -92,8 +92,9 @@ def answer() -> None:
         fault = _too_much(order["memory"], order["seconds"])
         document = {"fault": fault, "remedy": SMALLER}
     except FAULTS as error:
-        reason = " ".join(str(error).split())[:120] or type(error).__name__
-        document = {"fault": f"is damaged ({reason})", "remedy": SMALLER}
+        own = isinstance(error, (TypeError, AttributeError, LookupError))
+        reason = "" if own else " ".join(str(error).split())[:120]
+        document = {"fault": f"is damaged ({reason or 'its parts do not fit'})", "remedy": SMALLER}
     sys.stdout.write(json.dumps(document))
 
 
