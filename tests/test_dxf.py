@@ -167,3 +167,17 @@ def test_a_missing_extra_is_named_with_its_install_line(
     with pytest.raises(InputError, match=r"pip install 'scenewright\[dxf\]'"):
         write(flat_solution(), tmp_path / "flat.dxf")
     assert not list(tmp_path.iterdir())
+
+
+def test_hatches_are_named_as_every_program_knows_them(tmp_path: Path) -> None:
+    """Programs that look a pattern up by its name drop a hatch of another."""
+    brief, plan = read_planned("sample:home-services")
+    empty = Solution(brief, (), (), (), (), {}, "default", "none", 0, "0", "", 0.0, 0)
+    write(empty, tmp_path / "plan.dxf", plan)
+    hatches = ezdxf.readfile(tmp_path / "plan.dxf").modelspace().query("HATCH")
+    patterned = [hatch for hatch in hatches if not hatch.dxf.solid_fill]
+    assert patterned
+    assert {hatch.dxf.pattern_name for hatch in patterned} <= {"ANSI31", "SQUARE"}
+    for hatch in patterned:
+        pitch = max(abs(v) for v in hatch.pattern.lines[0].offset)
+        assert 50.0 * hatch.dxf.pattern_scale == pytest.approx(pitch, rel=1e-3)

@@ -21,6 +21,8 @@ LEAST_POINTS = 6
 """Points of a polyline that may be an arc."""
 FRAME = (0.8, 0.12)
 """A line of the page's frame: its least share of the page's side, and how far from the edge."""
+MOST_PARTS, LETTER = 300, 0.01
+"""Dark parts of a page that are no letters, and the largest letter by the page's diagonal."""
 DARK_FILLS, LIGHT_FILLS, PAGE_FRAME = "dark fills", "light fills", "page frame"
 Vector = NDArray[np.float64]
 
@@ -63,9 +65,11 @@ def sheet_of(paper: Paper) -> tuple[Sheet, dict[str, float]]:
         name = _layer_name(shape)
         if shape.pen is not None:
             pens[name] = shape.pen
-        _add_shape(layers, name, shape, paper)
+        _add_shape(layers, name, shape)
+    if paper.printed:
+        _take_frame(layers, paper)
     solid = layers.setdefault(DARK_FILLS, Layer())
-    dark = dark_area(paper.shapes)
+    dark = _without_letters(dark_area(paper.shapes), paper)
     for ring in _rings_of(dark):
         solid.add_path(ring.tolist())
     words = layers.setdefault("words", Layer())
@@ -82,7 +86,7 @@ def _layer_name(shape: Shape) -> str:
     return f"{shape.layer} ({pen})" if shape.layer else pen
 
 
-def _add_shape(layers: dict[str, Layer], name: str, shape: Shape, paper: Paper) -> None:
+def _add_shape(layers: dict[str, Layer], name: str, shape: Shape) -> None:
     layer = layers.setdefault(name, Layer())
     layer.count("PATH")
     for run in (run for subpath in shape.subpaths for run in subpath):
@@ -90,23 +94,46 @@ def _add_shape(layers: dict[str, Layer], name: str, shape: Shape, paper: Paper) 
         if arc is not None:
             layer.add_arc(arc)
         elif shape.pen is not None:
-            for line in np.stack([run.points[:-1], run.points[1:]], 1):
-                framed = paper.printed and _is_frame(line, paper)
-                home = layers.setdefault(PAGE_FRAME, Layer()) if framed else layer
-                home.add_path(line.tolist())
+            layer.add_path(run.points.tolist())
 
 
-def _is_frame(line: Vector, paper: Paper) -> bool:
-    """Whether a line runs along an edge of the page, as long as the page is."""
+def _take_frame(layers: dict[str, Layer], paper: Paper) -> None:
+    """Move the frame of a printed page to a layer of its own: lines along its edges, unless more
+    is joined to them than they are long, as to the outer walls of a plan that fills the page."""
+    homes = [(layer, row) for layer in layers.values() for row in layer.lines]
+    lines = np.array([row for _, row in homes]).reshape(-1, 2, 2)
+    framed = _along_edges(lines, paper)
+    if not framed.any():
+        return
+    drawn = shapely.linestrings(lines)
+    longest = shapely.length(drawn[framed]).sum()
+    reached, new = framed.copy(), framed
+    tree = shapely.STRtree(drawn)
+    while new.any() and shapely.length(drawn[reached & ~framed]).sum() < longest:
+        touched = np.unique(tree.query(drawn[new], predicate="intersects")[1])
+        new = np.zeros_like(reached)
+        new[touched] = ~reached[touched]
+        reached |= new
+    if shapely.length(drawn[reached & ~framed]).sum() < longest:
+        frame = layers.setdefault(PAGE_FRAME, Layer())
+        frame.lines += [row for (_, row), within in zip(homes, framed, strict=True) if within]
+        gone = set(frame.lines)
+        for layer in {id(home): home for home, _ in homes}.values():
+            layer.lines = [row for row in layer.lines if row not in gone]
+
+
+def _along_edges(lines: Vector, paper: Paper) -> NDArray[np.bool_]:
+    """Which lines run along an edge of the page, nearly as long as the page is."""
     sides = paper.high - paper.low
-    way = np.abs(line[1] - line[0])
-    for along in (0, 1):
-        across = 1 - along
-        edge = min(line[0, across] - paper.low[across], paper.high[across] - line[0, across])
-        upright = way[across] < 1e-3 * sides[across]
-        if upright and way[along] >= FRAME[0] * sides[along] and edge <= FRAME[1] * sides[across]:
-            return True
-    return False
+    found = np.zeros(len(lines), dtype=bool)
+    for along, across in ((0, 1), (1, 0)):
+        way = np.abs(lines[:, 1] - lines[:, 0])
+        place = lines[:, 0, across]
+        edge = np.minimum(place - paper.low[across], paper.high[across] - place)
+        straight = way[:, across] < 1e-3 * sides[across]
+        long = way[:, along] >= FRAME[0] * sides[along]
+        found |= straight & long & (edge <= FRAME[1] * sides[across])
+    return found
 
 
 def dark_area(shapes: Sequence[Shape]) -> shapely.Geometry:
@@ -119,6 +146,16 @@ def dark_area(shapes: Sequence[Shape]) -> shapely.Geometry:
         painted = shapely.union_all([_filled(shape) for shape in group])
         area = area.union(painted) if dark else area.difference(painted)
     return area
+
+
+def _without_letters(area: shapely.Geometry, paper: Paper) -> shapely.Geometry:
+    """What is dark without its small parts where these are as many as letters drawn as shapes."""
+    parts = shapely.get_parts(area)
+    if len(parts) <= MOST_PARTS:
+        return area
+    box = shapely.bounds(parts)
+    sides = np.maximum(box[:, 2] - box[:, 0], box[:, 3] - box[:, 1])
+    return shapely.multipolygons(parts[sides > LETTER * float(np.hypot(*(paper.high - paper.low)))])
 
 
 def _filled(shape: Shape) -> shapely.Geometry:

@@ -103,6 +103,11 @@ def _draw_lines(canvas: Canvas, rings: Any, closed: bool, style: Style) -> None:
         canvas.space.add_lwpolyline(points, close=closed, dxfattribs=_attributes(canvas, pen))
 
 
+SLANTED, SQUARES = ("ANSI31", 2.0**0.5), ("SQUARE", 50.0)
+"""Names of patterns that every program has, and the pitch of those that take no definition from
+the file but look the name up (LibreCAD)."""
+
+
 def _hatch(canvas: Canvas, rings: tuple[Points, ...], style: Style) -> None:
     """What fills a shape: a pattern, or a plain colour; white is left as paper."""
     fill = fill_of(style)
@@ -114,7 +119,9 @@ def _hatch(canvas: Canvas, rings: tuple[Points, ...], style: Style) -> None:
         if pattern is None:
             return
         hatch = canvas.space.add_hatch(color=8, dxfattribs=layer)
-        hatch.set_pattern_fill(pattern.id.upper(), definition=_pattern_of(canvas, pattern))
+        name, pitch = SLANTED if pattern.turn % 90.0 else SQUARES
+        hatch.set_pattern_fill(name, definition=_pattern_of(canvas, pattern))
+        hatch.dxf.pattern_scale = pattern.width * canvas.placing.size / pitch
     else:
         colour = colour_attributes(fill)
         hatch = canvas.space.add_hatch(dxfattribs=layer | colour)
