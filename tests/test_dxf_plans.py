@@ -12,10 +12,10 @@ from shapely import Polygon
 
 from flat import flat_solution
 from scenewright.cli import run
+from scenewright.core.apart import Allowance, read_apart
 from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
 from scenewright.formats import read, write
-from scenewright.formats.apart import Allowance, read_apart
 from thoroughness import few_or_many
 
 ezdxf = pytest.importorskip("ezdxf")

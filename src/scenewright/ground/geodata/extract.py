@@ -1,4 +1,4 @@
-"""The features of map files as one GeoJSON document; run as a program of its own.
+"""The features of map files as one GeoJSON document; run in a process apart.
 
 GDAL and osmium are compiled code that a damaged file can bring down: they work in a process apart,
 with a limit of memory and time. Beside the members of GeoJSON the document has ``crs`` as a text,
@@ -15,7 +15,8 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from scenewright.ground.geodata.limits import CUT, MOST_CORNERS, MOST_FEATURES, MOST_LAYERS, Refusal
+from scenewright.core.errors import InputError
+from scenewright.ground.geodata.limits import CUT, MOST_CORNERS, MOST_FEATURES, MOST_LAYERS
 
 LONGEST_TEXT = 500
 AGAIN = "export it again"
@@ -23,6 +24,9 @@ DEGREES = "OGC:CRS84"
 OSM_FILES = (".osm", ".pbf")
 UNKNOWN = ("ENGCRS", "LOCAL_CS", "ENGINEERINGCRS")
 """How the definition of a system begins that lies nowhere on earth."""
+
+
+Document = dict[str, Any]
 
 
 class Layer(NamedTuple):
@@ -36,46 +40,34 @@ class Layer(NamedTuple):
     fields: dict[str, list[Any]]
 
 
-def main() -> int:
-    """Print the document of the files that the first argument lists, of the layers that the second
-    lists (all, if none), or ``{"fault": …}``; the third says whether layers in different systems
-    become longitude and latitude."""
-    files, wanted, turn = (json.loads(text) for text in sys.argv[1:4])
-    sys.stdout.write(extract([Path(file) for file in files], wanted, turn))
-    return 0
-
-
-def extract(files: list[Path], wanted: list[str], turn: bool = True) -> str:
-    """The document of files as text: of data of OpenStreetMap, or of layers."""
+def extract(path: str, files: list[str], layers: list[str], turn: bool) -> Document:
+    """The document of the ``files`` that a map at ``path`` is made of: data of OpenStreetMap, or
+    the ``layers`` named (all, if none), which become longitude and latitude where they lie in
+    different systems and are to ``turn``. Raises :class:`InputError` for what cannot be read."""
+    del path
+    paths = [Path(file) for file in files]
     try:
-        if all(file.suffix in OSM_FILES for file in files):
-            return _osm_document(files)
-        return _document(list(_layers(files, wanted)), turn)
-    except Refusal as error:
-        return _refuse(error.fault, error.remedy)
-    except MemoryError:
-        return _refuse("holds more than can be held", CUT)
+        if all(file.suffix in OSM_FILES for file in paths):
+            return _osm_document(paths)
+        return _document(list(_layers(paths, layers)), turn)
+    except (InputError, MemoryError):
+        raise
     except Exception as error:  # whatever a parser says of a file that it cannot read
         reason = " ".join(str(error).split()) or type(error).__name__
-        for file in files:
+        for file in paths:
             reason = reason.replace(f"{file.parent}/", "")
-        return _refuse(f"cannot be read: {reason[:200]}", AGAIN)
+        raise InputError(f"cannot be read: {reason[:200]}", AGAIN) from None
 
 
-def _refuse(fault: str, remedy: str) -> str:
-    return json.dumps({"fault": fault, "remedy": remedy})
-
-
-def _osm_document(files: list[Path]) -> str:
+def _osm_document(files: list[Path]) -> Document:
     from scenewright.ground.geodata.openstreetmap import list_rows
 
     rows = [row for file in files for row in list_rows(file)]
-    return _collection(map(json.dumps, rows), DEGREES, [["", len(rows), DEGREES]])
+    return _collection(rows, DEGREES, [["", len(rows), DEGREES]])
 
 
-def _collection(rows: Iterator[str], crs: str, layers: list[Any]) -> str:
-    members = json.dumps({"type": "FeatureCollection", "crs": crs, "layers": layers})
-    return f'{members[:-1]}, "features": [{",".join(rows)}]}}'
+def _collection(rows: list[Document], crs: str, layers: list[Any]) -> Document:
+    return {"type": "FeatureCollection", "crs": crs, "layers": layers, "features": rows}
 
 
 def _layers(files: list[Path], wanted: list[str]) -> Iterator[Layer]:
@@ -91,7 +83,7 @@ def _layers(files: list[Path], wanted: list[str]) -> Iterator[Layer]:
         names = [name for name, kind in pyogrio.list_layers(file).tolist() if kind is not None]
         known += names
         if len(known) > MOST_LAYERS:
-            raise Refusal(f"holds more than {MOST_LAYERS} layers")
+            raise InputError(f"holds more than {MOST_LAYERS} layers", "give some of them")
         for name in names:
             if not wanted or name in wanted:
                 found += 1
@@ -99,9 +91,9 @@ def _layers(files: list[Path], wanted: list[str]) -> Iterator[Layer]:
     missing = [name for name in wanted if name not in known]
     if missing:
         there = ", ".join(known)[:300]
-        raise Refusal(f"holds no layer '{missing[0][:60]}'", f"give --layer one of: {there}")
+        raise InputError(f"holds no layer '{missing[0][:60]}'", f"give --layer one of: {there}")
     if not found:
-        raise Refusal("holds no layer with shapes", AGAIN)
+        raise InputError("holds no layer with shapes", AGAIN)
 
 
 def _layer(file: Path, name: str) -> Layer:
@@ -117,7 +109,7 @@ def _layer(file: Path, name: str) -> Layer:
         datetime_as_string=True,
     )
     if len(numbers) > MOST_FEATURES:
-        raise Refusal(f"holds more than {MOST_FEATURES:,} features")
+        raise InputError(f"holds more than {MOST_FEATURES:,} features", CUT)
     fields = {str(key): _values(one) for key, one in zip(told["fields"], columns, strict=True)}
     ids = _stated_ids(fields) or [f"{name}/{number}" for number in numbers.tolist()]
     crs = str(told["crs"] or "")
@@ -145,21 +137,21 @@ def _plain(value: Any) -> Any:
     return value if isinstance(value, int | float) else None
 
 
-def _document(layers: list[Layer], turn: bool) -> str:
+def _document(layers: list[Layer], turn: bool) -> Document:
     import shapely
 
     corners = sum(int(shapely.get_num_coordinates(layer.shapes).sum()) for layer in layers)
     count = sum(len(layer.shapes) for layer in layers)
     if count > MOST_FEATURES or corners > MOST_CORNERS:
         what = f"{count:,} features" if count > MOST_FEATURES else f"{corners:,} corners"
-        raise Refusal(f"holds {what}")
+        raise InputError(f"holds {what}", CUT)
     systems = sorted({layer.crs for layer in layers if layer.crs})
     crs = systems[0] if len(systems) == 1 else DEGREES if systems else ""
-    rows = (row for layer in layers for row in _features(layer, turn and len(systems) > 1))
+    rows = [row for layer in layers for row in _features(layer, turn and len(systems) > 1)]
     return _collection(rows, crs, [[one.name, len(one.shapes), one.crs] for one in layers])
 
 
-def _features(layer: Layer, turned: bool) -> Iterator[str]:
+def _features(layer: Layer, turned: bool) -> Iterator[Document]:
     """The features of a layer as GeoJSON, in longitude and latitude if they are to be ``turned``:
     layers of one file may lie in different systems."""
     import shapely
@@ -173,10 +165,13 @@ def _features(layer: Layer, turned: bool) -> Iterator[str]:
     keys = list(layer.fields)
     for row, (name, shape) in enumerate(zip(layer.ids, shapes, strict=True)):
         stated = {key: layer.fields[key][row] for key in keys}
-        feature = {"type": "Feature", "id": name, "scenewright": {"layer": layer.name}}
-        feature |= {"properties": {k: v for k, v in stated.items() if v is not None}}
-        geometry = shapely.to_geojson(shape) if _is_finite(shape) else "null"
-        yield f'{json.dumps(feature)[:-1]}, "geometry": {geometry}}}'
+        yield {
+            "type": "Feature",
+            "id": name,
+            "scenewright": {"layer": layer.name},
+            "properties": {key: value for key, value in stated.items() if value is not None},
+            "geometry": json.loads(shapely.to_geojson(shape)) if _is_finite(shape) else None,
+        }
 
 
 def _is_finite(shape: Any) -> bool:

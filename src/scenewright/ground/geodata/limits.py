@@ -7,12 +7,3 @@ CUT_OFF = "is cut off at the edge of the file"
 """Why a feature cannot be drawn that is whole in the map that its file was cut from."""
 CUT = "cut the place out of it (a clip in QGIS, osmium extract)"
 PARTLY = "some of its corners are not in the file"
-
-
-class Refusal(Exception):  # noqa: N818
-    """What is wrong with a file that can be parsed, and the remedy: by default that of one that
-    holds too much."""
-
-    def __init__(self, fault: str, remedy: str = CUT) -> None:
-        self.fault, self.remedy = fault, remedy
-        super().__init__(fault)

@@ -11,7 +11,8 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
-from scenewright.ground.geodata.limits import CUT_OFF, MOST_FEATURES, PARTLY, Refusal
+from scenewright.core.errors import InputError
+from scenewright.ground.geodata.limits import CUT, CUT_OFF, MOST_FEATURES, PARTLY
 from scenewright.ground.map_kinds import words_of
 
 Row = dict[str, Any]
@@ -46,7 +47,7 @@ def list_rows(file: Path) -> Iterator[Row]:
         if made is not None and (one.is_area() or made["id"] not in rows):
             rows[made["id"]] = made
         if len(rows) > MOST_FEATURES:
-            raise Refusal(f"holds more than {MOST_FEATURES:,} features")
+            raise InputError(f"holds more than {MOST_FEATURES:,} features", CUT)
     yield from rows.values()
 
 

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import json
 import re
 import tempfile
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
+from scenewright.core.apart import Allowance, read_apart
 from scenewright.core.errors import InputError
 from scenewright.core.extras import install_line
-from scenewright.core.isolated import run_isolated
 from scenewright.core.map_options import AS_IT_IS, MapOptions
 from scenewright.ground.geodata.extract import OSM_FILES
 from scenewright.ground.geodata.kinds import kind_by_suffix
@@ -19,9 +18,7 @@ from scenewright.ground.geodata.layer_tags import tags_of_row
 from scenewright.ground.geodata.unpacking import unpack
 from scenewright.ground.map_features import Collection, collection
 
-MEMORY = 2**30
-LONGEST = 60
-"""Bytes of addresses and seconds of the processor that parsing may take."""
+ALLOWANCE = Allowance(1024, 0, 60, "export it again, or cut the place out of it")
 SHAPES = {"Polygon": "polygon", "LineString": "line", "Point": "point"}
 
 
@@ -31,17 +28,9 @@ def load_map(path: Path, options: MapOptions = AS_IT_IS) -> Collection:
     with tempfile.TemporaryDirectory(prefix="scenewright-") as folder:
         files = unpack(path, Path(folder))
         _check_installed(files)
-        names = json.dumps([str(file) for file in files])
-        document = run_isolated(
-            "scenewright.ground.geodata.extract",
-            [names, json.dumps(options.layers), json.dumps(not options.crs)],
-            memory=MEMORY,
-            seconds=LONGEST,
-        )
-    if document is None:
-        raise InputError("is damaged: its parser gave up", "export it again")
-    if "fault" in document:
-        raise InputError(document["fault"], document["remedy"])
+        order = {"files": [str(file) for file in files], "layers": list(options.layers)}
+        order |= {"turn": not options.crs}
+        document = read_apart("scenewright.ground.geodata.extract", path, ALLOWANCE, order)
     _check_not_empty(document)
     document["features"] = [_with_tags(row) for row in document["features"]]
     kinds = dict.fromkeys(kind.name for file in files if (kind := kind_by_suffix(file.name)))

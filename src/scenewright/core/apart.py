@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import json
 import os
+import signal
 import subprocess
 import sys
 from collections.abc import Mapping
@@ -18,7 +19,8 @@ from typing import Any, NamedTuple
 
 from scenewright.core.errors import InputError
 
-PROGRAM = "from scenewright.formats.apart import answer; answer()"
+PROGRAM = "from scenewright.core.apart import answer; answer()"
+CRASHED = "is damaged or too large: its parser gave up"
 FAULTS = (
     ValueError,
     ArithmeticError,
@@ -31,12 +33,17 @@ FAULTS = (
 """What parsers raise over damaged files."""
 
 
+SMALLER = "save it again from its program, only the plan of a storey"
+
+
 class Allowance(NamedTuple):
-    """The most memory in MiB, and MiB more for each of the file; the most seconds of processor."""
+    """The most memory in MiB, and MiB more for each of the file; the most seconds of processor;
+    the remedy for a file that is damaged or needs more."""
 
     memory: int
     per_size: int
     seconds: int
+    remedy: str = SMALLER
 
 
 def read_apart(
@@ -54,7 +61,7 @@ def read_apart(
         "path": str(path.resolve()),
         "options": dict(options),
     }
-    order |= {"memory": memory, "seconds": allowance.seconds}
+    order |= {"memory": memory, "seconds": allowance.seconds, "remedy": allowance.remedy}
     try:
         done = subprocess.run(
             [sys.executable, "-c", PROGRAM],
@@ -65,14 +72,15 @@ def read_apart(
             env={**os.environ, "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"},
         )
         document: dict[str, Any] = json.loads(done.stdout)
-    except (subprocess.TimeoutExpired, ValueError):
-        document = {"fault": _too_much(memory, allowance.seconds), "remedy": SMALLER}
+    except subprocess.TimeoutExpired:
+        document = {"fault": _too_much(memory, allowance.seconds), "remedy": allowance.remedy}
+    except (ValueError, RecursionError):
+        stopped = done.returncode in (-signal.SIGXCPU, -signal.SIGKILL)
+        fault = _too_much(memory, allowance.seconds) if stopped else CRASHED
+        document = {"fault": fault, "remedy": allowance.remedy}
     if "fault" in document:
         raise InputError(document["fault"], document["remedy"], place=document.get("place", ""))
     return document
-
-
-SMALLER = "save it again from its program, only the plan of a storey"
 
 
 def _too_much(memory: int, seconds: int) -> str:
@@ -90,11 +98,12 @@ def answer() -> None:
         document = {"fault": error.fault, "remedy": error.remedy, "place": error.place}
     except MemoryError:
         fault = _too_much(order["memory"], order["seconds"])
-        document = {"fault": fault, "remedy": SMALLER}
+        document = {"fault": fault, "remedy": order["remedy"]}
     except FAULTS as error:
         own = isinstance(error, (TypeError, AttributeError, LookupError))
         reason = "" if own else " ".join(str(error).split())[:120]
-        document = {"fault": f"is damaged ({reason or 'its parts do not fit'})", "remedy": SMALLER}
+        fault = f"is damaged ({reason or 'its parts do not fit'})"
+        document = {"fault": fault, "remedy": order["remedy"]}
     sys.stdout.write(json.dumps(document))
 
 
