@@ -28,6 +28,7 @@ from benchmarks.damage import (
     damage_zip,
     zipped,
 )
+from benchmarks.damaged_maps import MAPS, sound_map
 from benchmarks.damaged_samples import (
     BLOCKS,
     CITY,
@@ -276,6 +277,12 @@ def _plain(damage: Damage) -> Callable[[bytes, Draw, Path], bytes]:
     return lambda data, draw, _: damage(data, draw)
 
 
+def _plan(path: Path, folder: Path) -> int:
+    out = folder / "out.json"
+    words = ["plan", str(path), "--site", "11.571,48.141", "-o", str(out), "-q"]
+    return _written(run_quietly(words), out)
+
+
 LIBRARY = zipped(
     {"PluginFurnitureCatalog.properties": TABLE.encode(), "kit/table.obj": OBJ.encode()}
 )
@@ -319,6 +326,10 @@ FORMATS: tuple[DamagedFormat, ...] = (
     DamagedFormat("home XML", 60, ".xml", _given(XML.encode()), _plain(damage_text), _arrange(10)),
     DamagedFormat("indoor maps", 70, ".geojson", _given(INDOOR), _plain(damage_json), _arrange(10)),
     DamagedFormat("maps", 70, ".geojson", _given(LAND), _plain(damage_json), _arrange(10)),
+    *(
+        DamagedFormat(f"maps as {suffix}", 25, suffix, sound_map(suffix), _plain(damage), _plan)
+        for suffix, damage in MAPS.items()
+    ),
     DamagedFormat("city sites", 60, ".city.json", _given(CITY), _plain(damage_json), _arrange(10)),
     DamagedFormat("city models", 40, ".cityjson", _given(CITY), _plain(damage_json), _models),
     DamagedFormat("IFC models", 60, ".ifc", _sound_plan("ifc"), _plain(damage_text), _plan),

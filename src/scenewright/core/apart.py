@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import json
 import os
-import signal
 import subprocess
 import sys
 from collections.abc import Mapping
@@ -20,6 +19,8 @@ from typing import Any, NamedTuple
 from scenewright.core.errors import InputError
 
 PROGRAM = "from scenewright.core.apart import answer; answer()"
+STOPPED = (-9, -24)
+"""Exit codes of what was killed, or took more of the processor than it may."""
 CRASHED = "is damaged or too large: its parser gave up"
 FAULTS = (
     ValueError,
@@ -75,7 +76,7 @@ def read_apart(
     except subprocess.TimeoutExpired:
         document = {"fault": _too_much(memory, allowance.seconds), "remedy": allowance.remedy}
     except (ValueError, RecursionError):
-        stopped = done.returncode in (-signal.SIGXCPU, -signal.SIGKILL)
+        stopped = done.returncode in STOPPED
         fault = _too_much(memory, allowance.seconds) if stopped else CRASHED
         document = {"fault": fault, "remedy": allowance.remedy}
     if "fault" in document:

@@ -21,8 +21,6 @@ import shapely
 from pyogrio.raw import write as write_layer
 
 from scenewright.core.atomic_file import WRITTEN_BY_US, atomic_write
-from scenewright.core.brief import Brief
-from scenewright.core.errors import InputError
 from scenewright.core.plan import Plan
 from scenewright.core.solution import Solution
 from scenewright.formats.table import load_function, row_of
@@ -42,16 +40,8 @@ NOW = "1970-01-01T00:00:00.000Z"
 Row = dict[str, Any]
 
 
-def check(brief: Brief) -> None:
-    """Raise :class:`InputError` for a scene that draws no map."""
-    if not row_of("map.geojson", "writer", brief.domain).holds(brief.domain):
-        fault = f"a {brief.domain} has no place on a map"
-        raise InputError(fault, "write it as .dxf, .ifc or .json")
-
-
 def write(solution: Solution, path: str | os.PathLike[str], plan: Plan | None = None) -> None:
     """Write the map of a solution to ``path``; the file appears whole or not at all."""
-    check(solution.brief)
     row = row_of("map.geojson", "writer", solution.brief.domain)
     draw: Callable[..., Row] = load_function(row.writer, "document", path)
     document = draw(solution, plan)

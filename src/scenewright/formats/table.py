@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 from scenewright.core.errors import InputError
 from scenewright.core.extras import install_line
 from scenewright.core.plugins import load_plugins
-from scenewright.core.registry import JUDGED, MAPPED, SEEN, Format, domain_names, domain_of
+from scenewright.core.registry import JUDGED, SEEN, Format, domain_names, domain_of
 
 if TYPE_CHECKING:
     from importlib.metadata import EntryPoint
@@ -45,18 +45,12 @@ FORMATS = (
             ".osm.gz": "the same, packed",
             ".osm.bz2": "the same, packed",
             ".pbf": "map, OpenStreetMap PBF",
+            ".gpkg": "map, GeoPackage: all its layers",
             ".shp": "map, shapefile with what lies beside it",
             ".zip": "map, shapefiles or others packed",
             ".kml": "map, KML",
             ".kmz": "the same, packed",
         }.items()
-    ),
-    Format(
-        ".gpkg",
-        "map, GeoPackage (all its layers read; sites, villages and extensions written)",
-        "scenewright.formats.gis",
-        "scenewright.formats.gpkg",
-        lacks=MAPPED,
     ),
     Format(
         ".glb",

@@ -53,6 +53,13 @@ DOMAIN = Domain(
             lacks=MAPPED,
         ),
         Format(
+            ".gpkg",
+            "the same as GeoPackage (written)",
+            writer="scenewright.formats.gpkg",
+            domain="extend",
+            lacks=MAPPED,
+        ),
+        Format(
             ".city.json",
             "city model (CityJSON) of an extension (written)",
             writer=f"{__name__}.writing.cityjson",

@@ -54,6 +54,13 @@ DOMAIN = Domain(
             lacks=MAPPED,
         ),
         Format(
+            ".gpkg",
+            "the same as GeoPackage (written)",
+            writer="scenewright.formats.gpkg",
+            domain="site",
+            lacks=MAPPED,
+        ),
+        Format(
             ".city.json",
             "city model (CityJSON): its buildings as landmarks (read), a site (written)",
             f"{__name__}.reading.cityjson",

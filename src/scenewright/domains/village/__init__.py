@@ -51,6 +51,13 @@ DOMAIN = Domain(
             lacks=MAPPED,
         ),
         Format(
+            ".gpkg",
+            "the same as GeoPackage (written)",
+            writer="scenewright.formats.gpkg",
+            domain="village",
+            lacks=MAPPED,
+        ),
+        Format(
             ".city.json",
             "city model (CityJSON) of a village (written)",
             writer=f"{__name__}.writing.cityjson",
