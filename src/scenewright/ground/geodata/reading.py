@@ -28,8 +28,8 @@ def load_map(path: Path, options: MapOptions = AS_IT_IS) -> Collection:
     with tempfile.TemporaryDirectory(prefix="scenewright-") as folder:
         files = unpack(path, Path(folder))
         _check_installed(files)
-        order = {"files": [str(file) for file in files], "layers": list(options.layers)}
-        order |= {"turn": not options.crs}
+        order: dict[str, Any] = {"files": [str(file) for file in files], "turn": not options.crs}
+        order["layers"] = list(options.layers)
         document = read_apart("scenewright.ground.geodata.extract", path, ALLOWANCE, order)
     _check_not_empty(document)
     document["features"] = [_with_tags(row) for row in document["features"]]
