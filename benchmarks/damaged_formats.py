@@ -246,9 +246,13 @@ def _sound_plan(suffix: str) -> Callable[[Path], bytes]:
     return sound
 
 
-def _plan(path: Path, folder: Path) -> int:
+def _plan(path: Path, folder: Path, *options: str) -> int:
     out = folder / "out.json"
-    return _written(run_quietly(["plan", str(path), "-o", str(out), "-q"]), out)
+    return _written(run_quietly(["plan", str(path), "-o", str(out), *options, "-q"]), out)
+
+
+def _plan_site(path: Path, folder: Path) -> int:
+    return _plan(path, folder, "--site", "11.571,48.141")
 
 
 def _sound_style(_: Path) -> bytes:
@@ -275,12 +279,6 @@ def _given(content: Json) -> Callable[[Path], bytes]:
 
 def _plain(damage: Damage) -> Callable[[bytes, Draw, Path], bytes]:
     return lambda data, draw, _: damage(data, draw)
-
-
-def _plan(path: Path, folder: Path) -> int:
-    out = folder / "out.json"
-    words = ["plan", str(path), "--site", "11.571,48.141", "-o", str(out), "-q"]
-    return _written(run_quietly(words), out)
 
 
 LIBRARY = zipped(
@@ -327,7 +325,9 @@ FORMATS: tuple[DamagedFormat, ...] = (
     DamagedFormat("indoor maps", 70, ".geojson", _given(INDOOR), _plain(damage_json), _arrange(10)),
     DamagedFormat("maps", 70, ".geojson", _given(LAND), _plain(damage_json), _arrange(10)),
     *(
-        DamagedFormat(f"maps as {suffix}", 25, suffix, sound_map(suffix), _plain(damage), _plan)
+        DamagedFormat(
+            f"maps as {suffix}", 25, suffix, sound_map(suffix), _plain(damage), _plan_site
+        )
         for suffix, damage in MAPS.items()
     ),
     DamagedFormat("city sites", 60, ".city.json", _given(CITY), _plain(damage_json), _arrange(10)),
