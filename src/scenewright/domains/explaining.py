@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Mapping, Sequence
 
@@ -15,13 +16,21 @@ from scenewright.domains.contract import Domain
 def explain_solution(solution: Solution, plan: Plan) -> Explanation:
     """The explanation of a solution: what was decided, what was not placed, what it gives up."""
     domain: Domain = domain_of(solution.brief.domain)
-    decided = str(domain.verb("programme")(solution, plan)) if domain.has("programme") else ""
+    told = domain.verb("programme") if domain.has("programme") else _count_pieces
     return Explanation(
         solution.brief.name,
-        decided,
+        str(told(solution, plan)),
         advise(solution, plan.names),
         _list_remarks(solution, plan.names, domain),
     )
+
+
+def _count_pieces(solution: Solution, plan: Plan) -> str:
+    """How much was placed and where, of a domain that decides nothing for the whole."""
+    built = [piece for piece in solution.pieces if piece.category == "building"]
+    counts = Counter(piece.space for piece in built or solution.pieces)
+    parts = [f"{counts[space]} in {name}" for space, name in plan.names.items()]
+    return f"{'buildings' if built else 'pieces'} placed: {', '.join(parts)}."
 
 
 def advise(solution: Solution, names: Mapping[str, str]) -> tuple[Advice, ...]:
@@ -75,8 +84,9 @@ def _remark(
 def _name_item(item: str, labels: Mapping[str, str]) -> str:
     """An item, or a pair of items, in words.
 
-    >>> _name_item("shop/low-shelves & shop/till", {"till": "cash desk"})
+    >>> _name_item("shop/low-shelves & shop/till_2", {"till": "cash desk"})
     'low shelves and cash desk'
     """
     ids = [part.rpartition("/")[2] for part in item.split(" & ")]
-    return " and ".join(labels.get(name, name.replace("_", " ").replace("-", " ")) for name in ids)
+    stems = [re.sub(r"_\d+$", "", name) for name in ids]
+    return " and ".join(labels.get(stem, re.sub("[_-]", " ", stem)) for stem in stems)

@@ -20,10 +20,14 @@ REMEDIES: tuple[Remedy, ...] = (
 
 COMPROMISES: dict[str, Compromise] = {
     "facing": Compromise(
-        0.3, "turned away from the street or the preferred heading", "leave more ground before it"
+        0.3,
+        "some fronts are turned away from the street or the preferred heading",
+        "leave more ground before buildings, or state another heading (facing)",
     ),
     "road": Compromise(
-        0.1, "the way round it is narrow", "ask for fewer buildings, or state less spacing"
+        0.1,
+        "ways round some buildings are narrow",
+        "ask for fewer buildings, or state less spacing",
     ),
     "even": Compromise(0.2, "buildings are at one side of a block", "ask for more buildings"),
 }
