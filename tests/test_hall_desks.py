@@ -13,7 +13,7 @@ import scenewright
 from scenewright.building.plan import spaces
 from scenewright.core.brief import Brief
 from scenewright.core.solution import Solution
-from scenewright.domains.hall.desks.turning import SERVING
+from scenewright.domains.hall.classes import SERVING
 from scenewright.domains.hall.retouch.desks import (
     BACK_TO,
     count_behind,

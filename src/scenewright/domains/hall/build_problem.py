@@ -20,6 +20,7 @@ from scenewright.core.kind import Kind
 from scenewright.core.piece_outlines import boxes_of, polygons_of
 from scenewright.core.scene import Piece
 from scenewright.core.space import Space
+from scenewright.domains.hall.classes import AUDIENCE_SEATS
 from scenewright.domains.hall.demands.holdings import HallDemand
 from scenewright.domains.hall.patterns import PATTERNS
 from scenewright.domains.hall.problem import Floats, HallGround, HallProblem, Ints, Units
@@ -39,7 +40,6 @@ SHARE, MOST = 0.75, 0.8
 """δ_min: this share of what its objects demand of a zone, and at most."""
 MARGIN = 0.1
 """Passages are planned this much wider than asked for, in metres."""
-SEATS = ("auditorium_seat",)
 HEAD_HEIGHT = 2.0
 EACH = 2.0
 """Access of sides each of which must be reached: those of two rows back to back."""
@@ -203,7 +203,7 @@ def _find_locked(hall: HallContext, catalog: Catalog) -> list[tuple[Piece, tuple
     for piece in hall.fixed:
         kind = catalog.kinds.get(piece.category)
         mine = piece.function not in ("", "fixed", "partition") and _solid(piece)
-        seat = any(word in piece.category for word in SEATS)
+        seat = any(word in piece.category for word in AUDIENCE_SEATS)
         if mine and not seat and kind is not None and kind.access:
             found.append((piece, tuple(kind.access)))
     return found
@@ -289,7 +289,7 @@ def _access(wishes: list[HallDemand], units: list[Unit], catalog: Catalog) -> Fl
         category = wishes[unit.demand].category
         kind = catalog.kinds.get(category, Kind(category))
         sides: tuple[str, ...] = kind.access
-        if any(word in category for word in SEATS):
+        if any(word in category for word in AUDIENCE_SEATS):
             sides = ()  # one goes along the row, sideways
         elif wishes[unit.demand].lounges and not wishes[unit.demand].aisle:
             sides = ("left", "right")

@@ -15,10 +15,9 @@ from scenewright.domains.hall.accessories.spots import (
     make_spots,
     measure_crowd,
 )
+from scenewright.domains.hall.classes import EATEN_AT
 from scenewright.domains.hall.problem import Floats
 
-EATEN_AT = ("vending_machine", "dining_table", "round_table", "counter", "bench")
-"""Where litter comes from."""
 GAPS = (0.6, 1.2)
 """Metres between a bin and the door beside which it stands."""
 FURTHER, BESIDE, ELSEWHERE = 0.1, 0.15, 0.6

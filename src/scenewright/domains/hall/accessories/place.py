@@ -33,8 +33,8 @@ from scenewright.domains.hall.accessories.stools import (
     stand_before,
 )
 from scenewright.domains.hall.build_problem import MARGIN, SIDES, HallContext
+from scenewright.domains.hall.classes import SERVING
 from scenewright.domains.hall.demands.holdings import HallDemand
-from scenewright.domains.hall.desks.turning import SERVING
 from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.solvers.outcome import MeasuredLayout, lacking, measure_among
 

@@ -17,11 +17,11 @@ from scenewright.domains.hall.accessories.spots import (
     make_spots,
     measure_crowd,
 )
-from scenewright.domains.hall.desks.turning import SERVING
+from scenewright.domains.hall.classes import FRAMED, SERVING
 from scenewright.domains.hall.problem import Floats
 
-FRAMED, SEATS = ("stage", "screen"), ("bench",)
-"""What planters stand beside at both sides, and at whose ends."""
+SEAT = "bench"
+"""At whose ends planters stand."""
 GAPS = (0.3, 0.6)
 """Metres between a planter and the door or stage beside which it stands."""
 PAIR, RANK, LATER = 0.0, 0.3, 0.15
@@ -77,7 +77,7 @@ def _number(boxes: Floats, cost: float, first: int) -> Spots:
 
 def _end_benches(setting: Setting, size: Size) -> Spots:
     """In line with benches, at both ends of each."""
-    parts = [_end(p, size) for p in setting.pieces if p.category in SEATS]
+    parts = [_end(p, size) for p in setting.pieces if p.category == SEAT]
     return make_spots(np.concatenate([np.zeros((0, 5)), *parts]), BENCH)
 
 

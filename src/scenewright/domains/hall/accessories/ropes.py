@@ -9,11 +9,10 @@ from scenewright.core.scene import Piece, Size
 from scenewright.domains.hall.accessories.benches import ISLAND, LARGE, is_large_island
 from scenewright.domains.hall.accessories.setting import Setting
 from scenewright.domains.hall.accessories.spots import Spots, face, join_spots, make_spots
+from scenewright.domains.hall.classes import QUEUED_AT
 from scenewright.domains.hall.demands.holdings import HallDemand, may_stand_together
 from scenewright.domains.hall.problem import Floats
 
-QUEUED_AT = ("counter", "checkout")
-"""Ropes in a zone where these may stand lead to them."""
 DESK = "info_desk"
 """So they do to this in a zone named for both."""
 GAP, BETWEEN = 1.0, 0.05

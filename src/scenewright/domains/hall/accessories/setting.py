@@ -14,8 +14,8 @@ from scenewright.core.piece_outlines import polygons_of
 from scenewright.core.scene import Piece
 from scenewright.core.space import Space
 from scenewright.domains.hall.build_problem import HallContext
+from scenewright.domains.hall.classes import SERVING
 from scenewright.domains.hall.demands.holdings import HallDemand
-from scenewright.domains.hall.desks.turning import SERVING
 from scenewright.domains.hall.problem import Floats
 from scenewright.domains.hall.visit.doors import visitor_exits, ways_in
 

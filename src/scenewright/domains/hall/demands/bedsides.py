@@ -6,10 +6,11 @@ piece by piece.
 
 from __future__ import annotations
 
+from scenewright.domains.hall.classes import BEDS
 from scenewright.domains.hall.demands.holdings import HallDemand, LoungePart
 from scenewright.domains.hall.seats.lounges import lay_as_one
 
-BEDS, STAND = ("double_bed", "single_bed"), "nightstand"
+STAND = "nightstand"
 SIDES = 2
 GAP = 0.05
 """Metres between a bed and what stands beside it."""

@@ -11,10 +11,11 @@ from scenewright.core.brief import Brief
 from scenewright.core.brief.zones import Demand
 from scenewright.core.catalog import Catalog
 from scenewright.core.scene import Piece, Size
+from scenewright.domains.hall.classes import TABLE_CHAIRS
 from scenewright.domains.hall.demands.checked import ids_of, sizes_of
 from scenewright.domains.hall.desks.cash_desks import is_cash_desk, measure_cash_desk
 from scenewright.domains.hall.patterns import PATTERNS
-from scenewright.domains.hall.seats.audience import CHAIRS, find_shows, find_tables, may_share_zone
+from scenewright.domains.hall.seats.audience import find_shows, find_tables, may_share_zone
 from scenewright.domains.hall.seats.chairs import out_of_table, seats_around
 
 SEATWAY = 0.45
@@ -188,7 +189,7 @@ def _clearance(
 ) -> tuple[float, float, float, float]:
     stated = usual if demand.clearance is None else demand.clearance
     front, left, back, right = stated if isinstance(stated, tuple) else (stated,) * 4
-    if demand.clearance is None and at_wall and demand.category in CHAIRS:
+    if demand.clearance is None and at_wall and demand.category in TABLE_CHAIRS:
         return (max(front, back), 0.0, 0.0, 0.0)  # side by side, who sits there before them
     return (front, left, 0.0 if at_wall else back, right)
 

@@ -6,9 +6,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from scenewright.core.catalog import Catalog
+from scenewright.domains.hall.classes import SHOWS
 from scenewright.domains.hall.demands.holdings import HallDemand
 from scenewright.domains.hall.desks.chairs import ADVISING, DESK_CHAIRS
-from scenewright.domains.hall.seats.audience import SHOWS
 from scenewright.domains.hall.seats.seating import find_show, with_chair
 
 CLASS = 6

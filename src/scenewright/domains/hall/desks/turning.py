@@ -8,6 +8,7 @@ import numpy as np
 import shapely
 
 from scenewright.domains.hall.build_problem import HallContext
+from scenewright.domains.hall.classes import SERVING
 from scenewright.domains.hall.demands.holdings import HallDemand
 from scenewright.domains.hall.energy import parts_of
 from scenewright.domains.hall.patterns import SINGLE
@@ -16,7 +17,6 @@ from scenewright.domains.hall.solvers.outcome import MeasuredLayout, measure_lay
 from scenewright.domains.hall.visit.doors import ways_in
 from scenewright.domains.hall.zoning.assign import Unit
 
-SERVING = ("info_desk", "counter", "checkout")
 FACING = 0.7
 """The cosine of the angle up to which a desk looks to the entrance."""
 

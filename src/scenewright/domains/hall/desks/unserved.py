@@ -11,7 +11,7 @@ from scenewright.core.layout import corners
 from scenewright.core.piece_outlines import boxes_of
 from scenewright.core.scene import Piece
 from scenewright.core.space import Space
-from scenewright.domains.hall.desks.turning import SERVING
+from scenewright.domains.hall.classes import SERVING
 from scenewright.domains.hall.problem import Floats
 
 ROOM, WITHIN, MIDDLE = 0.75, 0.025, 0.8

@@ -20,10 +20,9 @@ from scenewright.core.plan import Plan
 from scenewright.core.scene import GroundSurface, Piece, Pose, Scene, Size
 from scenewright.core.solution import Solution
 from scenewright.core.space import Space
+from scenewright.domains.hall.classes import CARPETED_EXHIBITS, CARPETED_SEATS
 from scenewright.domains.hall.hall_layout import HallLayout, PlacedGroup, Zone
 
-EXHIBITS = frozenset(("showcase", "plinth", "exhibit_island", "exhibit_panel", "interactive_table"))
-SEATS = frozenset(("lounge_seat", "bench", "auditorium_seat", "reading_table"))
 CARPETS = ("carpet_grey", "carpet_sand", "carpet_sage")
 BEYOND, APART, SEAM = 0.7, 1.3, 0.15
 """How far a carpet reaches beyond what stands on it, up to which gap two share one, and how far it
@@ -54,7 +53,9 @@ def scene_of_hall(solution: Solution, plan: Plan) -> Scene:
     laid = (_lay_carpet(zone, k, free, pieces) for k, zone in enumerate(layout.zones))
     carpets = [carpet for carpet in laid if carpet is not None]
     lit = [pieces[o] for group in free for o in group.objects if o in pieces]
-    spots = _hang_spots([p for p in lit if p.category in EXHIBITS][:MOST_SPOTS], plan.spaces)
+    spots = _hang_spots(
+        [p for p in lit if p.category in CARPETED_EXHIBITS][:MOST_SPOTS], plan.spaces
+    )
     return replace(scene, surfaces=tuple(carpets), pieces=(*scene.pieces, *spots))
 
 
@@ -68,7 +69,9 @@ def _lay_carpet(
         for group in groups
         if (group.space, group.zone) == (zone.space, zone.id)
     ]
-    standing = [row for row in held if any(p.category in EXHIBITS | SEATS for p in row[1])]
+    standing = [
+        row for row in held if any(p.category in CARPETED_EXHIBITS | CARPETED_SEATS for p in row[1])
+    ]
     standing = [row for row in standing if not _sit_apart(*row)]
     if not standing:
         return None

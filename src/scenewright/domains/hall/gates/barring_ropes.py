@@ -9,7 +9,7 @@ import numpy as np
 
 from scenewright.core.piece_outlines import boxes_of
 from scenewright.core.scene import Piece
-from scenewright.domains.hall.desks.turning import SERVING
+from scenewright.domains.hall.classes import SERVING
 from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.solvers.outcome import MeasuredLayout, measure_layout
 

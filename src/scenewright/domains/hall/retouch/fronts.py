@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from scenewright.domains.hall.classes import FRONTED
 from scenewright.domains.hall.demands.holdings import HallDemand
 from scenewright.domains.hall.patterns import CHAIN, GRID, SINGLE
 from scenewright.domains.hall.problem import Floats, HallProblem
@@ -13,9 +14,6 @@ from scenewright.domains.hall.solvers.chains import begin_chain, layout_of
 from scenewright.domains.hall.solvers.outcome import MeasuredLayout
 from scenewright.domains.hall.zoning.assign import Unit
 from scenewright.engine.draws import streams
-
-FRONTED = ("exhibit_island", "exhibit_panel")
-"""What has a front and a back as drawn, though it is used from all sides or from both."""
 
 
 def turn_fronts(

@@ -7,12 +7,9 @@ from collections.abc import Sequence
 
 from scenewright.catalog.kinds.usual import DESKS, TABLES, is_high
 from scenewright.core.brief.zones import Demand
+from scenewright.domains.hall.classes import AUDIENCE_SEATS, SHOWS, TABLE_CHAIRS
 from scenewright.domains.hall.demands.checked import usual_size
 
-SHOWS = ("stage", "screen", "lectern")
-SEATS = ("auditorium_seat",)
-CHAIRS = ("dining_chair", "reading_chair", "office_chair")
-"""Seats of auditoriums always look at what is shown, chairs where no table is in their zone."""
 MEALS = (*TABLES, "reading_table")
 AT_TABLES = (*TABLES, *DESKS, "reading_table", "carrel", "interactive_table")
 
@@ -46,7 +43,7 @@ def find_tables(demands: Sequence[Demand], ids: Sequence[str]) -> list[str]:
     found = []
     for one in demands:
         kinds = [*DESKS, *MEALS] if one.category == "office_chair" else [*MEALS, *DESKS]
-        free = one.category in CHAIRS and not (one.facing or one.patterns or one.place)
+        free = one.category in TABLE_CHAIRS and not (one.facing or one.patterns or one.place)
         near = [row for row in named if free and may_share_zone(one, row[0])]
         near = [row for row in near if row[0].category in kinds and _may_sit_at(row[0])]
         near.sort(key=lambda row: (_zones(row[0]) != _zones(one), kinds.index(row[0].category)))
@@ -62,7 +59,9 @@ def _may_sit_at(table: Demand) -> bool:
 
 def _is_audience(one: Demand, demands: Sequence[Demand]) -> bool:
     tables = (d for d in demands if d.category in AT_TABLES and may_share_zone(one, d))
-    return one.category in SEATS or (one.category in CHAIRS and next(tables, None) is None)
+    return one.category in AUDIENCE_SEATS or (
+        one.category in TABLE_CHAIRS and next(tables, None) is None
+    )
 
 
 def _zones(demand: Demand) -> set[str]:

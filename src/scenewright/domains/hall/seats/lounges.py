@@ -11,11 +11,12 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 
 from scenewright.core.scene import Pose, Size
+from scenewright.domains.hall.classes import LOUNGE_CHAIRS
 from scenewright.domains.hall.demands.holdings import HallDemand, LoungePart
 from scenewright.domains.hall.seats.low_tables import CATEGORY as TABLE
 
-SOFA, CHAIRS = "sofa", ("armchair", "lounge_seat")
-"""What stands at the back of a lounge, and what joins it."""
+SOFA = "sofa"
+"""What stands at the back of a lounge."""
 KNEES, BESIDE, ROW = 0.45, 0.2, 3
 """Metres between a low table and the seats at it and between two chairs, and most chairs in a row
 across from a sofa."""
@@ -46,7 +47,7 @@ def _is_open(wish: HallDemand) -> bool:
 
 def _look_inwards(wish: HallDemand) -> HallDemand:
     """Chairs in companies that look at each other."""
-    seats = wish.category in CHAIRS and wish.unstated and len(wish.sizes) >= COMPANY
+    seats = wish.category in LOUNGE_CHAIRS and wish.unstated and len(wish.sizes) >= COMPANY
     return wish._replace(patterns=AROUND) if seats else wish
 
 
@@ -59,7 +60,7 @@ def _join(sofas: HallDemand, left: dict[str, HallDemand], route: float) -> list[
     if not tables or len(sofas.sizes) > 2 * number:
         return []
     most = 2 if len(sofas.sizes) > number else ROW + 1
-    asked = [w for w in near if w.category in CHAIRS]
+    asked = [w for w in near if w.category in LOUNGE_CHAIRS]
     seats = [(w, size) for w in asked for size in w.sizes][: most * number]
     lounges = tuple(
         _arrange(

@@ -13,6 +13,7 @@ import numpy as np
 
 from scenewright.core.solution import LeftOut
 from scenewright.domains.hall.build_problem import HallContext, build_problem
+from scenewright.domains.hall.classes import AUDIENCE_SEATS, TABLE_CHAIRS
 from scenewright.domains.hall.demands.holdings import HallDemand
 from scenewright.domains.hall.energy import capacity
 from scenewright.domains.hall.fit import Fitted
@@ -23,7 +24,6 @@ from scenewright.domains.hall.retouch.audience import FEWEST
 from scenewright.domains.hall.retouch.lines import count_objects, line_up
 from scenewright.domains.hall.retouch.mending import SeenTouch, weigh_proposals
 from scenewright.domains.hall.search import HallSearch, weigh_wrong
-from scenewright.domains.hall.seats.audience import CHAIRS, SEATS
 from scenewright.domains.hall.seats.turns import SHARE, count_away
 from scenewright.domains.hall.solvers.chains import HallChain, begin_chain, cooled_hall, layout_of
 from scenewright.domains.hall.solvers.outcome import HallFound, MeasuredLayout
@@ -70,7 +70,7 @@ def _find_astray(search: HallSearch, fitted: Fitted, layout: MeasuredLayout) -> 
     for demand in {unit.demand for unit in fitted.units}:
         mine, wish = _units_of(fitted, demand), search.wishes[demand]
         target = int(units.targets[mine[0]])
-        seats = wish.category in (*SEATS, *CHAIRS) or wish.turned
+        seats = wish.category in (*AUDIENCE_SEATS, *TABLE_CHAIRS) or wish.turned
         if not seats or target < 0 or "chain" not in wish.patterns:
             continue
         alone = sorted(np.flatnonzero(units.targets == target)) == mine

@@ -20,9 +20,10 @@ from scenewright.core.kind import TableChairs
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.solution import LeftOut
 from scenewright.domains.hall.build_problem import HallContext
+from scenewright.domains.hall.classes import SHOWS
 from scenewright.domains.hall.demands.holdings import SEATWAY, HallDemand, with_floor
 from scenewright.domains.hall.problem import Floats
-from scenewright.domains.hall.seats.audience import MEALS, SHOWS
+from scenewright.domains.hall.seats.audience import MEALS
 from scenewright.domains.hall.seats.chairs import company_of, count_places, places_at, seats_around
 from scenewright.geometry.boxes import common_area, make_frame
 

@@ -4,10 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
-GOODS = ("gondola", "wall_shelving", "ring_shelf", "fridge_shelf", "clothes_rail", "round_rack")
-"""Where one of these is, counters are tills; elsewhere visitors come to them first."""
-DECOR = ("plant", "potted_tree", "planter", "litter_bin", "rope_barrier")
-"""What nobody comes to see."""
+from scenewright.domains.hall.classes import GOODS
+
 GATE = "ticket_gate"
 """What everybody passes who comes into its zone."""
 MACHINES = ("ticket_machine",)

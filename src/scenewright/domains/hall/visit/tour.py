@@ -15,11 +15,11 @@ from numpy.typing import NDArray
 from scenewright.core.catalog import Catalog
 from scenewright.core.scene import Piece
 from scenewright.core.space import Opening, Points, Space
+from scenewright.domains.hall.classes import DECOR
 from scenewright.domains.hall.hall_layout import HallLayout, Stop, Tour
 from scenewright.domains.hall.visit.doors import visitor_exits, ways_in
 from scenewright.domains.hall.visit.floor import WalkingFloor, find_floor
 from scenewright.domains.hall.visit.order import find_places, find_visits, search_from
-from scenewright.domains.hall.visit.roles import DECOR
 from scenewright.geometry.distance_raster import DistanceRaster, distances
 from scenewright.geometry.travel import TravelSearch, make_search, round_off, string_pull
 

@@ -8,9 +8,15 @@ from scenewright.building.door_approach import gates
 from scenewright.core.piece_outlines import boxes_of
 from scenewright.core.scene import Piece
 from scenewright.core.space import Opening, Space
+from scenewright.domains.hall.classes import (
+    LOUNGE_SEATS,
+    MAIN_EXHIBITS,
+    ON_SHOW,
+    SITTING_TABLES,
+    TABLE_CHAIRS,
+)
 from scenewright.domains.hall.demands.holdings import HallDemand
 from scenewright.domains.hall.problem import Floats, VisitorPlan
-from scenewright.domains.hall.seats.audience import CHAIRS
 from scenewright.domains.hall.terms.visitors import (
     ALOOF,
     FIRST,
@@ -40,18 +46,14 @@ LANES = ("checkout",)
 """Tills that stand side by side with lanes between them, where there are several."""
 BELT = 0.78
 """Depth in metres of a till with a belt, at least; lesser ones have no lanes."""
-EXHIBITS = ("exhibit_island", "showcase", "plinth", "interactive_table", "stage", "screen")
-LOUNGES = frozenset(("lounge_seat", "armchair", "sofa", "pouf"))
 WAITS = ("wait", "warte", "attente", "espera", "等候", "待合")
 """Parts of the names of seats to wait on."""
-TABLES = frozenset(("reading_table", "dining_table", "round_table", "outdoor_table"))
-ON_SHOW = frozenset((*EXHIBITS[:4], "exhibit_panel", "display_table", "mannequin"))
 LOW_TABLES = frozenset(("coffee_table",))
 RECEPTIONS = frozenset(("info_desk",))
-SHOWN = ((STAGE, frozenset(("stage",))), (TABLE, TABLES))
+SHOWN = ((STAGE, frozenset(("stage",))), (TABLE, SITTING_TABLES))
 STANDING = (
-    (ALOOF, LOUNGES | TABLES | LOW_TABLES | ON_SHOW),
-    (LOUNGE, LOUNGES),
+    (ALOOF, LOUNGE_SEATS | SITTING_TABLES | LOW_TABLES | ON_SHOW),
+    (LOUNGE, LOUNGE_SEATS),
     (LOW, LOW_TABLES),
     *SHOWN,
     (RECEPTION, RECEPTIONS),
@@ -114,7 +116,7 @@ def _roles(wishes: list[HallDemand], units: list[Unit]) -> Floats:
     alone = [
         (size.width * size.depth, -k)
         for k, unit in enumerate(units)
-        if len(wishes[unit.demand].sizes) == 1 and wishes[unit.demand].category in EXHIBITS
+        if len(wishes[unit.demand].sizes) == 1 and wishes[unit.demand].category in MAIN_EXHIBITS
         for size in wishes[unit.demand].sizes
     ]
     if alone:
@@ -133,6 +135,6 @@ def _standing(wishes: list[HallDemand], units: list[Unit]) -> Floats:
 def is_to_wait_on(wish: HallDemand) -> bool:
     """Whether a demand is seats on which people wait to be served, as its name says, or chairs at
     a wall."""
-    seats = wish.category in (*LOUNGES, *CHAIRS, "bench")
-    chairs = wish.category in CHAIRS and wish.at_wall
+    seats = wish.category in (*LOUNGE_SEATS, *TABLE_CHAIRS, "bench")
+    chairs = wish.category in TABLE_CHAIRS and wish.at_wall
     return chairs or (seats and any(word in wish.name.casefold() for word in WAITS))
