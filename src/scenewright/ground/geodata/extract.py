@@ -20,6 +20,7 @@ from scenewright.ground.geodata.limits import CUT, MOST_CORNERS, MOST_FEATURES, 
 
 LONGEST_TEXT = 500
 AGAIN = "export it again"
+SORT = "osmium sort sorts it, JOSM does when it saves"
 DEGREES = "OGC:CRS84"
 OSM_FILES = (".osm", ".pbf")
 UNKNOWN = ("ENGCRS", "LOCAL_CS", "ENGINEERINGCRS")
@@ -56,7 +57,8 @@ def extract(path: str, files: list[str], layers: list[str], turn: bool) -> Docum
         reason = " ".join(str(error).split()) or type(error).__name__
         for file in paths:
             reason = reason.replace(f"{file.parent}/", "")
-        raise InputError(f"cannot be read: {reason[:200]}", AGAIN) from None
+        remedy = SORT if "out of order" in reason else AGAIN
+        raise InputError(f"cannot be read: {reason[:200]}", remedy) from None
 
 
 def _osm_document(files: list[Path]) -> Document:
