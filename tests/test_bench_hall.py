@@ -39,7 +39,7 @@ def solved() -> Solution:
 def test_the_common_measure_sees_what_gets_worse(solved: Solution) -> None:
     found = energies_of(solved)
     assert found.least - 1e-6 <= found.space + found.proportion
-    every = [piece for piece in solved.pieces if piece.function == "seats"]
+    every = [piece for piece in solved.pieces if piece.function == "finds"]
     seats = [piece for piece in every if piece.group == every[0].group]
     middle = np.mean([piece.pose[:2] for piece in seats], axis=0)
     inmost = min(seats, key=lambda piece: float(np.hypot(*(piece.pose[:2] - middle))))
