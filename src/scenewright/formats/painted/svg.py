@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 require("svgelements")
 ALLOWANCE = Allowance(memory=768, per_size=16, seconds=40)
-MOST_BYTES, MOST_SHAPES = 50_000_000, 100_000
+MOST_BYTES, MOST_SHAPES = 20_000_000, 100_000
 PIXELS = 96.0
 """Pixels of an inch on paper."""
 CUTS = 8
@@ -57,7 +57,7 @@ def read_page(path: str) -> Paper:
     from svgelements import SVG
 
     if os.path.getsize(path) > MOST_BYTES:
-        raise InputError("is larger than 50 MB", "save only the plan of a storey")
+        raise InputError("is larger than 20 MB", "save only the plan of a storey")
     try:
         document = SVG.parse(path, reify=True, ppi=PIXELS)
     except MemoryError:
