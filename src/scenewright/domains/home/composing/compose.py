@@ -14,9 +14,7 @@ from scenewright.domains.home.composing.room_passes import (
     FILLING,
     LACKING,
     MENDING,
-    OPENING,
     RESTORING,
-    TRIMMING,
     Barred,
     complete_room,
     mend_room,
@@ -36,11 +34,9 @@ def compose(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
         return answer
     if task.library.own.keys() - task.library.seated and not learned:
         return answer
-    if learned:
-        barred = frozenset(find_blocked(with_margin(task), answer.placed))
-        return keep_habits(task, answer, barred)
-    answer = complete_room(task, answer, OPENING, frozenset())
     barred = frozenset(find_blocked(with_margin(task), answer.placed))
+    if learned:
+        return keep_habits(task, answer, barred)
     before = complete_room(task, answer, LACKING, barred)
     mended = _mend(task, judge_of(task, before.placed).cost_of(before.placed), barred).placed
     gone = _list_given_up(before.placed, mended)
@@ -51,11 +47,11 @@ def compose(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
 
 
 def _mend(task: RoomTask, best: JudgedRoom, barred: Barred) -> JudgedRoom:
-    """The groups with their faults mended, if there are any, and trimmed."""
+    """The groups with their faults mended, if there are any."""
     best = mend_room(task, best, RESTORING, barred)
-    if list_worst_first(task, best.placed):
-        best = mend_room(task, best, MENDING, barred)
-    return mend_room(task, best, TRIMMING, barred)
+    if not list_worst_first(task, best.placed):
+        return best
+    return mend_room(task, best, MENDING, barred)
 
 
 def _list_given_up(before: Placed, after: Placed) -> tuple[Missing, ...]:
