@@ -10,11 +10,12 @@ from scenewright.catalog.assets import shipped
 from scenewright.core.brief import Brief
 from scenewright.domains import check
 from scenewright.domains.home.attempt import Missing, RoomAnswer, RoomTask, find_blocked
-from scenewright.domains.home.bed_first import NARROWER, list_beds_first
+from scenewright.domains.home.bed_first import list_beds_first
 from scenewright.domains.home.composing.wall_ends import list_wall_ends
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.domains.home.groups.least import LEAST
 from scenewright.domains.home.groups.sleeping import along_wall
+from scenewright.domains.home.measures import NARROWER
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.solving import PRESETS, prepare_rooms, solve
 from scenewright.domains.home.wall_places import free_boxes

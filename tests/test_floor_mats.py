@@ -11,13 +11,12 @@ import shapely
 
 from scenewright.building.plan import spaces
 from scenewright.catalog.assets import shipped
+from scenewright.catalog.classes import BEDS, SOFAS
 from scenewright.core.brief import Brief, Room
 from scenewright.core.piece_outlines import outline_of
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.space import Space
 from scenewright.domains import check
-from scenewright.domains.home.furnishing.bed_rugs import BEDS
-from scenewright.domains.home.furnishing.enlarge import SOFAS
 from scenewright.domains.home.furnishing.floor_mats import lay_mats
 from scenewright.domains.home.ground import ground_of
 from scenewright.domains.home.problem import Ground

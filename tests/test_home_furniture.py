@@ -24,7 +24,7 @@ from scenewright.domains.home import solving as home
 from scenewright.domains.home.cases.furnishing import Taste, anchor_of
 from scenewright.domains.home.cases.library import SHIPPED, cases, fitting, index_cases
 from scenewright.domains.home.cases.own_library import library_of, taste_of
-from scenewright.domains.home.cases.refit import RAISED, Chosen, reach, refit_case
+from scenewright.domains.home.cases.refit import CARRIED, Chosen, reach, refit_case
 from scenewright.domains.home.groups import GROUPS
 from test_catalogues import obj
 
@@ -115,7 +115,7 @@ def test_a_refitted_case_is_sound(function: str, seed: int) -> None:
         assert overlaps(found) <= overlaps(case)
         for i, (old, new) in enumerate(zip(case.members, found.members, strict=True)):
             assert i not in chosen or new.size == chosen[i].size
-            if new.on < 0 and new.z < RAISED and old.category != "rug":
+            if new.on < 0 and new.z < CARRIED and old.category != "rug":
                 assert abs(new.x) + reach(new)[0] <= found.width / 2 + 1e-6
                 assert abs(new.y) + reach(new)[1] <= found.depth / 2 + 1e-6
             if new.on >= 0:

@@ -18,7 +18,7 @@ from scenewright.core.space import Space
 from scenewright.domains import check, plan_of, solve
 from scenewright.domains.home.cases.library import SHIPPED, cases
 from scenewright.domains.home.household import (
-    BEDS,
+    BED_PLACES,
     SEATED,
     count_places,
     decide_household,
@@ -183,7 +183,7 @@ def test_what_is_stated_stands_before_what_is_welcome(piano: bool) -> None:
     brief = flat(residents=4, piano=piano)
     solution = solve(brief, threads=1)
     held = [piece.category for piece in solution.pieces]
-    assert sum(BEDS.get(category, 0) for category in held) >= 4
+    assert sum(BED_PLACES.get(category, 0) for category in held) >= 4
     assert held.count("dining_chair") >= 4
     assert ("piano" in held) is piano
     assert not check(solution).findings
@@ -199,7 +199,7 @@ def test_a_table_is_chosen_that_seats_all() -> None:
 
 def test_beds_that_residents_lack_are_left_out_by_name() -> None:
     solution = solve(flat(residents=9), threads=1)
-    held = sum(BEDS.get(piece.category, 0) for piece in solution.pieces)
+    held = sum(BED_PLACES.get(piece.category, 0) for piece in solution.pieces)
     assert held < 9
     assert any(f"beds for {held} of 9" in out.reason for out in solution.left_out if out.required)
     assert any(f"beds for {held} of the 9" in note.message for note in check(solution).notes)
@@ -275,7 +275,7 @@ def test_further_beds_stand_where_residents_would_have_none() -> None:
     rooms[1]["doors"] = [{"at": [7.8, 0], "width": 0.85}]
     solution = solve(Brief.model_validate({"rooms": rooms, "residents": 6}), threads=1)
     held = [p.category for p in solution.pieces]
-    assert sum(BEDS.get(category, 0) for category in held) >= 6
+    assert sum(BED_PLACES.get(category, 0) for category in held) >= 6
     assert "double_bed" in held
     assert held.count("wardrobe") == 2
     assert not any(out.required for out in solution.left_out)

@@ -14,6 +14,8 @@ from typing import Literal, NamedTuple
 from scenewright.core.scene import Size
 
 Side = Literal["front", "back", "left", "right"]
+SIDES: tuple[Side, ...] = ("front", "left", "back", "right")
+"""The sides of a piece, counter-clockwise from its front."""
 Support = Literal["floor", "wall", "ceiling", "top"]
 Place = Literal["wall", "free"]
 Sides = tuple[float, float, float, float]

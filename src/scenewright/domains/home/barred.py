@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from scenewright.building.ceiling import planes
 from scenewright.core.catalog import Catalog
+from scenewright.core.kind import SIDES
 from scenewright.core.layout import corners
 from scenewright.core.same import Same
 from scenewright.core.scene import Piece
@@ -28,7 +29,7 @@ from scenewright.domains.home.home_floor import (
     reach_without,
     walk,
 )
-from scenewright.domains.home.ways import REACH, SIDES, used_from
+from scenewright.domains.home.ways import REACH, used_from
 
 Shape = Any  # a shapely geometry
 Shapes = NDArray[np.object_]

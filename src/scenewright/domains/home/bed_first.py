@@ -18,16 +18,16 @@ from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTas
 from scenewright.domains.home.composing.moving import dress_group, make_unplaced
 from scenewright.domains.home.composing.wall_ends import list_wall_ends
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
+from scenewright.domains.home.groups.classes import BED_GROUPS
 from scenewright.domains.home.groups.least import LEAST
-from scenewright.domains.home.programme import BEDS, Wish
+from scenewright.domains.home.measures import NARROWER
+from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.systematic import answer_of
 from scenewright.domains.home.wall_places import free_boxes, free_places
 
 SINGLE = "single"
 LEAST_FLOOR = 1.8
 """On less floor, square metres, no bed leaves a step before it."""
-NARROWER = 0.08
-"""By so much narrower ways a grid of 0.04 m bars no more than an exact walk does, metres."""
 APART, PLACES = 0.05, 80
 """Metres between places of one form, and how many of them are walked past."""
 
@@ -61,7 +61,7 @@ def _find_lacking(task: RoomTask, before: RoomAnswer) -> Wish | None:
     """The bed that a room lacks, as a single one of any size; None where it lacks none or another
     thing it fails without as well, or where a size of its own is wanted."""
     lacking = [m.wish for m in before.missing if m.wish.core]
-    if len(lacking) != 1 or lacking[0].group not in BEDS or lacking[0].most is not None:
+    if len(lacking) != 1 or lacking[0].group not in BED_GROUPS or lacking[0].most is not None:
         return None
     if SINGLE in task.library.own or task.ground.area < LEAST_FLOOR:
         return None

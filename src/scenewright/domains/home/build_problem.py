@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from scenewright.domains.home.cases.library import SHIPPED, Library, cases, find_preferred_case
 from scenewright.domains.home.groups import GROUPS
+from scenewright.domains.home.groups.classes import RUNS
 from scenewright.domains.home.learned import habits
 from scenewright.domains.home.problem import Ground, Items, Problem, empty_items
 from scenewright.domains.home.programme import MODEST, Wish
@@ -36,10 +37,9 @@ class Relation(NamedTuple):
     bearing: float
     weight: float
     unless: str = ""
-    within: tuple[str, ...] = ()
+    within: frozenset[str] = frozenset()
 
 
-COOKING = ("kitchen", "kitchenette")
 RELATIONS: tuple[Relation, ...] = (
     Relation("seating", "media", NAN, np.pi, 0.0, 4.0),
     Relation("media", "seating", NAN, np.pi, 0.0, 4.0),
@@ -52,9 +52,9 @@ RELATIONS: tuple[Relation, ...] = (
     Relation("kitchen", "dining", 2.4, NAN, NAN, 0.3),
     Relation("kitchen", "island", 1.9, NAN, 0.0, 2.0),
     Relation("sleeping", "vanity", 2.6, NAN, NAN, 0.1),
-    Relation("sleeping", "wardrobe", 2.4, NAN, NAN, 0.6, within=COOKING),
-    Relation("seating", "sleeping", 5.5, NAN, NAN, 0.4, within=COOKING),
-    Relation("desk", "shelf", 1.8, NAN, NAN, 0.3, within=COOKING),
+    Relation("sleeping", "wardrobe", 2.4, NAN, NAN, 0.6, within=RUNS),
+    Relation("seating", "sleeping", 5.5, NAN, NAN, 0.4, within=RUNS),
+    Relation("desk", "shelf", 1.8, NAN, NAN, 0.3, within=RUNS),
 )
 
 

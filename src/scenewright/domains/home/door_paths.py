@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from scenewright.building.door_approach import DoorApproach
 from scenewright.core.layout import corners
 from scenewright.core.space import Space
+from scenewright.domains.home.measures import HAIR
 
 Floats = NDArray[np.float64]
 
@@ -29,7 +30,6 @@ FAR = 0.6
 MOST_BENDS = 160
 """Corners that ways are led round, where a floor has more: those nearest to the straight lines
 between the doors. The search is cubic in them."""
-HAIR = 1e-6
 
 
 def door_paths(space: Space, doors: tuple[DoorApproach, ...], solids: Floats) -> Floats:

@@ -13,11 +13,11 @@ from collections.abc import Callable, Sequence
 
 from scenewright.domains.home.attempt import DOOR, RoomAnswer, RoomTask, find_blocked, penalty
 from scenewright.domains.home.bed_first import with_narrow_ways
-from scenewright.domains.home.composing.forms import RUNS
 from scenewright.domains.home.composing.judging import sum_faults
 from scenewright.domains.home.composing.spacing.rules import measure_closeness
 from scenewright.domains.home.composing.views import is_unseen
-from scenewright.domains.home.programme import BEDS, Wish
+from scenewright.domains.home.groups.classes import BED_GROUPS, RUNS
+from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.second_try import Opened, try_otherwise
 from scenewright.domains.home.stated_needs import AskedRooms
 
@@ -74,7 +74,7 @@ def is_studio(task: RoomTask, wishes: tuple[Wish, ...]) -> bool:
     """Whether a room that is composed is to hold a bed, seats and a kitchen and has floor for
     them."""
     groups = {wish.group for wish in wishes}
-    several = all(groups.intersection(each) for each in (BEDS, RUNS, ("seating",)))
+    several = all(groups.intersection(each) for each in (BED_GROUPS, RUNS, ("seating",)))
     return several and is_composed(task)
 
 

@@ -20,9 +20,9 @@ from scenewright.engine.preference.features import (
 )
 from scenewright.geometry.composition import NAMES
 
-BEDS = ("sleeping", "single", "bunk", "cot")
+BED_OR_COT = ("sleeping", "single", "bunk", "cot")
 PLACES = {
-    "bed": BEDS,
+    "bed": BED_OR_COT,
     "desk": ("desk",),
     "sofa": ("seating",),
     "table": ("dining", "dining_wall"),

@@ -25,6 +25,7 @@ from scenewright.core.scene import Piece
 from scenewright.core.space import Space
 from scenewright.domains.home.cupboards import list_cupboards
 from scenewright.domains.home.door_paths import door_paths
+from scenewright.domains.home.measures import HEAD_HEIGHT
 from scenewright.domains.home.problem import Ground
 from scenewright.geometry.arcs import chords_of
 
@@ -33,7 +34,6 @@ Floats = NDArray[np.float64]
 WINDOW_DEPTH = 0.3  # nothing taller than the sill this near to the glass, metres
 STRIP = 0.3  # the floor before an opening that is better free in all its width, metres
 USE = 0.6  # floor before a fixed piece, metres
-HEAD_HEIGHT = 2.0
 HEARTH = "fireplace"
 MAIN_WALL = 1.5  # the paper's least length of a main wall, metres
 

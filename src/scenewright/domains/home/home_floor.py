@@ -21,13 +21,12 @@ from scenewright.core.layout import corners
 from scenewright.core.piece_outlines import polygons_of
 from scenewright.core.scene import Piece
 from scenewright.core.space import Opening, Space
+from scenewright.domains.home.measures import FLATTEST, HEAD_HEIGHT
 
 Shape = Any  # a shapely geometry
 Floats = NDArray[np.float64]
 
 SLACK = 0.01  # what a doorway reaches into its rooms, metres
-HEAD_HEIGHT = 2.0  # what begins above is in nobody's way, metres
-FLATTEST = 0.05  # what lies flat and is no thicker is walked on, metres
 UNSEEN = 1e-3  # of another room this much may be taken unseen, square metres
 ENTERED = 0.1  # how far inside a room the middle of the route has to come, metres
 SOFT = ("curtain", "blind")

@@ -20,6 +20,7 @@ import shapely
 from scenewright.building.ceiling import living_area, planes
 from scenewright.building.labels import is_entered
 from scenewright.building.room_needs import USABLE
+from scenewright.catalog.classes import DESKS, TABLE_SEATS
 from scenewright.core.brief import Room
 from scenewright.core.catalog import Group, Member
 from scenewright.core.plan import Plan
@@ -34,8 +35,10 @@ from scenewright.domains.home.cases.library import (
     index_cases,
     subset,
 )
+from scenewright.domains.home.groups.classes import COOKING, TABLES
 from scenewright.domains.home.groups.dining import tables_for_many
 from scenewright.domains.home.groups.living import seats_for_many
+from scenewright.domains.home.measures import SOFA_OF_THREE
 from scenewright.domains.home.programme import Wish, resolve_bedrooms
 
 SLEEPERS = {"double_bedroom": 2, "single_bedroom": 1, "child_bedroom": 1}
@@ -53,17 +56,12 @@ SEATED: dict[str, tuple[float, int]] = {
 many it seats at most."""
 FURTHER = {"dining_wall": tables_for_many, "seating": seats_for_many}
 """Forms beside the usual ones, so that there are such with enough places."""
-SOFA_OF_THREE = 1.9  # width of a sofa for three, metres
-BEDS = {"double_bed": 2, "single_bed": 1, "bunk_bed": 2}
-SOFAS = {"sofa": 3, "loveseat": 2, "corner_sofa": 4, "armchair": 1}
-DESKS = frozenset(("desk", "kids_desk", "corner_desk"))
-TABLES = frozenset(("dining", "dining_wall"))
-SEATS = frozenset(("dining_chair", "stool"))
+BED_PLACES = {"double_bed": 2, "single_bed": 1, "bunk_bed": 2}
+SOFA_PLACES = {"sofa": 3, "loveseat": 2, "corner_sofa": 4, "armchair": 1}
 WASHER = "washer"
 STORING = frozenset(
     ("wardrobe", "chest_of_drawers", "bookcase", "sideboard", "shelf_unit", "storage_shelf")
 )
-COOKING = frozenset(("kitchen", "kitchenette", "fridge", "counter", "island"))
 WASHROOM = "washroom"
 WET = ("bathroom", "toilet", WASHROOM)
 
@@ -328,8 +326,8 @@ def tell_programme(solution: Solution, plan: Plan) -> str:
 def _tell_people(household: Household, pieces: Sequence[Piece]) -> str:
     """How many live here, or sleep here where that is not stated, and in how many rooms: those
     with beds."""
-    beds = [p for p in pieces if p.category in BEDS]
-    people = household.residents if household.stated else sum(BEDS[p.category] for p in beds)
+    beds = [p for p in pieces if p.category in BED_PLACES]
+    people = household.residents if household.stated else sum(BED_PLACES[p.category] for p in beds)
     rooms = _count(len({p.space for p in beds}), "bedroom")
     return (
         f"{people or 'no'} {'person' if people == 1 else 'people'} in {rooms}"
@@ -341,7 +339,7 @@ def _tell_people(household: Household, pieces: Sequence[Piece]) -> str:
 def _tell_places(pieces: Sequence[Piece], people: int) -> str:
     """Beds and seats for the stated residents, and how many are short."""
     parts = []
-    for what, places in (("beds", BEDS), ("sofa seats", SOFAS)):
+    for what, places in (("beds", BED_PLACES), ("sofa seats", SOFA_PLACES)):
         count = sum(places.get(p.category, 0) for p in pieces)
         short = f" ({people - count} short)" if count < people else ""
         parts.append(f"{what} for {count}{short}")
@@ -350,7 +348,7 @@ def _tell_places(pieces: Sequence[Piece], people: int) -> str:
 
 def _tell_chairs(eats_in: str, pieces: Sequence[Piece], names: Mapping[str, str]) -> str:
     """The room in which they eat and every other with chairs at a table, with how many."""
-    chairs = Counter(p.space for p in pieces if p.category in SEATS and p.function in TABLES)
+    chairs = Counter(p.space for p in pieces if p.category in TABLE_SEATS and p.function in TABLES)
     rooms = dict.fromkeys((eats_in, *chairs))
     return " and ".join(f"{names[room]} ({_count(chairs[room], 'chair')})" for room in rooms)
 

@@ -20,9 +20,11 @@ from scenewright.domains.home.attempt import (
     find_blocked,
 )
 from scenewright.domains.home.bed_first import list_placed, with_narrow_ways
-from scenewright.domains.home.composing.case_faults import RAISED, RUN, TOUCH
-from scenewright.domains.home.composing.judging import RUNS, Placed
+from scenewright.domains.home.composing.case_faults import RUN, TOUCH
+from scenewright.domains.home.composing.judging import Placed
+from scenewright.domains.home.groups.classes import RUNS
 from scenewright.domains.home.groups.mini_kitchens import mini_kitchens
+from scenewright.domains.home.measures import RAISED
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.systematic import answer_of, place_rest
 

@@ -16,18 +16,16 @@ from scenewright.core.scene import Piece
 from scenewright.core.space import Space
 from scenewright.domains.home.attempt import RoomTask, floor_of
 from scenewright.domains.home.groups import GROUPS
+from scenewright.domains.home.groups.classes import COOKING, SITTING, TABLES
 from scenewright.domains.home.programme import STANDS_FOR, Wish
 from scenewright.domains.home.tasks import wishes_of
 from scenewright.domains.home.wished.wishes import groups_of
 
-SITTING = frozenset(("seating", "media"))
-EATING = frozenset(("dining", "dining_wall"))
-COOKING = frozenset(("kitchen", "kitchenette", "fridge", "counter", "island"))
 SERVING = frozenset(("sideboard",))
 ONCE = (
     SITTING,
     COOKING,
-    EATING,
+    TABLES,
     SERVING,
     frozenset(("shoes",)),
     frozenset(("coats",)),
@@ -97,7 +95,7 @@ def divide(
     elsewhere: dict[int, frozenset[str]] = {part.number: frozenset() for part in parts}
     instead: dict[int, tuple[Wish, ...]] = {part.number: () for part in parts}
     for use in ONCE:
-        if use is EATING:
+        if use is TABLES:
             instead |= _instead(parts, elsewhere, eaten_in)
             parts = [p._replace(groups=p.groups | _groups(instead[p.number])) for p in parts]
         holders = [part for part in parts if use & (part.groups | part.standing)]
@@ -112,13 +110,13 @@ def _claim(part: OpenPart, use: frozenset[str], elsewhere: frozenset[str]) -> tu
     """How much a part is the one for a use: it stands there, was asked for there, can be there as
     a whole; people eat where they neither sit nor cook, and a sideboard stands where they eat;
     then the larger one."""
-    other = (SITTING, COOKING) if use is EATING else (EATING,) if use is COOKING else ()
+    other = (SITTING, COOKING) if use is TABLES else (TABLES,) if use is COOKING else ()
     return (
         bool(use & part.standing),
         bool(use & (part.groups if part.listed else part.named)),
         len(use & part.groups),
         -sum(bool(part.groups & groups - elsewhere) for groups in other),
-        use is SERVING and bool(part.groups & EATING - elsewhere),
+        use is SERVING and bool(part.groups & TABLES - elsewhere),
         part.area,
     )
 

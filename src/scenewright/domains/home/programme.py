@@ -6,13 +6,15 @@ metres of free floor.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from math import inf
 from typing import NamedTuple
 
+from scenewright.catalog.classes import EATING_TABLES
 from scenewright.catalog.kinds import KINDS
 from scenewright.core.space import Space
 from scenewright.domains.home.groups.alone import own_groups
+from scenewright.domains.home.groups.classes import BED_GROUPS
 
 
 class Attraction(NamedTuple):
@@ -200,9 +202,8 @@ a window, a wardrobe or a shower does not."""
 INSTEAD_OF: dict[str, tuple[str, ...]] = {"corner_desk": ("desk", "kids_desk")}
 """Usual groups that a group asked for takes the place of."""
 _BED = ("double_bed", "single_bed", "bunk_bed", "cot")
-_TABLE = ("dining_table", "round_table")
 _COATS = ("shoe_cabinet", "coat_rack", "console_table")
-STANDS_FOR: dict[str, tuple[str, ...]] = {
+STANDS_FOR: dict[str, Collection[str]] = {
     "sleeping": _BED,
     "single": _BED,
     "bunk": _BED,
@@ -211,8 +212,8 @@ STANDS_FOR: dict[str, tuple[str, ...]] = {
     "kids_desk": ("desk", "kids_desk", "corner_desk"),
     "seating": ("sofa", "loveseat", "corner_sofa"),
     "media": ("tv", "tv_stand", "fireplace"),
-    "dining": _TABLE,
-    "dining_wall": _TABLE,
+    "dining": EATING_TABLES,
+    "dining_wall": EATING_TABLES,
     "kitchen": ("hob_cabinet", "sink_cabinet"),
     "kitchenette": ("hob_cabinet", "sink_cabinet"),
     "fridge": ("fridge",),
@@ -228,7 +229,6 @@ STANDS_FOR: dict[str, tuple[str, ...]] = {
 """Fixed pieces of these categories make a group unnecessary."""
 
 NOTED = frozenset(("shoes",))  # usual, and all that a hall is for
-BEDS = ("sleeping", "single", "bunk")
 GUESTS = {"wardrobe": (1.2, 0.62), "washer": (0.62, 0.64)}
 """Groups that in a kitchen leave their wall to the run: at most so wide and deep, metres."""
 HEARTH = PlacementPreference(
@@ -302,7 +302,7 @@ def programme(
 def _usual_place(group: str, shared: bool) -> PlacementPreference:
     """Where a group is wished though nobody says: beds of a ``shared`` room away from its doors,
     seats before a fireplace, chairs of a balcony looking out."""
-    if group in BEDS and shared:
+    if group in BED_GROUPS and shared:
         return PRIVATE
     if group in ("lounger", "terrace"):
         return VIEW

@@ -17,9 +17,8 @@ from scenewright.core.errors import InputError
 from scenewright.core.plan import Plan
 from scenewright.domains.home.cases.library import Library, cases, subset
 from scenewright.domains.home.groups import GROUPS
+from scenewright.domains.home.measures import ROUNDING
 from scenewright.domains.home.wished.wishes import groups_of, list_groups_barred_by
-
-ROUNDING = 1e-9
 
 
 def check_asks(brief: Brief) -> None:

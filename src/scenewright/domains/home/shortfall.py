@@ -25,7 +25,7 @@ from scenewright.core.space import Space
 from scenewright.domains.home.attempt import RoomAnswer, RoomTask
 from scenewright.domains.home.furnishing.whole import TOGETHER
 from scenewright.domains.home.groups import GROUPS
-from scenewright.domains.home.household import BEDS
+from scenewright.domains.home.household import BED_PLACES
 from scenewright.domains.home.wished.wishes import list_barred_groups
 
 
@@ -55,7 +55,7 @@ def list_short_beds(
     residents: int | None, spaces: Sequence[Space], pieces: Iterable[Piece]
 ) -> list[LeftOut]:
     """The beds that the stated residents lack, one by one, of the first bedroom."""
-    held = sum(BEDS.get(piece.category, 0) for piece in pieces)
+    held = sum(BED_PLACES.get(piece.category, 0) for piece in pieces)
     if residents is None or held >= residents:
         return []
     room = next((s for s in spaces if "bedroom" in s.functions), spaces[0])

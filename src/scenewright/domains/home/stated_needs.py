@@ -14,8 +14,14 @@ from typing import NamedTuple
 
 from scenewright.domains.home.attempt import Missing, RoomAnswer, RoomTask
 from scenewright.domains.home.composing.compose import compose
-from scenewright.domains.home.household import BEDS, LEAST_BUNK, SEATED, Household, count_places
-from scenewright.domains.home.programme import BEDS as SLEEPING
+from scenewright.domains.home.groups.classes import BED_GROUPS
+from scenewright.domains.home.household import (
+    BED_PLACES,
+    LEAST_BUNK,
+    SEATED,
+    Household,
+    count_places,
+)
 from scenewright.domains.home.programme import FALLBACK, WELCOME, Wish
 from scenewright.domains.home.second_try import Opened, lacks_essentials, try_otherwise
 from scenewright.domains.home.wheelchair import count_shut, furnish_by_use
@@ -120,7 +126,7 @@ def _furnish_again(
     answer = furnish_by_use(task, wishes, rooms.budgets[room])
     later = [w for w in rooms.wishes[room] if w.group not in {o.group for o in wishes}]
     gone = tuple(
-        Missing(w, "no room is left beside the rest") for w in later if w.group not in SLEEPING
+        Missing(w, "no room is left beside the rest") for w in later if w.group not in BED_GROUPS
     )
     composed = compose(task, answer._replace(missing=(*answer.missing, *gone)))
     stand = {group.wish.group for group in composed.placed}
@@ -139,7 +145,7 @@ def _list_beds(household: Household, rooms: AskedRooms, found: Sequence[RoomAnsw
     del household
     for room in sorted(range(len(found)), key=lambda k: -rooms.tasks[k].ground.area):
         task, wishes = rooms.tasks[room], rooms.wishes[room]
-        bed = next((w for w in wishes if w.group in SLEEPING), None)
+        bed = next((w for w in wishes if w.group in BED_GROUPS), None)
         held = _count_beds([found[room]])
         if bed is None or held >= SLEEPING_PLACES:
             continue
@@ -160,11 +166,11 @@ def _list_further_beds(
     del household
     for room in sorted(range(len(found)), key=lambda k: -rooms.tasks[k].ground.area):
         task, held = rooms.tasks[room], _count_beds([found[room]])
-        stands = [g.wish for g in found[room].placed if g.wish.group in SLEEPING]
+        stands = [g.wish for g in found[room].placed if g.wish.group in BED_GROUPS]
         if not stands:
             continue
         needed = (w for w in rooms.wishes[room] if w.rank == 0 or w.required)
-        first = (*stands, *(w for w in needed if w.group not in SLEEPING))
+        first = (*stands, *(w for w in needed if w.group not in BED_GROUPS))
         for more in _list_bunks(task, int(task.ground.area / SLEEPER) - held):
             yield room, task, (*first, *(Wish(group, 0, small=True) for group in more))
 
@@ -184,7 +190,7 @@ def _lack_beds(household: Household, answers: Sequence[RoomAnswer]) -> int:
 def _count_beds(answers: Sequence[RoomAnswer]) -> int:
     """How many sleep in the beds of rooms."""
     pieces = (p for answer in answers for group in answer.placed for p in group.pieces)
-    return sum(BEDS.get(piece.category, 0) for piece in pieces)
+    return sum(BED_PLACES.get(piece.category, 0) for piece in pieces)
 
 
 def _list_fewer(household: Household, rooms: AskedRooms, found: Sequence[RoomAnswer]) -> Change:

@@ -15,6 +15,7 @@ from scenewright.core.same import Same
 from scenewright.domains.home.furnishing.furnish import SLACK, needed_of, world
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles
 from scenewright.domains.home.furnishing.whole import list_grounded
+from scenewright.domains.home.measures import ROUNDING
 from scenewright.domains.home.problem import Ground
 from scenewright.geometry.compiled import compiled
 from scenewright.geometry.fit import mark_free, side_gaps
@@ -26,7 +27,7 @@ APART = 0.25  # places nearer to one another than this count as one, metres
 SNUG = 0.02  # a side nearer to a wall than this is in its corner, metres
 FAR = 4.0  # from a door on it does not matter how far, metres
 MOST = 400  # places along one wall
-HAIR, TINY = 1e-9, 1e-300
+TINY = 1e-300
 
 
 def free_places(
@@ -168,7 +169,7 @@ def _mark(
     free = np.zeros(len(boxes), bool)
     members = members or tuple(range(len(case.members)))
     shape, spans, flat, tall = _shape_of(case, members, catalog)
-    if not len(boxes) or (tall > height + HAIR and not len(ground.slopes)):
+    if not len(boxes) or (tall > height + ROUNDING and not len(ground.slopes)):
         return free
     mark_free(
         boxes,
@@ -186,7 +187,7 @@ def _mark(
     )
     for i in np.flatnonzero(free) if len(ground.slopes) else ():
         placed = world(tuple(case.members[k] for k in members), boxes[i], catalog)[0]
-        free[i] = bool((spans[:, 1] <= lowest(placed, ground.slopes, height) + HAIR).all())
+        free[i] = bool((spans[:, 1] <= lowest(placed, ground.slopes, height) + ROUNDING).all())
     return free
 
 

@@ -11,9 +11,11 @@ from numpy.typing import NDArray
 
 from scenewright.building.ceiling import BENDING, HEADROOM, low_floor, lowest
 from scenewright.core.catalog import Catalog
+from scenewright.core.kind import SIDES
 from scenewright.core.piece_outlines import boxes_of
 from scenewright.core.scene import Piece
 from scenewright.domains.home.bed_aisles import DOUBLE, are_open, list_mouths
+from scenewright.domains.home.measures import HEAD_HEIGHT
 from scenewright.domains.home.problem import Ground, KnownGround, known_ground
 from scenewright.geometry.boxes import Frame, frames_of, make_frame
 from scenewright.geometry.compiled import compiled, inlined
@@ -25,8 +27,6 @@ Flags = NDArray[np.bool_]
 
 CELL = 0.04
 REACH = 0.2  # how far a hand gets beyond the route's edge, metres
-HEAD_HEIGHT = 2.0
-SIDES = ("front", "left", "back", "right")
 
 
 def find_unreached(

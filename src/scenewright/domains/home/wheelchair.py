@@ -23,6 +23,7 @@ from scenewright.domains.home.cases.library import Library, cases, index_cases
 from scenewright.domains.home.easy_forms import keep_roomy, prefer_easy
 from scenewright.domains.home.furnishing.furnish import SLACK
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
+from scenewright.domains.home.groups.classes import UNLIVED
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.room import fill_rest, furnish, share_of
 from scenewright.domains.home.systematic import essential_layouts
@@ -35,11 +36,10 @@ TURN = 1.5  # the circle a wheelchair turns in, metres
 BESIDE = 0.9  # free floor beside a bed or toilet, metres
 ALONG = 1.2  # length of it along a bed, from its foot, metres
 SPARE = 0.03  # what is reserved more than needed, metres
-BEDS = ("double_bed", "single_bed")
+TRANSFER_BEDS = ("double_bed", "single_bed")
 WIDENED = {"sleeping": "double_bed", "single": "single_bed", "toilet": "toilet"}
 NARROWEST = 0.002  # the same where there is no room for that, metres
 SPARED = frozenset(("washer",))  # what a room without space to turn gives up before that
-APART = frozenset(("storage", "balcony", "other"))
 
 
 def widen_library(library: Library) -> Library:
@@ -89,7 +89,7 @@ def _meets(member: Member, x0: float, x1: float, y0: float, y1: float) -> bool:
 def _strip(main: Member, sign: float) -> tuple[float, float, float, float]:
     """The strip in the group's frame: left, right, back, front."""
     w, d = main.size.width / 2, main.size.depth
-    long = min(ALONG, d) if main.category in BEDS else d
+    long = min(ALONG, d) if main.category in TRANSFER_BEDS else d
     inner, outer = main.x + sign * w, main.x + sign * (w + BESIDE)
     return min(inner, outer), max(inner, outer), main.y + d / 2 - long, main.y + d / 2
 
@@ -208,7 +208,7 @@ def _score(answer: RoomAnswer) -> float:
 def spots(task: RoomTask) -> list[tuple[float, float]]:
     """Where a wheelchair might turn: in the middle, by the door, far from it; none if nowhere."""
     space = task.space
-    if set(space.functions) & APART or not task.preset.settings.exact:
+    if set(space.functions) & UNLIVED or not task.preset.settings.exact:
         return []
     ground = task.ground
     shape = shapely.Polygon(space.outline, list(space.holes))
@@ -276,7 +276,7 @@ def count_shut(task: RoomTask, answer: RoomAnswer) -> int:
 
 
 def _main(piece: Piece) -> bool:
-    return piece.category in BEDS or piece.category == "toilet"
+    return piece.category in TRANSFER_BEDS or piece.category == "toilet"
 
 
 def _pieces(answer: RoomAnswer) -> tuple[Piece, ...]:

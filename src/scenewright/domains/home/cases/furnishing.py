@@ -38,7 +38,7 @@ RUN = (
     "dishwasher",
 )
 """Units of one worktop: of one height and depth."""
-ALIKE: dict[str, tuple[str, ...]] = {
+LIKE_KINDS: dict[str, tuple[str, ...]] = {
     "dining_table": ("round_table",),
     "drawer_cabinet": ("base_cabinet",),
     "base_cabinet": ("drawer_cabinet",),
@@ -76,7 +76,7 @@ def stock_of(catalog: Catalog) -> Stock:
     found: dict[str, list[Asset]] = {}
     for asset in own:
         found.setdefault(asset.category, []).append(asset)
-    for kind, others in ALIKE.items():
+    for kind, others in LIKE_KINDS.items():
         more = [asset for other in others for asset in own if asset.category == other]
         if more:
             found.setdefault(kind, []).extend(more)

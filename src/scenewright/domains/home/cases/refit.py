@@ -20,7 +20,7 @@ Floats = NDArray[np.float64]
 
 LINED = 0.06  # backs nearer to one line than this stay in line, metres
 SHARED = 0.02  # what two members may newly share of their floor, metres
-RAISED = 0.05  # a member this high above the floor hangs or stands on another, metres
+CARRIED = 0.05  # a member this high above the floor hangs or stands on another, metres
 ABOVE = 0.12  # least gap between a piece and what hangs above it, metres
 HIGHEST = 2.35
 ROW = ("wall_cabinet", "hood")
@@ -80,13 +80,13 @@ def _place_members(
 
 def _below(old: tuple[Member, ...], i: int, standing: tuple[int, ...], anchor: int) -> int:
     """What a member hangs above, or the anchor for what lies on the floor."""
-    if old[i].z < RAISED:
+    if old[i].z < CARRIED:
         return anchor
     return min(standing, key=lambda k: abs(old[k].x - old[i].x) + abs(old[k].y - old[i].y) / 4)
 
 
 def _on_floor(member: Member, catalog: Catalog) -> bool:
-    return member.on < 0 and member.z < RAISED and not catalog.kinds[member.category].flat
+    return member.on < 0 and member.z < CARRIED and not catalog.kinds[member.category].flat
 
 
 def _apart(old: tuple[Member, ...], i: int, parent: int, anchor: int) -> float:
@@ -135,7 +135,7 @@ def _over(old: Member, parent: Member, new: Member, to: Member) -> Member:
     if old.category in ROW and abs(new.size.width - to.size.width) > SHARED:
         new = new._replace(size=old.size, asset="")
     size = new.size if new.asset else _scale_size(new.size, float(share[0]))
-    if old.z >= RAISED:
+    if old.z >= CARRIED:
         back = old.y - reach(old)[1] - (parent.y - reach(parent)[1])
         y = to.y - reach(to)[1] + back + reach(new)[1]
         under = abs(x - to.x) < reach(to)[0] + reach(new)[0]
@@ -190,7 +190,7 @@ def _rebuild_case(case: Group, members: tuple[Member, ...]) -> Group:
 
 def _extent(members: tuple[Member, ...]) -> tuple[Floats, Floats]:
     """The corners of the box round what stands on the floor."""
-    standing = [m for m in members if m.on < 0 and m.z < RAISED]
+    standing = [m for m in members if m.on < 0 and m.z < CARRIED]
     at = np.array([(m.x, m.y) for m in standing])
     half = np.array([reach(m) for m in standing])
     return (at - half).min(0), (at + half).max(0)

@@ -21,7 +21,7 @@ from scenewright.check.spaces import inscribed_width, under_ceiling
 from scenewright.core.brief import Room
 from scenewright.core.report import Finding, Note
 from scenewright.core.solution import LeftOut
-from scenewright.domains.home.household import BEDS
+from scenewright.domains.home.household import BED_PLACES
 
 SHARED = frozenset(("living", "dining", "kitchen", "hall"))
 """Functions whose essentials may stand in any room of an open space."""
@@ -110,7 +110,7 @@ def find_unmet_asks(asked: Mapping[str, Room], bodies: Bodies, rooms: Rooms) -> 
 
 def find_short_beds(residents: int | None, bodies: Bodies) -> list[Note]:
     """A note where fewer can sleep in a home than are stated to live in it."""
-    held = sum(BEDS.get(piece.category, 0) for piece in bodies.pieces)
+    held = sum(BED_PLACES.get(piece.category, 0) for piece in bodies.pieces)
     if residents is None or held >= residents:
         return []
     text = f"there are beds for {held or 'none'} of the {residents} residents"

@@ -11,11 +11,11 @@ from scenewright.domains.home.attempt import FurnishedGroup, Missing, RoomTask
 from scenewright.domains.home.cases.library import cases, shipped_cases
 from scenewright.domains.home.composing.case_faults import find_case_faults
 from scenewright.domains.home.composing.forms import ROOMY, list_further
-from scenewright.domains.home.composing.judging import RUNS, Placed
+from scenewright.domains.home.composing.judging import Placed
+from scenewright.domains.home.groups.classes import DESK_GROUPS, RUNS
 from scenewright.domains.home.groups.kitchen import short_counters
 from scenewright.domains.home.programme import FALLBACK, Wish
 
-DESKS = frozenset(("desk", "kids_desk"))
 SLEEP_IN_BUNK = 2
 """Those who sleep in a bunk bed, each with a desk where the room holds two."""
 COVERED = 0.29
@@ -62,8 +62,8 @@ def is_wanted(task: RoomTask, placed: Placed, wish: Wish, lacks: tuple[Missing, 
         return True
     if wish.group == "reading":
         return "reading" not in there and any(_has_few_seats(p) for p in placed)
-    if wish.group in DESKS:
-        return sum(group in DESKS for group in there) < SLEEP_IN_BUNK
+    if wish.group in DESK_GROUPS:
+        return sum(group in DESK_GROUPS for group in there) < SLEEP_IN_BUNK
     if wish.group == "counter":
         return "counter" not in there and any(_is_short(p) for p in placed)
     twice = wish.group == "shelf" and task.ground.area >= 14.0

@@ -15,7 +15,7 @@ from math import hypot, inf
 
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, find_blocked
 from scenewright.domains.home.composing.case_faults import find_case_faults
-from scenewright.domains.home.composing.forms import TABLES, is_mere_kitchen, list_forms
+from scenewright.domains.home.composing.forms import is_mere_kitchen, list_forms
 from scenewright.domains.home.composing.improve import list_worst_first
 from scenewright.domains.home.composing.judging import (
     JudgedRoom,
@@ -40,6 +40,7 @@ from scenewright.domains.home.composing.moving import with_margin
 from scenewright.domains.home.composing.pairs import find_pair, list_pair_starts
 from scenewright.domains.home.composing.placed_faults import list_standing
 from scenewright.domains.home.composing.trials import take_best, try_forms
+from scenewright.domains.home.groups.classes import TABLES
 
 COMPACT = 2.5  # of front, of a kitchen that leaves its wall to others, metres
 MACHINE = 0.64  # of wall for a washing machine beside a run, metres

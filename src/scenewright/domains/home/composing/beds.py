@@ -20,7 +20,8 @@ from scenewright.domains.home.composing.moving import make_unplaced
 from scenewright.domains.home.composing.placed_faults import cost_of_group
 from scenewright.domains.home.composing.trials import take_first, try_forms
 from scenewright.domains.home.composing.walked_places import try_places
-from scenewright.domains.home.programme import BEDS, resolve_bedrooms
+from scenewright.domains.home.groups.classes import BED_GROUPS
+from scenewright.domains.home.programme import resolve_bedrooms
 from scenewright.domains.home.wished.beds import list_wished_beds
 
 DOUBLE, SINGLE = "sleeping", "single"
@@ -28,7 +29,7 @@ DOUBLE, SINGLE = "sleeping", "single"
 
 def restore_double_bed(task: RoomTask, best: JudgedRoom, barred: frozenset[str]) -> JudgedRoom:
     """The groups with a double bed for the single one, where the room is for two and holds it."""
-    beds = [p for p in best.placed if p.wish.group in BEDS]
+    beds = [p for p in best.placed if p.wish.group in BED_GROUPS]
     if [p.wish.group for p in beds] != [SINGLE] or not wants_double_bed(task):
         return best
     rest = tuple(p for p in best.placed if p is not beds[0])

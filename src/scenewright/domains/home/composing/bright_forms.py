@@ -10,12 +10,12 @@ from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
 from scenewright.domains.home.composing.case_faults import FULL, count_seats
 from scenewright.domains.home.composing.doorways import holds_as_much, list_lasting_forms
 from scenewright.domains.home.composing.forms import cost_of_case, list_forms
+from scenewright.domains.home.groups.classes import BED_GROUPS
 from scenewright.domains.home.groups.sleeping import beside_walls
-from scenewright.domains.home.programme import BEDS
+from scenewright.domains.home.measures import HAIR
 
 HALF = 0.5
 """The share of its width that a wardrobe keeps, and the metre it has."""
-HAIR = 1e-6
 
 
 def list_bright_forms(task: RoomTask, group: FurnishedGroup) -> Iterator[Group]:
@@ -24,7 +24,7 @@ def list_bright_forms(task: RoomTask, group: FurnishedGroup) -> Iterator[Group]:
     wide as now."""
     better = list(_list_forms(task, group))
     smaller = sorted(better, key=lambda form: form.width * form.depth)
-    turns = (better, smaller) if group.wish.group in BEDS else (smaller, better)
+    turns = (better, smaller) if group.wish.group in BED_GROUPS else (smaller, better)
     yield from dict.fromkeys(form for both in zip_longest(*turns) for form in both if form)
 
 

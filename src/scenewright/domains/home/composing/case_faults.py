@@ -14,17 +14,16 @@ from math import cos, hypot, pi, remainder, sin
 
 from scenewright.catalog.assets.cooking import UNDER_WORKTOP
 from scenewright.core.catalog import Group, Member
+from scenewright.domains.home.measures import HAIR, RAISED, SOFA_OF_THREE
 
 Faults = dict[str, float]
 
 WORKTOP = frozenset(("base_cabinet", "drawer_cabinet", "corner_cabinet", "dishwasher"))
 RUN = WORKTOP | {"sink_cabinet", "hob_cabinet", "fridge"}
-RAISED = 0.3  # what begins so high is no unit of a run, metres
 AMPLE, BESIDE = 0.6, 0.3  # worktop in one piece, and beside a hob, metres
 FOUR_RINGS = 0.6  # width of a hob of four rings, metres
 FULL_SINK = 0.6  # width of a sink for a household, metres
 MANY = 3  # seats of a room that is roomy
-SOFA_OF_THREE = 1.9  # width of a sofa for three, metres
 FULL = 1.0  # width of a wardrobe, metres
 DEEP = 0.4  # depth of a wardrobe, metres: with less, clothes hang on a rail that is pulled out
 LONG = 2.0  # a bed for two, metres
@@ -37,7 +36,6 @@ LONE_SINK = 6.0  # what a sink by itself across from the hob counts of one besid
 LEG = (1.2, 2.7)  # of a work triangle, metres
 TOUCH, IN_LINE = 0.03, 0.3  # units nearer, and less far ahead, than this are in one line, metres
 TURNED = 0.1  # units turned by more are not in one line, radians
-HAIR = 1e-6
 
 
 @lru_cache(maxsize=4096)

@@ -14,6 +14,7 @@ from scenewright.domains.home.composing.room_passes import (
     FILLING,
     LACKING,
     MENDING,
+    OPENING,
     RESTORING,
     Barred,
     complete_room,
@@ -34,9 +35,11 @@ def compose(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
         return answer
     if task.library.own.keys() - task.library.seated and not learned:
         return answer
-    barred = frozenset(find_blocked(with_margin(task), answer.placed))
     if learned:
+        barred = frozenset(find_blocked(with_margin(task), answer.placed))
         return keep_habits(task, answer, barred)
+    answer = complete_room(task, answer, OPENING, frozenset())
+    barred = frozenset(find_blocked(with_margin(task), answer.placed))
     before = complete_room(task, answer, LACKING, barred)
     mended = _mend(task, judge_of(task, before.placed).cost_of(before.placed), barred).placed
     gone = _list_given_up(before.placed, mended)

@@ -22,14 +22,16 @@ from scenewright.domains.home.attempt import (
     find_blocked,
 )
 from scenewright.domains.home.composing.clothes import METRE, WARDROBE, hang_instead, list_hung
-from scenewright.domains.home.composing.forms import RUNS, list_forms
+from scenewright.domains.home.composing.forms import list_forms
 from scenewright.domains.home.composing.judging import JudgedRoom, Placed, RoomJudge, judge_of
 from scenewright.domains.home.composing.kitchens.mend import cost_of_home
 from scenewright.domains.home.composing.moving import with_margin
 from scenewright.domains.home.composing.placed_faults import measure_before_doors
 from scenewright.domains.home.composing.walked_places import try_places
+from scenewright.domains.home.groups.classes import BED_GROUPS, COOKING
 from scenewright.domains.home.groups.least import LEAST
-from scenewright.domains.home.programme import BEDS, WELCOME
+from scenewright.domains.home.measures import HAIR
+from scenewright.domains.home.programme import WELCOME
 from scenewright.domains.home.second_try import Opened
 
 STEP = 0.02  # between places along a wall, metres
@@ -42,9 +44,6 @@ PLANT = "plant"
 """What is left out where it stands before no less of a wide door elsewhere."""
 HOLDING = frozenset((WARDROBE, "chest", "shelf", "storage", "sideboard"))
 """Groups that hold the more the wider they are."""
-UNITS = RUNS | {"fridge", "counter", "island"}
-"""Kitchens are made to measure by rules of their own."""
-HAIR = 1e-6
 
 
 def clear_doorways(
@@ -63,7 +62,7 @@ def clear_doorways(
 
 def _list_in_doorways(task: RoomTask, placed: Placed) -> list[str]:
     """The names of the whole groups that stand before a wide door and may stand elsewhere."""
-    own = task.library.own.keys() | UNITS
+    own = task.library.own.keys() | COOKING
     whole = (p for p in placed if len(p.pieces) == sum(p.dressed.stands))
     metres = {
         p.name: measure_before_doors(p, task.ground) for p in whole if p.wish.group not in own
@@ -148,7 +147,7 @@ def list_lasting_forms(task: RoomTask, group: FurnishedGroup) -> Iterator[Group]
 
 def holds_as_much(form: Group, now: Group) -> bool:
     """Whether a form holds as much as a group does ``now``, or hardly less."""
-    if form.function in BEDS:
+    if form.function in BED_GROUPS:
         pairs = zip(_size_of(form), _size_of(now), BED, strict=True)
         return all(new > min(old, least) - HAIR for new, old, least in pairs)
     if form.function == WARDROBE and form.width < min(now.width, FULL) - HAIR:

@@ -20,7 +20,7 @@ from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import Missing, RoomAnswer, RoomTask
 from scenewright.domains.home.cases.library import shipped_cases
 from scenewright.domains.home.composing.bare_floor import pieces_of
-from scenewright.domains.home.composing.forms import TABLES, list_further
+from scenewright.domains.home.composing.forms import list_further
 from scenewright.domains.home.composing.judging import Placed
 from scenewright.domains.home.composing.lounges import PLACES
 from scenewright.domains.home.composing.settling import (
@@ -32,8 +32,9 @@ from scenewright.domains.home.composing.settling import (
     try_in_home,
 )
 from scenewright.domains.home.composing.voids import find_void
+from scenewright.domains.home.groups.classes import TABLES
 from scenewright.domains.home.household import Household
-from scenewright.domains.home.open_plan import EATING
+from scenewright.domains.home.measures import TUCKED
 from scenewright.domains.home.programme import STANDS_FOR, Wish
 from scenewright.domains.home.second_try import Opened
 
@@ -45,8 +46,6 @@ BARE = 0.9
 """A kitchen without a table is bare from an empty circle of so many metres of radius on."""
 COOKED_IN = frozenset(("kitchen", "hall"))
 """What a kitchen may be besides and still be nothing else."""
-TUCKED = 0.2
-"""A chair reaches so much less far from its table than the floor of who sits there, metres."""
 EATEN_IN = (
     (frozenset(("living", "dining", "kitchen")), 4.0),
     (frozenset(("hall",)), 6.0),
@@ -110,7 +109,7 @@ def _is_without_table(task: RoomTask, answer: RoomAnswer) -> bool:
     """Whether a room is a kitchen in which nobody eats, nor elsewhere in its open space."""
     kitchen = "kitchen" in task.space.functions and set(task.space.functions) <= COOKED_IN
     table = any(p.wish.group in TABLES for p in answer.placed)
-    return kitchen and not table and not EATING & task.elsewhere
+    return kitchen and not table and not TABLES & task.elsewhere
 
 
 def _set_in(

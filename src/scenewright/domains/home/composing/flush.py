@@ -18,7 +18,6 @@ Floats = NDArray[np.float64]
 AT = 0.06  # what begins nearer to a wall than this stands at it, metres
 APART = 0.001  # between pieces that touch, metres
 NARROWEST, WIDEST = 0.03, 0.4  # between these a gap is a slot, metres
-ALIKE = 0.99  # cosine between headings that are one, at least
 LOW = 0.05  # what begins so low stands on the floor, metres
 
 

@@ -14,6 +14,7 @@ from scenewright.domains.home.build_problem import select_allowed
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.case_faults import find_case_faults
 from scenewright.domains.home.composing.modest import find_few_places, find_shortage
+from scenewright.domains.home.groups.classes import RUNS, TABLES
 from scenewright.domains.home.groups.dining import further_tables, kitchen_tables
 from scenewright.domains.home.groups.entry import fitted_storage
 from scenewright.domains.home.groups.kitchen import long_kitchenettes
@@ -22,10 +23,6 @@ from scenewright.domains.home.groups.outdoor import folding_chair
 from scenewright.domains.home.groups.sleeping import along_wall, fitted_wardrobes, narrow_sides
 from scenewright.domains.home.settings import MERE_KITCHEN, ComposingSettings
 
-RUNS = frozenset(("kitchen", "kitchenette"))
-"""Groups one cooks at."""
-TABLES = frozenset(("dining", "dining_wall"))
-"""Groups one eats at."""
 FURTHER: dict[str, Callable[[], Iterator[Group]]] = {
     "dining_wall": further_tables,
     "kitchenette": long_kitchenettes,

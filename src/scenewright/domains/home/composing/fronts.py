@@ -7,12 +7,12 @@ from math import cos, hypot, sin
 
 from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import FurnishedGroup
+from scenewright.domains.home.measures import ON_FLOOR
 from scenewright.geometry.boxes import common_area, make_frame
 
 OPENED = 0.45  # floor that a door of a wardrobe is opened over, metres
 MOVED = frozenset(("rug", "office_chair", "dining_chair", "stool"))
 """What is pushed aside."""
-ON_FLOOR = 0.12  # what begins higher stands on something or hangs, metres
 SEEN = 0.05  # share of the doors that is not noticed
 
 

@@ -12,7 +12,7 @@ from collections.abc import Iterator
 
 from scenewright.domains.home.attempt import RoomTask
 from scenewright.domains.home.composing.bed_ways import list_closing
-from scenewright.domains.home.composing.forms import TABLES, list_forms
+from scenewright.domains.home.composing.forms import list_forms
 from scenewright.domains.home.composing.fronts import cost_of_fronts
 from scenewright.domains.home.composing.judging import (
     JudgedRoom,
@@ -35,6 +35,7 @@ from scenewright.domains.home.composing.placed_faults import (
 )
 from scenewright.domains.home.composing.trials import take_first, try_forms
 from scenewright.domains.home.composing.views import cost_of_view, list_between
+from scenewright.domains.home.groups.classes import TABLES
 
 IN_SIGHT = 100.0  # by so much what stands between seats and screen is tried before them
 

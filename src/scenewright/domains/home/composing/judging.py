@@ -11,11 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 from shapely import Polygon
 
+from scenewright.catalog.classes import BEDS, SOFT_SEATS
 from scenewright.core.same import Same
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, build_task_problem, floor_of
 from scenewright.domains.home.composing.bed_ways import cost_of_bed_ways
 from scenewright.domains.home.composing.case_faults import RUN
-from scenewright.domains.home.composing.forms import RUNS as RUNS
 from scenewright.domains.home.composing.forms import is_mere_kitchen
 from scenewright.domains.home.composing.fronts import cost_of_fronts
 from scenewright.domains.home.composing.kitchen_faults import (
@@ -26,7 +26,6 @@ from scenewright.domains.home.composing.kitchen_faults import (
 )
 from scenewright.domains.home.composing.outlook import cost_of_outlook
 from scenewright.domains.home.composing.placed_faults import (
-    SEATS,
     cost_of_crowding,
     cost_of_group,
     cost_of_hearth,
@@ -35,8 +34,8 @@ from scenewright.domains.home.composing.placed_faults import (
 )
 from scenewright.domains.home.composing.views import cost_of_view
 from scenewright.domains.home.energy import energies_of, prepare, route_grid
-from scenewright.domains.home.furnishing.bed_rugs import BEDS
 from scenewright.domains.home.groups import GROUPS
+from scenewright.domains.home.groups.classes import RUNS
 from scenewright.domains.home.learned.density import footing
 from scenewright.domains.home.learned.habits import clear
 from scenewright.domains.home.learned.rows import SIDES
@@ -138,7 +137,7 @@ def _sum_together(task: RoomTask, placed: Placed) -> float:
     if not kinds.isdisjoint(RUN):
         cost += cost_of_washer(placed, costs.loose) + cost_of_fridge(placed, ground, rule)
         cost += cost_of_stand(placed, costs.beside_run)
-    if not kinds.isdisjoint(SEATS):
+    if not kinds.isdisjoint(SOFT_SEATS):
         cost += cost_of_crowding(placed, costs.crowded)
         cost += cost_of_outlook(placed, ground, costs.outlook, task.fixed)
     if not kinds.isdisjoint(BEDS):

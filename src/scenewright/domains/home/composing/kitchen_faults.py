@@ -5,19 +5,20 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import cos, hypot, sin
 
+from scenewright.catalog.classes import EATING_TABLES
 from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import FurnishedGroup
-from scenewright.domains.home.composing.case_faults import IN_LINE, RAISED, RUN
-from scenewright.domains.home.composing.forms import RUNS, TABLES, share_in
+from scenewright.domains.home.composing.case_faults import IN_LINE, RUN
+from scenewright.domains.home.composing.forms import share_in
 from scenewright.domains.home.composing.modest import find_few_places
 from scenewright.domains.home.composing.placed_faults import find_darkness, list_standing
+from scenewright.domains.home.groups.classes import RUNS, TABLES
+from scenewright.domains.home.measures import ALIKE, RAISED
 from scenewright.domains.home.problem import Ground
 from scenewright.domains.home.settings import ComposingSettings, CompositionCosts
 from scenewright.geometry.boxes import common_area, make_frame
 
-TABLE = ("dining_table", "round_table")
 APART = 0.3  # a wardrobe nearer than this to a table, or a screen to a run, is beside it, metres
-ALIKE = 0.99  # cosine between headings that are one, at least
 AT_FRIDGE = 0.5  # what a machine beside the fridge costs of one away from all units
 TOGETHER = 0.06  # pieces nearer to one another than this stand together, metres
 
@@ -31,7 +32,7 @@ def cost_of_table(
     for group in groups:
         if group.wish.group in TABLES:
             total += costs.few_places * find_few_places(list_standing(group), ground.area)
-            table = next((p for p in group.pieces if p.category in TABLE), None)
+            table = next((p for p in group.pieces if p.category in EATING_TABLES), None)
             total += costs.dim_table * find_darkness(table, ground) if table else 0.0
             total += costs.beside_clothes * _is_near_clothes(group, groups)
     return total

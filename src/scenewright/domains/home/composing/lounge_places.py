@@ -11,6 +11,7 @@ from math import atan2, cos, pi, sin
 import numpy as np
 from numpy.typing import NDArray
 
+from scenewright.catalog.classes import SOFAS
 from scenewright.core.catalog import Group, Member
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
 from scenewright.domains.home.composing.case_faults import MANY, count_seats, is_hung
@@ -18,9 +19,9 @@ from scenewright.domains.home.composing.forms import list_forms
 from scenewright.domains.home.composing.judging import JudgedRoom, Placed, RoomJudge
 from scenewright.domains.home.composing.moving import dress_group, find_places
 from scenewright.domains.home.composing.views import cost_of_view
-from scenewright.domains.home.furnishing.enlarge import SOFAS
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles, flat_kinds, standing_of
 from scenewright.domains.home.furnishing.whole import list_grounded
+from scenewright.domains.home.measures import ROUNDING
 from scenewright.domains.home.wall_places import stand_free
 
 Floats = NDArray[np.float64]
@@ -33,7 +34,6 @@ STANDS, HUNG, SCREENS, SEATS = 4, 1, 6, 10
 """Forms of the screen on stands and on walls, places of each, and forms of the seats that are
 tried."""
 SEATED = 8  # places of the seats before one place of a screen
-HAIR = 1e-9
 TWO, SMALL, BLIND = 2, 4, 22.0
 """Seats that are enough where those of the room see nothing of the screen, how many of the smallest
 forms are tried there, and what that costs."""
@@ -131,7 +131,7 @@ def _measure_across(spot: Floats, walls: Floats) -> float:
     (x, y), ahead = spot[:2], np.array([cos(spot[2]), sin(spot[2])])
     ways, starts = walls[:, 2:] - walls[:, :2], walls[:, :2] - (x, y)
     turn = ahead[0] * ways[:, 1] - ahead[1] * ways[:, 0]
-    turn = np.where(np.abs(turn) < HAIR, np.inf, turn)
+    turn = np.where(np.abs(turn) < ROUNDING, np.inf, turn)
     reach = (starts[:, 0] * ways[:, 1] - starts[:, 1] * ways[:, 0]) / turn
     share = (starts[:, 0] * ahead[1] - starts[:, 1] * ahead[0]) / turn
     met = (share >= 0.0) & (share <= 1.0) & (reach > UNLIKE)

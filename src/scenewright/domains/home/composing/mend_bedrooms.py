@@ -21,8 +21,9 @@ from scenewright.domains.home.composing.judging import Placed, judge_of
 from scenewright.domains.home.composing.kitchens.mend import cost_of_home
 from scenewright.domains.home.composing.pairs import find_pair, furnish_pairs
 from scenewright.domains.home.composing.placed_faults import list_standing
+from scenewright.domains.home.groups.classes import BED_GROUPS
 from scenewright.domains.home.groups.least import LEAST
-from scenewright.domains.home.programme import BEDS
+from scenewright.domains.home.measures import HAIR, NARROWER
 from scenewright.domains.home.second_try import Opened
 
 WALKED, TRIED = 40, 3
@@ -31,9 +32,6 @@ FAULTS = frozenset(("wardrobe", "one_side"))
 """What makes a pair one to be tried again."""
 LEAST_BED = (0.8, 1.9)
 """No bed becomes smaller than this, or than it is, metres."""
-NARROWER = 0.08
-"""By so much narrower ways a grid of 0.04 m bars no more than an exact walk does, metres."""
-HAIR = 1e-6
 
 
 def mend_bedrooms(
@@ -103,7 +101,7 @@ def _list_forms(task: RoomTask, group: FurnishedGroup) -> Iterator[Group]:
     smaller than it is."""
     forms = sorted(list_forms(task, group), key=lambda form: form.width * form.depth)
     least = LEAST[group.wish.group]() if group.wish.group in LEAST else ()
-    if group.wish.group not in BEDS:
+    if group.wish.group not in BED_GROUPS:
         yield from (form for form in (*least, *forms) if not FAULTS & _faults_of(form))
         return
     wide, deep = (min(pair) for pair in zip(_size_of(group.dressed.case), LEAST_BED, strict=True))

@@ -12,7 +12,9 @@ from collections.abc import Callable
 from functools import lru_cache
 from typing import NamedTuple
 
+from scenewright.catalog.classes import TABLE_SEATS
 from scenewright.core.catalog import Group
+from scenewright.domains.home.measures import RAISED
 
 RUN = frozenset(
     ("base_cabinet", "drawer_cabinet", "dishwasher", "sink_cabinet", "hob_cabinet", "fridge")
@@ -21,7 +23,6 @@ CORNER_RUN = 1.4
 """Metres of front that a cabinet round a corner stands for."""
 LOUNGE = 0.8
 """Metres of seat that the lounge of a corner sofa adds to its width."""
-RAISED = 0.3  # what begins so high stands on something, metres
 
 
 class Expected(NamedTuple):
@@ -79,7 +80,6 @@ EXPECTED: dict[str, Expected] = {
 
 SEATED = ((16.0, 6), (9.0, 4))
 """From so many square metres on the table of a kitchen seats so many, the largest room first."""
-PLACES = ("dining_chair", "stool")
 
 
 def find_few_places(case: Group, area: float) -> float:
@@ -92,7 +92,7 @@ def find_few_places(case: Group, area: float) -> float:
     (0.0, 0.33)
     """
     asked = next((count for start, count in SEATED if area >= start), 0)
-    seats = sum(m.category in PLACES for m in case.members)
+    seats = sum(m.category in TABLE_SEATS for m in case.members)
     return max(0.0, 1.0 - seats / asked) if asked else 0.0
 
 

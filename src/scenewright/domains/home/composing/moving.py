@@ -15,11 +15,12 @@ from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
 from scenewright.domains.home.composing.case_faults import RUN
 from scenewright.domains.home.composing.flush import list_flush
 from scenewright.domains.home.composing.forms import is_mere_kitchen
-from scenewright.domains.home.composing.judging import RUNS, Placed
+from scenewright.domains.home.composing.judging import Placed
 from scenewright.domains.home.composing.stretches import Reach, longest_stretch, reach_of
 from scenewright.domains.home.furnishing.furnish import FurnishedPatch, dress_case, pieces_of
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles
 from scenewright.domains.home.furnishing.whole import list_grounded
+from scenewright.domains.home.groups.classes import RUNS
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.wall_places import WallRows, free_boxes, read_walls, stand_free
 from scenewright.geometry.fit import is_backed, side_gaps
@@ -32,7 +33,6 @@ FREE = frozenset(("dining",))
 """Groups that stand amid a room."""
 LARGE, GRID = 14.0, 0.3
 """Square metres from which places amid the floor are tried, and metres between them."""
-HAIR = 1e-9
 BACKED = 0.04  # a unit nearer than this is at its wall, metres
 
 

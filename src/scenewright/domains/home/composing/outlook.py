@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import cos, hypot, sin
 
+from scenewright.catalog.classes import SOFAS
 from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import FurnishedGroup
-from scenewright.domains.home.composing.fronts import ON_FLOOR
-from scenewright.domains.home.furnishing.enlarge import SOFAS
+from scenewright.domains.home.measures import ON_FLOOR
 from scenewright.domains.home.problem import Ground
 from scenewright.geometry.boxes import Frame, area_in_polygon, common_area, make_frame
 

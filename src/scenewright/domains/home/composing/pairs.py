@@ -23,14 +23,14 @@ from scenewright.domains.home.composing.judging import JudgedRoom, RoomJudge
 from scenewright.domains.home.composing.moving import dress_group, find_places, with_margin
 from scenewright.domains.home.composing.placed_faults import cost_of_openings
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, join_standing, standing_of
-from scenewright.domains.home.programme import BEDS
+from scenewright.domains.home.groups.classes import BED_GROUPS
+from scenewright.domains.home.measures import ROUNDING
 from scenewright.geometry.compiled import compiled, inlined
 
 Floats = NDArray[np.float64]
 
 Forms = Callable[[RoomTask, FurnishedGroup], Iterable[Group]]
 """The forms in which a group of a pair is tried, those without a like one before them."""
-HAIR = 1e-9
 TOUCH = 0.004  # boxes that share a strip narrower than this touch, metres
 NEAR = 0.2  # of places of one form nearer than this to a better one, one is taken, metres
 
@@ -63,7 +63,7 @@ def find_pair(
 ) -> tuple[FurnishedGroup, ...]:
     """The bed and the wardrobe of a room, or its ``other`` group, empty unless there is one of
     each."""
-    beds = [p for p in placed if p.wish.group in BEDS]
+    beds = [p for p in placed if p.wish.group in BED_GROUPS]
     others = [p for p in placed if p.wish.group == other]
     return (*beds, *others) if len(beds) == len(others) == 1 else ()
 
@@ -123,7 +123,7 @@ def _list_pairs(
     found, rated, forms = [np.empty((0, 2, 5))], [np.empty(0)], [np.empty(0, np.int64)]
     for number, (one, other) in enumerate(both):
         faults = one.faults[:, None] + other.faults
-        sound = faults < most + HAIR
+        sound = faults < most + ROUNDING
         if not sound.any():
             continue
         i, j = np.nonzero(~do_overlap(one.boxes, other.boxes) & sound)

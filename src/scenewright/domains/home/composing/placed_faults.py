@@ -9,6 +9,7 @@ from math import atan2, cos, hypot, sin
 import numpy as np
 from numpy.typing import NDArray
 
+from scenewright.catalog.classes import BEDS, DESKS, SOFAS, SOFT_SEATS
 from scenewright.core.catalog import Group
 from scenewright.core.same import Same
 from scenewright.core.scene import Piece
@@ -20,8 +21,9 @@ from scenewright.domains.home.composing.bed_places import (
     place_member,
 )
 from scenewright.domains.home.composing.case_faults import RUN
-from scenewright.domains.home.composing.forms import TABLES, cost_of_case
-from scenewright.domains.home.furnishing.enlarge import SOFAS, find_widest_screen
+from scenewright.domains.home.composing.forms import cost_of_case
+from scenewright.domains.home.furnishing.enlarge import find_widest_screen
+from scenewright.domains.home.groups.classes import TABLES
 from scenewright.domains.home.problem import Ground
 from scenewright.domains.home.settings import ComposingSettings
 from scenewright.geometry.boxes import common_area, make_frame
@@ -29,17 +31,13 @@ from scenewright.geometry.flanks import measure_flank_gaps
 
 Floats = NDArray[np.float64]
 
-SEATS = ("sofa", "corner_sofa", "loveseat", "armchair")
-"""What one sits on at ease."""
-_BEDS = ("single_bed", "double_bed", "bunk_bed")
 _CHESTS = ("chest_of_drawers", "sideboard", "tv_stand", "bookcase", "wardrobe", "shelf_unit")
-_AWAY_FROM_DOORS = (*_BEDS, "armchair")
-SHADES = frozenset((*SEATS, *_BEDS, *_CHESTS, "hob_cabinet"))
+_AWAY_FROM_DOORS = (*BEDS, "armchair")
+SHADES = frozenset((*SOFT_SEATS, *BEDS, *_CHESTS, "hob_cabinet"))
 """What takes a window's light, or is not to stand in it."""
 FIRMNESS = dict.fromkeys(RUN, 1.9) | dict.fromkeys(("bookcase", "fridge", "wardrobe"), 2.6)
 """How much more it costs that what is built in stands before a wide door, or what is as tall."""
 SCREEN = "tv"
-DESKS = frozenset(("desk", "kids_desk", "corner_desk"))
 BRIGHT, DAYLIT = 1.05, 2.1
 """Metres from a window up to which a desk is in full daylight, and from which it has hardly any: a
 window lights the floor as deep as its head is high (the primary sidelighted area of ASHRAE 90.1,
@@ -235,7 +233,7 @@ def cost_of_crowding(groups: Sequence[FurnishedGroup], cost: float) -> float:
     """What is wrong with tables that sofas and armchairs crowd: seats nearer than
     :data:`BESIDE_TABLE` to the floor of those who eat, half for being so and half by the share of a
     square metre that they take of it."""
-    seats = [p for g in groups for p in g.pieces if p.category in SEATS]
+    seats = [p for g in groups for p in g.pieces if p.category in SOFT_SEATS]
     total = 0.0
     for group in groups if seats else ():
         if group.wish.group in TABLES:

@@ -15,6 +15,7 @@ from scenewright.domains.home.composing.bare_walls import furnish_bare_walls
 from scenewright.domains.home.composing.beds import move_double_bed, restore_double_bed
 from scenewright.domains.home.composing.clothes import hang_in_closet
 from scenewright.domains.home.composing.comparing import compare_answers, compare_judged
+from scenewright.domains.home.composing.freeing import free_ways
 from scenewright.domains.home.composing.improve import improve_groups
 from scenewright.domains.home.composing.judging import JudgedRoom
 from scenewright.domains.home.composing.kitchens.islands import add_island
@@ -30,6 +31,14 @@ AnswerPass = Callable[[RoomTask, RoomAnswer, Barred], RoomAnswer]
 JudgedPass = Callable[[RoomTask, JudgedRoom, Barred], JudgedRoom]
 
 
+def _free(task: RoomTask, answer: RoomAnswer, _: Barred) -> RoomAnswer:
+    return answer._replace(placed=free_ways(task, answer.placed))
+
+
+OPENING: tuple[Pass[AnswerPass], ...] = (
+    Pass("free ways", "opening", _free, "what bars a way is pushed along its wall"),
+)
+"""Before it is known which ways are barred."""
 LACKING: tuple[Pass[AnswerPass], ...] = (
     Pass("add lacking", "opening", partial(add_groups, lacking=True), "what was given up, back in"),
 )
@@ -55,7 +64,7 @@ FILLING: tuple[Pass[AnswerPass], ...] = (
     Pass("fill wet room", "filling", fill_wet_room, "storage in bathrooms that hold it"),
     Pass("widen groups", "filling", widen_groups, "storage as wide as its wall allows"),
 )
-ROOM_PASSES: tuple[Pass[Any], ...] = (*LACKING, *RESTORING, *MENDING, *FILLING)
+ROOM_PASSES: tuple[Pass[Any], ...] = (*OPENING, *LACKING, *RESTORING, *MENDING, *FILLING)
 
 
 def complete_room(

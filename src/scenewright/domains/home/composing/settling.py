@@ -44,6 +44,8 @@ from scenewright.domains.home.composing.spacing.rules import measure_closeness
 from scenewright.domains.home.composing.used_floor import measure_taken
 from scenewright.domains.home.composing.views import cost_of_view
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
+from scenewright.domains.home.groups.classes import WET_ROOMS
+from scenewright.domains.home.measures import ROUNDING
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.second_try import Opened
 from scenewright.domains.home.wished.wishes import list_barred_groups
@@ -52,19 +54,17 @@ Floats = NDArray[np.float64]
 
 BACK: Floats = np.array([0.0, 0.0, np.pi, 0.0, 0.0])
 NOWHERE: Floats = np.empty((0, 5))
-HAIR = 1e-9
 APART = 0.3  # places of one form are so many metres from one another
 PLACES = 5  # of one form that are furnished
 YIELDING = frozenset(("plant", "console"))
 """What makes room for a first table."""
-WET = frozenset(("bathroom", "toilet", "washroom"))
 
 
 def is_home(tasks: Sequence[RoomTask]) -> bool:
     """Whether rooms make a dwelling: one in which people sleep or live, and another with water."""
     uses = [frozenset(task.space.functions) for task in tasks]
     lived = any(use & {"living", "bedroom", "double_bedroom", "single_bedroom"} for use in uses)
-    return lived and any(use & (WET | {"kitchen"}) for use in uses)
+    return lived and any(use & (WET_ROOMS | {"kitchen"}) for use in uses)
 
 
 def may_take_in(task: RoomTask, group: str) -> bool:
@@ -116,7 +116,7 @@ def list_sound(
         placed = (*rest, added)
         most = _measure_harm(task, before, rest) if most is None else most
         harm = _measure_harm(task, placed, rest)
-        if any(a > b + HAIR for a, b in zip(harm, most, strict=True)):
+        if any(a > b + ROUNDING for a, b in zip(harm, most, strict=True)):
             continue
         barred = _find_barred(Same(task), Same(before)) if barred is None else barred
         if barred.issuperset(find_blocked(with_narrow_ways(task), placed)):

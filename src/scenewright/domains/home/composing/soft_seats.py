@@ -12,6 +12,7 @@ from collections.abc import Iterator, Sequence
 from functools import cache
 from itertools import islice
 
+from scenewright.catalog.classes import SOFAS
 from scenewright.core.catalog import Group, Member
 from scenewright.core.scene import Size
 from scenewright.domains.home.attempt import RoomAnswer, RoomTask
@@ -26,7 +27,6 @@ from scenewright.domains.home.composing.settling import (
     try_in_home,
 )
 from scenewright.domains.home.composing.voids import may_stand_free
-from scenewright.domains.home.furnishing.enlarge import SOFAS
 from scenewright.domains.home.groups.least import LEAST
 from scenewright.domains.home.groups.living import talking
 from scenewright.domains.home.programme import WELCOME, Wish

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from scenewright.core.catalog import Group
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles
-from scenewright.domains.home.furnishing.whole import RAISED
+from scenewright.domains.home.measures import RAISED
 from scenewright.domains.home.problem import Ground
 from scenewright.geometry.compiled import compiled, inlined
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from math import cos, hypot, sin
 
+from scenewright.catalog.classes import SOFAS
 from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import FurnishedGroup
 from scenewright.domains.home.composing.judging import Placed
-from scenewright.domains.home.furnishing.enlarge import SOFAS
 
 TALK = 2.5
 """People talk at most so many metres from seat to seat (Panero, Zelnik 1979)."""

@@ -23,10 +23,9 @@ from scenewright.domains.home.composing.forms import cost_of_case
 from scenewright.domains.home.composing.judging import JudgedRoom, Placed, RoomJudge, cost_each
 from scenewright.domains.home.composing.moving import dress_group, find_places, with_margin
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
+from scenewright.domains.home.measures import ROUNDING
 
 Floats = NDArray[np.float64]
-
-HAIR = 1e-9
 
 
 class FormTrial(NamedTuple):
@@ -87,7 +86,7 @@ def try_forms(
 
     faults = sum(c for c in known if not isnan(c))
     trials = _list_trials(judge, placed, at, places, faults) if places else []
-    return furnish_by_cost([t for t in trials if t.least <= most + HAIR], furnish)
+    return furnish_by_cost([t for t in trials if t.least <= most + ROUNDING], furnish)
 
 
 def furnish_by_cost(
@@ -97,7 +96,7 @@ def furnish_by_cost(
     furnished before it may be the next."""
     found: list[tuple[float, int, JudgedRoom]] = []
     for number, trial in sorted(enumerate(trials), key=lambda pair: pair[1].least):
-        while found and found[0][0] < trial.least - HAIR:
+        while found and found[0][0] < trial.least - ROUNDING:
             yield heappop(found)[2]
         judged = furnish(trial)
         if judged is not None:

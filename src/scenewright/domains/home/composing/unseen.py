@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from scenewright.catalog.classes import SOFAS
 from scenewright.domains.home.attempt import (
     FurnishedGroup,
     Missing,
@@ -24,7 +25,6 @@ from scenewright.domains.home.composing.placed_faults import (
 )
 from scenewright.domains.home.composing.views import RESTING, is_unseen
 from scenewright.domains.home.composing.widths import BOOKS
-from scenewright.domains.home.furnishing.enlarge import SOFAS
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.domains.home.groups.living import low_board
 from scenewright.domains.home.programme import WELCOME, Wish

@@ -7,7 +7,8 @@ from math import cos, hypot, sin
 
 from scenewright.core.scene import Piece
 from scenewright.domains.home.composing.case_faults import RUN
-from scenewright.domains.home.composing.fronts import MOVED, ON_FLOOR
+from scenewright.domains.home.composing.fronts import MOVED
+from scenewright.domains.home.measures import ON_FLOOR
 from scenewright.geometry.boxes import Frame, common_area, make_frame
 
 BEFORE = {

@@ -8,10 +8,11 @@ from math import atan2, cos, hypot, pi, radians, remainder, sin
 import numpy as np
 from numpy.typing import NDArray
 
+from scenewright.catalog.classes import SOFAS
 from scenewright.core.scene import Piece, Pose
 from scenewright.domains.home.attempt import FurnishedGroup
-from scenewright.domains.home.furnishing.enlarge import SOFAS
-from scenewright.domains.home.furnishing.whole import RAISED
+from scenewright.domains.home.groups.classes import SITTING
+from scenewright.domains.home.measures import RAISED
 from scenewright.domains.home.settings import CompositionCosts
 from scenewright.geometry.boxes import Frame, area_in_polygon, common_area, make_frame
 
@@ -38,8 +39,6 @@ SIGHT, FILLED = 0.8, 0.6
 HIDDEN = 0.3
 """So many square metres of what stands in the sight hide a screen."""
 
-SEEN_PAST = frozenset(("seating", "media"))
-"""Groups that do not stand between seats and screen: themselves."""
 
 SEEN_OVER, EYES = frozenset(("kitchen", "kitchenette", "counter", "fridge")), 1.1
 """Groups one looks over: of a kitchen only what is higher than the eyes of who sits hides a screen,
@@ -157,7 +156,7 @@ def _fill_sight(sofa: Piece, screen: Piece, groups: Sequence[FurnishedGroup]) ->
     sight, front = _make_sight(sofa, screen), _make_front(screen)
     found, far = dict[str, float](), hypot(long, SIGHT) / 2
     for group in groups:
-        if group.wish.group in SEEN_PAST:
+        if group.wish.group in SITTING:
             continue
         lowest = EYES if group.wish.group in SEEN_OVER else 0.0
         for p in group.pieces:

@@ -9,18 +9,18 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from scenewright.catalog.classes import SOFAS
 from scenewright.core.layout import corners
 from scenewright.core.piece_outlines import polygons_of
 from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import RoomTask
 from scenewright.domains.home.composing.case_faults import RUN
-from scenewright.domains.home.furnishing.enlarge import SOFAS
 from scenewright.domains.home.furnishing.obstacles import flat_kinds
+from scenewright.domains.home.measures import RAISED
 
 Floats = NDArray[np.float64]
 
 EXACT = 0.05  # a radius is found to so many metres
-RAISED = 0.3  # what begins so high does not fill a floor, metres
 SIGHT = 1.0  # width of the floor between seats and screen that is left free, metres
 AHEAD = 1.2  # what stands free has so many metres of floor before it
 TURNED = 3.0  # it turns its back on nobody's seat that is nearer than this, metres

@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 
 from scenewright.core.catalog import Group
 from scenewright.domains.home.composing.flush import (
-    ALIKE,
     APART,
     AT,
     NARROWEST,
@@ -20,13 +19,14 @@ from scenewright.domains.home.composing.flush import (
     seen_from,
 )
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles
+from scenewright.domains.home.measures import ALIKE
 from scenewright.domains.home.problem import Ground
 from scenewright.domains.home.wall_places import read_walls
 
 Floats = NDArray[np.float64]
 
 INSIDE = 0.01  # what is less deep in something than this is not in it, metres
-ON_FLOOR = 0.1  # what ends lower is stood over, metres
+STOOD_OVER = 0.1  # what ends lower is stood over, metres
 
 
 class FreeStretch(NamedTuple):
@@ -52,7 +52,7 @@ class FreeStretch(NamedTuple):
 def list_taken(ground: Ground, standing: StandingObstacles, more: Floats, height: float) -> Floats:
     """The boxes (k, 5) in which nothing of that height stands: what is there already and ``more``
     (m, 5), doors, and windows that begin lower."""
-    met = (standing.spans[:, 0] < height) & (standing.spans[:, 1] > ON_FLOOR)
+    met = (standing.spans[:, 0] < height) & (standing.spans[:, 1] > STOOD_OVER)
     low = ground.windows[ground.windows[:, 5] < height, :5]
     return np.concatenate([standing.boxes[met], more, ground.keep_free, low])
 

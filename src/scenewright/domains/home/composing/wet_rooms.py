@@ -38,6 +38,7 @@ from scenewright.domains.home.groups.bath import (
     fitted_closets,
     fitted_machines,
 )
+from scenewright.domains.home.measures import HAIR
 from scenewright.domains.home.problem import Ground
 
 Floats = NDArray[np.float64]
@@ -67,7 +68,6 @@ PAST, STAND = 0.2, 0.55  # what ends no farther past its front is no bar; one st
 HUNG = 1.0  # what hangs higher is no bar, metres
 LESS, TALL = 0.2, 0.6  # steps between widths that are tried, and the least of them, metres
 TRIED = 16  # places that are furnished
-HAIR = 1e-6
 BETTER = 0.05  # by how much a place is better at least
 
 

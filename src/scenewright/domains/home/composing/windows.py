@@ -20,8 +20,7 @@ from scenewright.domains.home.composing.bed_sides import count_closed_beds
 from scenewright.domains.home.composing.bright_beds import list_around_bed
 from scenewright.domains.home.composing.bright_places import list_brighter
 from scenewright.domains.home.composing.case_faults import find_case_faults
-from scenewright.domains.home.composing.doorways import UNITS
-from scenewright.domains.home.composing.judging import RUNS, Placed, count_unmet
+from scenewright.domains.home.composing.judging import Placed, count_unmet
 from scenewright.domains.home.composing.kitchens.hob_places import move_hob
 from scenewright.domains.home.composing.placed_faults import (
     DARK,
@@ -31,7 +30,7 @@ from scenewright.domains.home.composing.placed_faults import (
     measure_before_windows,
 )
 from scenewright.domains.home.composing.views import cost_of_view
-from scenewright.domains.home.programme import BEDS
+from scenewright.domains.home.groups.classes import BED_GROUPS, COOKING, RUNS
 from scenewright.domains.home.second_try import Opened
 
 WORTH = 30.0
@@ -133,7 +132,7 @@ def _list_open(task: RoomTask, placed: Placed, at: int) -> Iterator[Placed]:
     counted: Counted = ()
     barred: frozenset[str] = frozenset()
     narrow, dearer = with_narrow_ways(task), list[Placed]()
-    is_bed = placed[at].wish.group in BEDS
+    is_bed = placed[at].wish.group in BED_GROUPS
     seen = _cost_of_view(task, placed) + SEEN
     for other in chain(_list_moved(task, placed, at), _list_around(task, placed, at)):
         if not counted:
@@ -152,7 +151,7 @@ def _list_open(task: RoomTask, placed: Placed, at: int) -> Iterator[Placed]:
 def _cost_of_view(task: RoomTask, placed: Placed) -> float:
     """What is wrong with how a screen is seen, in a room one sleeps in: elsewhere no more than a
     window is worth."""
-    if not any(p.wish.group in BEDS for p in placed):
+    if not any(p.wish.group in BED_GROUPS for p in placed):
         return 0.0
     return cost_of_view(placed, task.preset.settings.composing.costs, task.ground.edges)
 
@@ -160,7 +159,7 @@ def _cost_of_view(task: RoomTask, placed: Placed) -> float:
 def _list_moved(task: RoomTask, placed: Placed, at: int) -> Iterator[Placed]:
     if placed[at].wish.group in RUNS:
         yield from move_hob(task, placed, at)
-    elif placed[at].wish.group not in UNITS:
+    elif placed[at].wish.group not in COOKING:
         fixed = _find_fixed(task, placed)
         yield from (j.placed for j in list_brighter(task, placed, at, fixed, WORTH))
 
@@ -173,5 +172,5 @@ def _list_around(task: RoomTask, placed: Placed, at: int) -> list[Placed]:
 
 def _find_fixed(task: RoomTask, placed: Placed) -> frozenset[str]:
     """The names of the groups of a room that stay where they are."""
-    own = task.library.own.keys() | UNITS
+    own = task.library.own.keys() | COOKING
     return frozenset(p.name for p in placed if p.wish.group in own)

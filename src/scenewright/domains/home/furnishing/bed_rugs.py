@@ -14,14 +14,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.core.scene import Piece
+from scenewright.domains.home.measures import TUCKED
 
 Floats = NDArray[np.float64]
 
-BEDS = frozenset(("double_bed", "single_bed", "bunk_bed"))
 ASIDE = (0.6, 0.5, 0.4)  # a rug under the foot reaches so far beyond both sides, metres
 FOOT = (0.3, 0.1, 0.0)  # and beyond the foot, metres
 UNDER = (1.5, 1.2)  # and is so long, metres
-TUCKED = 0.2  # of a rug along a bed lies under it, metres
 LENGTHS = (1.8, 1.6, 1.4, 1.2, 1.0)  # of a rug along a bed, metres
 WIDTHS = (1.2, 1.0, 0.85, 0.7)  # of that, half a metre of it before the bed at least, metres
 OFF_SIDES = 0.12  # a rug before the foot is so much narrower than the bed, metres

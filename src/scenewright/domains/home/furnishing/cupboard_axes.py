@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from scenewright.core.scene import Piece
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles
+from scenewright.domains.home.groups.classes import UNITS
 
 Floats = NDArray[np.float64]
 
@@ -18,7 +19,7 @@ TOUCH = 0.05  # cupboards nearer to one another are one, metres
 LOW = 0.05  # what begins higher stands on something, metres
 TURNED = 0.1  # sine of the angle by which a cupboard may be off square to the rug
 DOORS = 0.3  # floor before a wardrobe in which a rug would lie tight before its doors, metres
-COOKING, STANDING = frozenset(("kitchen", "kitchenette", "counter")), 0.6
+STANDING = 0.6
 """Groups before which one stands and works, and the floor that takes, metres."""
 NEAR = 1.0  # a rug farther before a cupboard does not lie along it, metres
 
@@ -59,7 +60,7 @@ def front_boxes(pieces: Sequence[Piece]) -> StandingObstacles:
     clear of."""
     boxes = []
     for p in pieces:
-        cooking = p.function in COOKING and p.pose.z < LOW
+        cooking = p.function in UNITS and p.pose.z < LOW
         free = DOORS if p.category == "wardrobe" else STANDING if cooking else 0.0
         if free:
             ahead, (x, y, _, turn) = (p.size.depth + free) / 2, p.pose

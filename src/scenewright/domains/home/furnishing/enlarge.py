@@ -15,6 +15,7 @@ from math import cos, hypot, sin
 
 import numpy as np
 
+from scenewright.catalog.classes import SOFAS, TABLE_SEATS
 from scenewright.catalog.kinds import SIZES
 from scenewright.core.catalog import OWN, Catalog
 from scenewright.core.same import Same
@@ -27,10 +28,10 @@ from scenewright.domains.home.furnishing.obstacles import (
     flat_kinds,
     standing_of,
 )
+from scenewright.domains.home.measures import HAIR
 from scenewright.domains.home.problem import Ground
 from scenewright.geometry.boxes import Frame, common_area, make_frame
 
-SOFAS = ("sofa", "loveseat", "corner_sofa")
 BEYOND = (0.6, 0.5, 0.4, 0.3, 0.2)  # a rug reaches beyond its sofa, both ends together, metres
 FRAME = (0.3, 0.2, 0.155)  # and beyond the coffee table at its far side, metres
 RUGS_APART = 0.1  # between rugs of one room, metres
@@ -38,9 +39,8 @@ WIDTHS = 2.3  # distance from seat to screen in widths of the screen that is aim
 MOST_WIDTHS = 3.15  # and no further in widths of one that reaches beyond its stand
 OVERHANG = 0.36  # a screen may be wider than its stand, metres
 ONE_SIDE = 0.16  # and one that reaches beyond one end of it only, metres
-CHAIRS, ELBOW = ("dining_chair", "stool"), 0.2
+ELBOW = 0.2
 """What one sits on beside a stand, and metres from it to a screen that is wider than its stand."""
-HAIR = 1e-6
 STEP = 0.1  # screens are tried in steps, metres
 LEAST_SCREEN, SCREEN_DEPTH, SCREEN_RATIO = 0.75, 0.22, 0.62
 """The narrowest screen, how deep it stands, metres, and its height as a share of its width."""
@@ -147,7 +147,7 @@ def _screens(screen: Piece, pieces: Sequence[Piece]) -> Iterator[Piece]:
     away = min(hypot(p.pose.x - screen.pose.x, p.pose.y - screen.pose.y) for p in seats)
     wanted = min(max(stand.size.width, away / MOST_WIDTHS), away / WIDTHS)
     most = min(wanted, stand.size.width + OVERHANG, SIZES["tv"][2].width)
-    chairs = [_frame(p, ELBOW) for p in pieces if p.category in CHAIRS]
+    chairs = [_frame(p, ELBOW) for p in pieces if p.category in TABLE_SEATS]
     ratio = screen.size.height / screen.size.width
     x, y, z, heading = screen.pose
     for wide in np.arange(most, screen.size.width, -STEP).round(2).tolist():

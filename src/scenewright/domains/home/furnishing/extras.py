@@ -6,6 +6,7 @@ import numpy as np
 import shapely
 
 from scenewright.building.ceiling import below, lowest
+from scenewright.catalog.classes import EATING_TABLES
 from scenewright.core.catalog import Catalog
 from scenewright.core.layout import corners
 from scenewright.core.scene import Piece, Pose, Size
@@ -20,11 +21,10 @@ from scenewright.domains.home.furnishing.obstacles import (
 )
 from scenewright.domains.home.furnishing.wall_art import fill_walls
 from scenewright.domains.home.furnishing.window_dressing import dress_windows
+from scenewright.domains.home.groups.classes import UNLIVED
 from scenewright.domains.home.problem import Ground
 from scenewright.geometry.boxes import common_area, make_frame
 
-DARK = frozenset(("balcony", "other", "storage"))
-TABLES = ("dining_table", "round_table")
 LAMP = Size(0.46, 0.46, 0.14)
 HEAD_ROOM = 2.0  # what a lamp leaves below it, metres
 TABLE_ROOM = 1.4  # what a lamp over a table leaves below it, metres
@@ -45,9 +45,9 @@ def extras(
 def _lamps(
     space: Space, ground: Ground, pieces: tuple[Piece, ...], catalog: Catalog
 ) -> list[Piece]:
-    if DARK & set(space.functions) or not space.functions:
+    if UNLIVED & set(space.functions) or not space.functions:
         return []
-    tables = [p for p in pieces if p.category in TABLES and p.function == "dining"]
+    tables = [p for p in pieces if p.category in EATING_TABLES and p.function == "dining"]
     pendant, lamp = (
         _real(category, usual, catalog)
         for category, usual in (("pendant_lamp", PENDANT), ("ceiling_lamp", LAMP))

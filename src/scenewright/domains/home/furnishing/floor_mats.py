@@ -18,12 +18,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.building.door_approach import door_zone, gates, opens_here
+from scenewright.catalog.classes import BEDS, SOFAS
 from scenewright.core.catalog import Catalog
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.space import Space
-from scenewright.domains.home.furnishing.bed_rugs import BEDS, list_bed_rugs
+from scenewright.domains.home.furnishing.bed_rugs import list_bed_rugs
 from scenewright.domains.home.furnishing.cupboard_axes import find_cupboard_axis, front_boxes
-from scenewright.domains.home.furnishing.enlarge import SOFAS
 from scenewright.domains.home.furnishing.obstacles import (
     StandingObstacles,
     find_faults,

@@ -13,7 +13,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from scenewright.catalog.classes import SOFT_SEATS
 from scenewright.core.catalog import Catalog, Group, Member
+from scenewright.core.kind import SIDES
 from scenewright.domains.home.build_problem import RELATIONS, holds, number_names, sizes_of
 from scenewright.domains.home.cases.library import SHIPPED, Library, nearest
 from scenewright.domains.home.groups import GROUPS
@@ -21,8 +23,6 @@ from scenewright.domains.home.problem import Ground, Items, Problem, empty_items
 from scenewright.domains.home.programme import Wish
 
 Floats = NDArray[np.float64]
-SIDES = ("front", "left", "back", "right")
-SEATS = frozenset(("sofa", "loveseat", "corner_sofa", "armchair"))
 BACK = 0.06  # a piece whose back is this near to its group's belongs to the wall, metres
 TIED = 2.0  # weight of the ties within a group beside those between groups
 
@@ -123,7 +123,7 @@ def _back(parts: Parts, i: int) -> float:
 def _role(parts: Parts, i: int) -> float:
     """The group's role at the main wall, for the piece that makes it and for its seats."""
     role = GROUPS[parts.wish.group].main
-    seat = role > 0 and parts.case.members[i].category in SEATS
+    seat = role > 0 and parts.case.members[i].category in SOFT_SEATS
     return role if seat or i == parts.anchor else 0.0
 
 

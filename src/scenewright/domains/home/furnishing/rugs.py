@@ -10,10 +10,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 
+from scenewright.catalog.classes import SOFAS
 from scenewright.core.scene import Piece
 
 RUG, RUNNER, BATH_MAT, QUIET = "rug", "rug_runner", "rug_bath", "rug_quiet"
-SEATS = frozenset(("sofa", "loveseat", "corner_sofa"))
 WET = frozenset(("bathtub", "shower", "toilet"))
 SLENDER = 1.9
 """A rug so many times as long as wide is a runner."""
@@ -30,7 +30,7 @@ def match_rugs(pieces: Iterable[Piece]) -> tuple[Piece, ...]:
     ['rug_runner']
     """
     known = tuple(pieces)
-    seated = {place for p in known if p.category in SEATS for place in (p.space, p.group)}
+    seated = {place for p in known if p.category in SOFAS for place in (p.space, p.group)}
     wet = {p.space for p in known if p.category in WET}
     return tuple(
         replace(p, asset=_model_of(p, p.space in wet))

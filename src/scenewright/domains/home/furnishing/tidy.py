@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.domains.home.groups import GROUPS
+from scenewright.domains.home.groups.classes import UNITS
 from scenewright.domains.home.problem import Ground
 from scenewright.geometry.fit import settle
 from scenewright.geometry.wall_alignment import align_to_wall
@@ -13,7 +14,6 @@ from scenewright.geometry.wall_alignment import align_to_wall
 Floats = NDArray[np.float64]
 
 CLOSE = 0.3  # gaps up to this many metres beside a patch are closed
-ROWS = frozenset(("kitchen", "kitchenette", "counter"))  # groups that widen over a small gap
 
 
 def tidy_groups(
@@ -27,5 +27,5 @@ def tidy_groups(
     backs = np.array([GROUPS[g].back > 0 for g in groups])
     square = align_to_wall(boxes, new, backs, ground.walls, ground.edges, zones)
     nestle = np.array([GROUPS[g].nestle > 0 for g in groups]) & new
-    grow = np.array([g in ROWS for g in groups])
+    grow = np.array([g in UNITS for g in groups])
     return settle(square, nestle, grow, ground.edges, zones, CLOSE)

@@ -28,15 +28,13 @@ from scenewright.domains.home.furnishing.obstacles import (
     flat_kinds,
     standing_of,
 )
+from scenewright.domains.home.groups.classes import LIVED_IN
 from scenewright.domains.home.hanging_walls import hanging_walls
 from scenewright.domains.home.problem import Ground
 from scenewright.geometry.fit import faults, is_backed
 
 Floats = NDArray[np.float64]
 
-LIVED_IN = frozenset(
-    ("living", "dining", "study", "bedroom", "double_bedroom", "single_bedroom", "child_bedroom")
-)
 ADORNMENT = frozenset(("picture", "wall_shelf", "wall_clock", "wall_exhibit"))
 """What makes a wall lived in; a mirror over a chest or the cabinets of a kitchen do not."""
 LAMPS = frozenset(

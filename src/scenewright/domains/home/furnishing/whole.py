@@ -14,15 +14,15 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from scenewright.catalog.classes import EATING_TABLES
 from scenewright.core.catalog import Group, Member
 from scenewright.core.scene import Piece
 from scenewright.domains.home.groups import GROUPS
+from scenewright.domains.home.measures import RAISED
 
 Floats = NDArray[np.float64]
 Need = tuple[frozenset[str], int]
 
-RAISED = 0.3  # what begins so high and stands on nothing hangs, metres
-_TABLE = frozenset(("dining_table", "round_table"))
 _CHAIR = frozenset(("dining_chair", "stool", "bench"))
 
 
@@ -45,8 +45,8 @@ TOGETHER: dict[str, tuple[Need, ...]] = {
         (frozenset(("coffee_table", "side_table")), 1),
     ),
     "media": _each("tv_stand", "tv"),
-    "dining": ((_TABLE, 1), (_CHAIR, 2)),
-    "dining_wall": ((_TABLE, 1), (_CHAIR, 2)),
+    "dining": ((EATING_TABLES, 1), (_CHAIR, 2)),
+    "dining_wall": ((EATING_TABLES, 1), (_CHAIR, 2)),
     "desk": _each("desk", "office_chair"),
     "corner_desk": _each("corner_desk", "office_chair"),
     "kids_desk": _each("kids_desk", "dining_chair"),

@@ -19,18 +19,16 @@ from scenewright.domains.home.furnishing.obstacles import (
     join_standing,
     standing_of,
 )
+from scenewright.domains.home.groups.classes import LIVED_IN
 from scenewright.domains.home.problem import Ground
 from scenewright.geometry.boxes import common_area, make_frame
 
-CURTAINED = frozenset(
-    ("living", "dining", "study", "bedroom", "double_bedroom", "single_bedroom", "child_bedroom")
-)
 DEPTH = {"curtain": 0.09, "blind": 0.06}
 """How far each stands out from its wall, metres."""
 REACH, SEEN = 0.15, 0.005  # floor below a curtain, metres, and what of it is not noticed, m²
 LET_DOWN = 0.35  # of a window's height that a blind covers
 RESTING = 0.2  # a curtain ends at least so far above a desk or chest that stands below it, metres
-COOKING = 0.8  # no curtain nearer than this to kitchen units, metres
+OFF_UNITS = 0.8  # no curtain nearer than this to kitchen units, metres
 NARROWEST = 0.3  # a window narrower than this is left bare, metres
 
 
@@ -38,7 +36,7 @@ def dress_windows(
     space: Space, ground: Ground, pieces: tuple[Piece, ...], catalog: Catalog
 ) -> list[Piece]:
     """Curtains and blinds for the windows of a room in which ``pieces`` stand."""
-    if not CURTAINED & set(space.functions):
+    if not LIVED_IN & set(space.functions):
         return []
     standing = standing_of(pieces, flat_kinds(catalog))
     found: list[Piece] = []
@@ -85,7 +83,7 @@ def _forms(
 
 def _cooked_at(gate: DoorApproach, pieces: tuple[Piece, ...]) -> bool:
     """True if kitchen units stand near a window: no place for a curtain."""
-    near = gate.opening.width / 2 + COOKING
+    near = gate.opening.width / 2 + OFF_UNITS
     units = (p for p in pieces if p.function in ("kitchen", "kitchenette", "counter"))
     return any(np.hypot(*(gate.face - np.array(p.pose[:2]))) < near for p in units)
 

@@ -6,10 +6,9 @@ from collections.abc import Iterable, Iterator
 
 from scenewright.catalog.kinds import KINDS
 from scenewright.core.catalog import Group, Member
-from scenewright.core.kind import Kind, OwnGroup, Side
+from scenewright.core.kind import SIDES, Kind, OwnGroup
 
 Sides = tuple[float, float, float, float]
-SIDES: tuple[Side, ...] = ("front", "left", "back", "right")
 SPARE = 0.01
 """By how much a patch is deeper than the piece in it, in metres."""
 

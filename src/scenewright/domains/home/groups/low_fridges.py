@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from itertools import groupby
 
+from scenewright.catalog.classes import PLAIN_CABINETS
 from scenewright.domains.home.groups.kitchen import (
     BEYOND,
     LEAST_SINK,
@@ -16,6 +17,7 @@ from scenewright.domains.home.groups.kitchen import (
     Unit,
     fill,
 )
+from scenewright.domains.home.measures import ROUNDING
 
 LOW = "low fridge"
 """The unit that is a fridge under the worktop."""
@@ -23,8 +25,6 @@ WIDE, SLIM = 0.6, 0.5  # widths of fridges under a worktop, metres
 FILLED = 0.05  # a fridge's place is up to so much wider than the fridge, metres
 SHORTEST = LEAST_SINK + SLIM + SMALL_HOB
 """The shortest run with a fridge under its worktop, metres."""
-STORING = frozenset(("drawer_cabinet", "base_cabinet"))
-HAIR = 1e-9
 
 
 def pantry(length: float) -> list[Unit]:
@@ -33,10 +33,10 @@ def pantry(length: float) -> list[Unit]:
     >>> [(name, round(wide, 2)) for name, wide in pantry(1.5)]
     [('sink_cabinet', 0.45), ('low fridge', 0.6), ('hob_cabinet', 0.3), ('drawer_cabinet', 0.15)]
     """
-    sink = SMALL_SINK if length >= SMALL_SINK + WIDE + SMALL_HOB - HAIR else LEAST_SINK
+    sink = SMALL_SINK if length >= SMALL_SINK + WIDE + SMALL_HOB - ROUNDING else LEAST_SINK
     cold = min(WIDE, length - sink - SMALL_HOB)
     beyond = length - sink - cold - SMALL_HOB
-    if beyond < BEYOND / 2 - HAIR:
+    if beyond < BEYOND / 2 - ROUNDING:
         sink, beyond = sink + beyond, 0.0
     return [("sink_cabinet", sink), (LOW, cold), ("hob_cabinet", SMALL_HOB), *fill(beyond)]
 
@@ -50,7 +50,7 @@ def take_in(units: tuple[Unit, ...]) -> tuple[Unit, ...] | None:
     """
     pieces = _find_storing(units) or [(k, k + 1, w) for k, (n, w) in enumerate(units) if n == WASH]
     start, end, wide = max(pieces, key=lambda piece: piece[2], default=(0, 0, 0.0))
-    if wide < SLIM - HAIR:
+    if wide < SLIM - ROUNDING:
         return None
     cold = wide if wide <= WIDE + FILLED else SLIM if wide < WIDE + 4 * FILLED else WIDE
     part: list[Unit] = [(LOW, cold), *fill(wide - cold)]
@@ -65,10 +65,10 @@ WASH = "dishwasher"
 def _find_storing(units: tuple[Unit, ...]) -> list[tuple[int, int, float]]:
     """Where drawers and cupboards as wide as a fridge follow one another: first, end, metres."""
     found, at = [], 0
-    for storing, group in groupby(units, key=lambda unit: unit[0] in STORING):
+    for storing, group in groupby(units, key=lambda unit: unit[0] in PLAIN_CABINETS):
         held = list(group)
         wide = sum(w for _, w in held)
-        if storing and wide >= SLIM - HAIR:
+        if storing and wide >= SLIM - ROUNDING:
             found.append((at, at + len(held), wide))
         at += len(held)
     return found

@@ -22,18 +22,18 @@ from scenewright.domains.home.groups.kitchen import (
     hang_above,
 )
 from scenewright.domains.home.groups.low_fridges import LOW, SHORTEST, WIDE, pantry
+from scenewright.domains.home.measures import ROUNDING
 
 WIDTHS = (1.65, 1.6, 1.5, 1.35, SHORTEST, 1.1, 1.0, 0.9, 0.8)
 SLIM_DEPTH = 0.5
 """Depth of units where those of 0.6 m leave no way past them, metres."""
 DRAINER = 0.6  # width of a small sink with a draining board, metres
-HAIR = 1e-9
 
 
 def mini_kitchens() -> Iterator[Group]:
     """The widest first, of each width the deeper first."""
     for width in WIDTHS:
-        units = with_fridge(width) if width >= SHORTEST - HAIR else bare(width)
+        units = with_fridge(width) if width >= SHORTEST - ROUNDING else bare(width)
         for depth in (UNIT_DEPTH, SLIM_DEPTH):
             yield _in_row(units, width, depth)
 
@@ -45,7 +45,7 @@ def with_fridge(length: float) -> list[Unit]:
     [('sink_cabinet', 0.4), ('low fridge', 0.6), ('hob_cabinet', 0.3), ('drawer_cabinet', 0.3)]
     """
     narrow = LEAST_SINK + WIDE + SMALL_HOB + BEYOND
-    if not narrow - HAIR <= length < narrow + SMALL_SINK - LEAST_SINK - HAIR:
+    if not narrow - ROUNDING <= length < narrow + SMALL_SINK - LEAST_SINK - ROUNDING:
         return pantry(length)
     beyond = length - LEAST_SINK - WIDE - SMALL_HOB
     return [("sink_cabinet", LEAST_SINK), (LOW, WIDE), ("hob_cabinet", SMALL_HOB), *fill(beyond)]
@@ -61,7 +61,7 @@ def bare(length: float) -> list[Unit]:
     [('sink_cabinet', 0.5), ('hob_cabinet', 0.3)]
     """
     spare = length - LEAST_SINK - SMALL_HOB
-    if spare < BEYOND - HAIR:
+    if spare < BEYOND - ROUNDING:
         sink = min(length - SMALL_HOB, DRAINER)
         return [("sink_cabinet", sink), ("hob_cabinet", length - sink)]
     sink = min(SMALL_SINK, LEAST_SINK + spare - BEYOND)

@@ -13,7 +13,7 @@ from scenewright.domains.home.learned.learning import GroupOccurrence
 
 Floats = NDArray[np.float64]
 
-ALIKE = 0.2  # cases nearer in width and depth than this are one, metres
+ONE_CASE = 0.2  # cases nearer in width and depth than this are one, metres
 
 
 class LearnedCase(NamedTuple):
@@ -47,7 +47,7 @@ def merge_similar_cases(found: Sequence[GroupOccurrence]) -> tuple[LearnedCase, 
 
 def _alike(a: Group, b: Group) -> bool:
     kinds = [sorted(m.category for m in case.members) for case in (a, b)]
-    near = abs(a.width - b.width) < ALIKE and abs(a.depth - b.depth) < ALIKE
+    near = abs(a.width - b.width) < ONE_CASE and abs(a.depth - b.depth) < ONE_CASE
     return a.function == b.function and kinds[0] == kinds[1] and near
 
 

@@ -17,17 +17,17 @@ from math import exp, isnan, log, pi
 from typing import NamedTuple
 
 from scenewright.domains.home.groups import Sides
+from scenewright.domains.home.groups.classes import SLEPT_IN
 from scenewright.domains.home.learned.rows import SIDES, Clearance, Distance, Share, Targets
 
 TRUST = 5.0
 """k: how many sights the usual value is worth."""
-ALIKE = 0.3
+LIKE = 0.3
 """Rooms that differ in area by this much, as a logarithm, are alike."""
 WALKED = 0.6
 """Floor the referee's walking route needs, metres: learned clearances do not go below."""
 MOST = 1.5
 """Free floor that one can wish for, metres; more is only a large room."""
-BEDROOMS = ("bedroom", "double_bedroom", "single_bedroom", "child_bedroom")
 
 
 class Habits(NamedTuple):
@@ -62,7 +62,7 @@ def habits_of(seen: Iterable[Targets]) -> Habits:
 
 
 def _use(function: str) -> str:
-    return "bedroom" if function in BEDROOMS else function
+    return "bedroom" if function in SLEPT_IN else function
 
 
 def shrunk(learned: float, usual: float, seen: float) -> float:
@@ -134,4 +134,4 @@ def _alike(habits: Habits, function: str, area: float) -> Iterator[tuple[float, 
     """The rooms of a function, each counting by how alike it is in area,
     exp(-(ln A/Aᵢ)² / 2 · 0.3²)."""
     for row in habits.shares.get(_use(function), ()):
-        yield exp(-0.5 * (log(area / row.area) / ALIKE) ** 2), row
+        yield exp(-0.5 * (log(area / row.area) / LIKE) ** 2), row

@@ -38,7 +38,7 @@ from scenewright.domains.home.learned.words import (
     ANCHORS,
     COMPANIONS,
     ROOMS,
-    RUNS,
+    RUN_ROWS,
     SEATS,
     GroupCompanions,
 )
@@ -174,7 +174,9 @@ def _identify_function(
     """The function by what the group turned out to hold; empty if it is of none."""
     kinds = {piece.category for piece in members}
     if function in ("kitchen", "fridge", "counter"):
-        return next((name for name, needs, not_ in RUNS if needs <= kinds and not not_ & kinds), "")
+        return next(
+            (name for name, needs, not_ in RUN_ROWS if needs <= kinds and not not_ & kinds), ""
+        )
     seats = sum(piece.category in SEATS for piece in members)
     at_wall = _wall_gap(anchor, _heading(anchor, room), room) < BACKED
     if function == "dining":

@@ -15,7 +15,7 @@ from scenewright.domains.home.learned.learning import FurnishedSpace, GroupOccur
 from scenewright.domains.home.learned.rows import SIDES, Beside, Clearance, Distance, Share, Targets
 from scenewright.domains.home.learned.space import footprint, measure_coverage
 
-HAIR = 0.02
+SLIVER = 0.02
 FARTHEST = 3.0
 """Free floor is looked for so far before a piece, in metres."""
 
@@ -81,7 +81,7 @@ def side_of(x: float, y: float, heading: float, case: Group, number: int) -> Pie
 def free_before(piece: Piece, others: Sequence[shapely.Polygon], floor: shapely.Polygon) -> float:
     """Depth of the free floor before a piece, over its whole width."""
     c, s = cos(piece.pose.heading), sin(piece.pose.heading)
-    half, start = piece.size.width / 2 - HAIR, piece.size.depth / 2 + HAIR
+    half, start = piece.size.width / 2 - SLIVER, piece.size.depth / 2 + SLIVER
     strip = shapely.Polygon(
         [
             (piece.pose.x + c * y + s * x, piece.pose.y + s * y - c * x)
@@ -94,7 +94,7 @@ def free_before(piece: Piece, others: Sequence[shapely.Polygon], floor: shapely.
         for x, y in shapely.get_coordinates(taken).tolist()
     ]
     free = min(ahead, default=FARTHEST) - piece.size.depth / 2
-    return free if free > HAIR + 1e-3 else 0.0
+    return free if free > SLIVER + 1e-3 else 0.0
 
 
 def _shares(rooms: Iterable[FurnishedSpace], found: Sequence[GroupOccurrence]) -> Iterable[Share]:

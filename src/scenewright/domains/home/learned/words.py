@@ -62,7 +62,7 @@ ANCHORS: dict[str, str] = dict(
 """The piece that makes a group and its function, in the order they take their company."""
 
 SEATS = ("dining_chair", "office_chair", "stool", "bench")
-_UNITS = (
+_RUN_WORDS = (
     "base_cabinet",
     "drawer_cabinet",
     "sink_cabinet",
@@ -89,7 +89,7 @@ COMPANIONS: dict[str, GroupCompanions] = {
     "washer": GroupCompanions(("dryer", "washing_machine"), row=True),
     "shelf": GroupCompanions(("bookcase",), row=True),
     "wardrobe": GroupCompanions(("wardrobe",), row=True),
-    "kitchen": GroupCompanions(_UNITS, row=True),
+    "kitchen": GroupCompanions(_RUN_WORDS, row=True),
     "counter": GroupCompanions(
         ("base_cabinet", "drawer_cabinet", "dishwasher", "oven_cabinet"), row=True
     ),
@@ -115,7 +115,7 @@ ROOMS: dict[tuple[str, ...], str] = {
 }
 """What a piece makes in a room, where that is not the usual."""
 
-RUNS: tuple[tuple[str, frozenset[str], frozenset[str]], ...] = (
+RUN_ROWS: tuple[tuple[str, frozenset[str], frozenset[str]], ...] = (
     ("kitchen", frozenset(("sink_cabinet", "hob_cabinet", "fridge")), frozenset()),
     ("kitchenette", frozenset(("sink_cabinet", "hob_cabinet")), frozenset()),
     ("fridge", frozenset(("fridge",)), frozenset(("sink_cabinet", "base_cabinet"))),

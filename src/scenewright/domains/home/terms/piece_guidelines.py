@@ -49,7 +49,7 @@ ONE = np.uint64(1)
 CONVERSATION = 2.0
 NEAR, FAR = 1.2, 2.4  # how far apart seats of a conversation are, metres (4 and 8 feet)
 SYMMETRY = 1.0
-ALIKE = 0.05  # pieces whose sizes differ by less are of one kind, metres
+SAME_SIZE = 0.05  # pieces whose sizes differ by less are of one kind, metres
 MIRRORED = 0.3  # how near to its mirror image a piece counts in full, metres
 LOOSE = 0.05  # a wanted distance is a range of this share either way
 ZONES = ((KEEP_FREE, OVERLAP + CLEARANCE), (OBSTACLES, OVERLAP), (WINDOW, OVERLAP + CLEARANCE))
@@ -213,7 +213,7 @@ def mirrored(seat: Frame, other: Frame, focus: Frame) -> float:
     """s(f, g; u, p) in [0, 1]: how nearly a seat's mirror image in the axis of the focal point
     is another one of its size: 1 within 0.3 m, falling off as a square, times (1 + cos) / 2 of the
     angle between their fronts."""
-    if abs(seat[4] - other[4]) > 0.5 * ALIKE or abs(seat[5] - other[5]) > 0.5 * ALIKE:
+    if abs(seat[4] - other[4]) > 0.5 * SAME_SIZE or abs(seat[5] - other[5]) > 0.5 * SAME_SIZE:
         return 0.0
     dx, dy, c, s = seat[0] - focus[0], seat[1] - focus[1], focus[2], focus[3]
     along, across = dx * c + dy * s, dx * s - dy * c

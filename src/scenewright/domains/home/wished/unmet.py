@@ -17,6 +17,7 @@ from scenewright.core.brief.wishes import NEAREST, OPENINGS, SIGHT, WishBrief
 from scenewright.core.catalog import Catalog
 from scenewright.core.scene import Piece
 from scenewright.core.space import Space
+from scenewright.domains.home.measures import FLATTEST, HAIR
 from scenewright.domains.home.wished.gaps import (
     distance_between,
     distance_to_segments,
@@ -27,9 +28,6 @@ from scenewright.domains.home.wished.places import BACKWARD, spots_of
 from scenewright.domains.home.wished.plugged import count_unplugged
 
 Floats = NDArray[np.float64]
-
-FLATTEST = 0.05  # what lies flat and is no thicker counts for no wish, metres
-HAIR = 1e-6
 
 
 def count_unmet_wishes(

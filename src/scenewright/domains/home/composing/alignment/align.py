@@ -24,7 +24,9 @@ from scenewright.domains.home.composing.beside_others import list_others
 from scenewright.domains.home.composing.judging import Placed, count_unmet, sum_faults
 from scenewright.domains.home.composing.moving import dress_group
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles
+from scenewright.domains.home.groups.classes import WET_ROOMS
 from scenewright.domains.home.groups.living import media
+from scenewright.domains.home.measures import HAIR
 
 Floats = NDArray[np.float64]
 Allowed = Callable[[Placed], bool]
@@ -38,17 +40,15 @@ BY_BOX = frozenset(("single", "bunk"))
 """Groups that are as deep at their wall as they are."""
 LOOSE = frozenset(("seating",))
 """Groups that need not touch what stands beside them."""
-WET = frozenset(("bathroom", "washroom", "toilet"))
 ROUNDS = 2
 BETTER = 0.06  # what is gained at least, metres off an axis
 SKEW, SKEWED = 0.002, 0.2  # from so many radians on a piece is skew, and what that costs
 SHARES = (0.0, 0.15, 0.3, 0.45, 0.6, 0.75, 0.9)  # of the way to an axis that may be left
-LESS, NARROWER, SHORT = 0.3, 0.3, 0.15
+LESS, CUT, SHORT = 0.3, 0.3, 0.15
 """By how many metres a stand of a screen may be narrower for its axis, what a metre of that costs,
 and how far off it the whole stand has to be for it."""
 ENOUGH = 0.02  # what is less off its axis is on it, metres
 MOST = 1.5  # metres off an axis that count
-HAIR = 1e-6
 
 
 class Slide(NamedTuple):
@@ -63,7 +63,7 @@ class Slide(NamedTuple):
 
 def align_groups(task: RoomTask, placed: Placed, allowed: Allowed | None = None) -> Placed:
     """The groups of a room, each where along its wall it costs least, where that is ``allowed``."""
-    if WET.intersection(task.space.functions):
+    if WET_ROOMS.intersection(task.space.functions):
         return placed
     own = task.library.own
     names = [p.name for kind in ORDER for p in placed if p.wish.group == kind and kind not in own]
@@ -131,7 +131,7 @@ def _list_slides(span: Span, axes: list[Axis], group: FurnishedGroup) -> Iterato
         first, last = span.start + case.width / 2, span.end - case.width / 2
         if last < first - ENOUGH / 10:
             continue
-        less = NARROWER * (group.dressed.case.width - case.width)
+        less = CUT * (group.dressed.case.width - case.width)
         here = min(max(span.at, first), last)
         for middle in (here, *span.list_flush(case.width)):
             cost = _cost_at(span, axes, case, middle) + less

@@ -6,17 +6,16 @@ from collections.abc import Callable, Iterator, Sequence
 from math import cos, sin
 from typing import NamedTuple
 
+from scenewright.catalog.classes import BEDS, SOFAS
 from scenewright.core.catalog import Group
 from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import FurnishedGroup
-from scenewright.domains.home.furnishing.enlarge import SOFAS
+from scenewright.domains.home.measures import ALIKE
 from scenewright.domains.home.problem import Ground
 
-ALIKE = 0.99  # cosine between headings that are one, at least
 FAR = 1.6  # what is farther aside belongs to something else, metres
 BESIDE = 0.9  # a desk so far beside a window still belongs to it, metres
 AT_BACK = 0.5  # a window so near to the back of a desk is in the wall behind it, metres
-BEDS = ("double_bed", "single_bed", "bunk_bed")
 SEATED, AT_FOOT, AT_WINDOW = 1.5, 1.0, 0.8
 """What a metre off the axis of a sofa or its screen, of a bed and of a window costs."""
 FIRST = ("media", "chest", "vanity", "sideboard")

@@ -17,7 +17,7 @@ LOW = 0.12  # what begins higher leaves the floor free, metres
 FREE = 0.6  # floor before what is used, metres
 SEATS = {"desk": 0.7, "kids_desk": 0.7, "vanity": 0.6}
 """By group how wide the floor is that a chair before it needs, metres."""
-HAIR = 0.02  # metres, and square metres, that nobody misses
+UNMISSED = 0.02  # metres, and square metres, that nobody misses
 
 
 def is_crowded(
@@ -26,11 +26,13 @@ def is_crowded(
     """Whether a group has less free floor before it ``then`` than ``now``, or takes more of what
     the ``rest`` have before them."""
     before, after = (measure_front(task.ground, g.dressed.box) for g in (now, then))
-    if after < min(before, FREE) - HAIR:
+    if after < min(before, FREE) - UNMISSED:
         return True
     low = _frame_low(task, (*task.fixed, *(p for g in rest for p in g.pieces)))
     fronts = [_front_of(g) for g in rest]
-    return _measure_taken(task, then, low, fronts) > _measure_taken(task, now, low, fronts) + HAIR
+    return (
+        _measure_taken(task, then, low, fronts) > _measure_taken(task, now, low, fronts) + UNMISSED
+    )
 
 
 def _measure_taken(
@@ -57,7 +59,7 @@ def _front_of(group: FurnishedGroup) -> Frame:
     """The floor before a group, as deep as it asks for and as wide as its main piece, or as the
     chair before that."""
     x, y, heading, width, depth = group.dressed.box.tolist()
-    clear, main = max(GROUPS[group.wish.group].clear[0], HAIR), group.dressed.case.members[0]
+    clear, main = max(GROUPS[group.wish.group].clear[0], UNMISSED), group.dressed.case.members[0]
     if main.heading == 0.0:
         x, y, width = x + main.x * sin(heading), y - main.x * cos(heading), main.size.width
     wide, ahead = min(width, SEATS.get(group.wish.group, width)), (depth + clear) / 2

@@ -9,9 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.core.catalog import Group
-from scenewright.domains.home.composing.flush import ALIKE, APART, AT, boxes_along, seen_from
-from scenewright.domains.home.composing.wall_stretch import INSIDE, ON_FLOOR
+from scenewright.domains.home.composing.flush import APART, AT, boxes_along, seen_from
+from scenewright.domains.home.composing.wall_stretch import INSIDE, STOOD_OVER
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles
+from scenewright.domains.home.measures import ALIKE
 from scenewright.domains.home.problem import Ground
 from scenewright.domains.home.wall_places import read_walls
 
@@ -124,7 +125,7 @@ def _list_ends(
 ) -> Ends:
     """From where to where along a wall something stands before it, and what that is, the corners
     among them."""
-    met = (standing.spans[:, 0] < height) & (standing.spans[:, 1] > ON_FLOOR)
+    met = (standing.spans[:, 0] < height) & (standing.spans[:, 1] > STOOD_OVER)
     low = ground.windows[ground.windows[:, 5] < height, :5]
     named = [CASE if n in CASES else OPEN for n, m in zip(standing.names, met, strict=True) if m]
     doors = ground.strips[ground.strips[:, 5] == 0.0, :5]

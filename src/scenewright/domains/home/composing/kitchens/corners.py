@@ -29,6 +29,7 @@ from scenewright.domains.home.groups.kitchen import (
     fill,
     widest_hob,
 )
+from scenewright.domains.home.measures import HAIR
 
 LEAST_OF_ARM = {"hs": 1.05, "h": 0.6, "s": 0.45}
 """Metres that sink and hob take at least beside a corner cabinet without a fault beside them."""
@@ -42,7 +43,6 @@ WORKED = 0.9
 if it is a unit, lies beyond the sink."""
 DISHWASHER, LEAST_RINSED = 0.6, 0.6  # width of one, and of a sink beside it, metres
 SLIVER = 0.15  # a unit that would be no wider than this widens the sink instead, metres
-HAIR = 1e-6
 Units = tuple[Unit, ...]
 
 

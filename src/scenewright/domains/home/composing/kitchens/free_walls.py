@@ -16,7 +16,7 @@ from scenewright.domains.home.problem import Ground
 Floats = NDArray[np.float64]
 
 TOUCH = 0.02  # a stretch that begins nearer than this to its corner reaches it, metres
-HAIR = 0.02  # what reaches less deep into the strip before a wall does not take it, metres
+SHALLOW = 0.02  # what reaches less deep into the strip before a wall does not take it, metres
 
 
 class KitchenStretch(NamedTuple):
@@ -79,8 +79,8 @@ def _cut(wall: KitchenWall, sides: Floats, depth: float) -> tuple[Floats, Floats
     rise = out[:, 1] - out[:, 0]
     level = np.abs(rise) < 1e-9
     slope = np.where(level, 1.0, rise)
-    first, last = (HAIR - out[:, 0]) / slope, (depth - HAIR - out[:, 0]) / slope
-    inside = (out[:, 0] > HAIR) & (out[:, 0] < depth - HAIR)
+    first, last = (SHALLOW - out[:, 0]) / slope, (depth - SHALLOW - out[:, 0]) / slope
+    inside = (out[:, 0] > SHALLOW) & (out[:, 0] < depth - SHALLOW)
     low = np.where(level, np.where(inside, 0.0, 2.0), np.minimum(first, last).clip(0.0, None))
     high = np.where(level, np.where(inside, 1.0, -2.0), np.maximum(first, last).clip(None, 1.0))
     step = along[:, 1] - along[:, 0]

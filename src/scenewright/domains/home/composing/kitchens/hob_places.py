@@ -13,12 +13,13 @@ from math import ceil, cos, sin
 from typing import NamedTuple
 
 from scenewright.catalog.assets.cooking import UNDER_WORKTOP
+from scenewright.catalog.classes import PLAIN_CABINETS
 from scenewright.core.catalog import Group, Member
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
 from scenewright.domains.home.composing.case_faults import find_neighbour
 from scenewright.domains.home.composing.forms import cost_of_case
 from scenewright.domains.home.composing.judging import Placed
-from scenewright.domains.home.composing.kitchens.slits import WIDENED, belongs, is_unit
+from scenewright.domains.home.composing.kitchens.slits import belongs, is_unit
 from scenewright.domains.home.composing.moving import dress_group
 from scenewright.domains.home.composing.placed_faults import DARK, measure_cases_before_windows
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
@@ -100,7 +101,7 @@ def _list_widths(units: tuple[Member, ...]) -> Iterator[tuple[tuple[float, ...],
     metres given up."""
     widths = [m.size.width for m in units]
     yield tuple(widths), 0.0
-    able = [k for k, m in enumerate(units) if m.category in WIDENED]
+    able = [k for k, m in enumerate(units) if m.category in PLAIN_CABINETS]
     for one in able:
         for other in able:
             most = min(widths[one] - NARROWEST, WIDEST - widths[other]) if one != other else 0.0

@@ -20,14 +20,14 @@ from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
 from scenewright.domains.home.composing.judging import Placed
 from scenewright.domains.home.furnishing.obstacles import flat_kinds
+from scenewright.domains.home.measures import RAISED
 
 Floats = NDArray[np.float64]
 
 PASSAGE = 1.0  # free on all sides of an island, metres
 AISLES = (1.0, 1.1, 1.2)  # between the fronts of a run and its island, metres
 ALONG, STEP = 1.6, 0.1  # from the middle of hob and sink, and between places, metres
-RAISED = 0.3  # what begins so high is no unit of a run, metres
-HAIR = 0.01  # by which a passage may be narrower, metres
+SLACK = 0.01  # by which a passage may be narrower, metres
 
 
 class RunFront(NamedTuple):
@@ -77,7 +77,7 @@ def list_island_places(case: Group, front: RunFront, clear: shapely.Geometry) ->
     back = body.y - body.size.depth / 2
     c, s = np.cos(front.heading), np.sin(front.heading)
     count = round(ALONG / STEP)
-    size = [side + 2 * (PASSAGE - HAIR) for side in body.size[:2]]
+    size = [side + 2 * (PASSAGE - SLACK) for side in body.size[:2]]
     steps = np.array(sorted(range(-count, count + 1), key=abs)) * STEP
     for aisle in AISLES:
         out = aisle - back
@@ -95,7 +95,7 @@ def has_passages(task: RoomTask, placed: Placed) -> bool:
     others = [q for p in placed if p.wish.group != "island" for q in p.pieces]
     floor = clear_floor(task, (*task.fixed, *task.beside, *others))
     (x, y, _, turn), size = body.pose, body.size
-    wide, deep = (side + 2 * (PASSAGE - HAIR) for side in (size.width, size.depth))
+    wide, deep = (side + 2 * (PASSAGE - SLACK) for side in (size.width, size.depth))
     return bool(
         shapely.contains(floor, shapely.polygons(corners(np.array([[x, y, turn, wide, deep]])))[0])
     )

@@ -16,7 +16,7 @@ from scenewright.domains.home.attempt import (
     find_blocked,
 )
 from scenewright.domains.home.composing.forms import list_forms
-from scenewright.domains.home.composing.judging import RUNS, Placed, judge_of
+from scenewright.domains.home.composing.judging import Placed, judge_of
 from scenewright.domains.home.composing.kitchens.island_places import (
     clear_floor,
     front_of,
@@ -26,12 +26,12 @@ from scenewright.domains.home.composing.kitchens.island_places import (
 from scenewright.domains.home.composing.moving import dress_group, make_unplaced, with_margin
 from scenewright.domains.home.composing.trials import try_forms
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
+from scenewright.domains.home.groups.classes import RUNS, TABLES
 from scenewright.domains.home.groups.kitchen import island
 from scenewright.domains.home.programme import WELCOME, Wish
 
 FROM = 14.0
 """Square metres from which a kitchen may have an island."""
-TABLES = ("dining", "dining_wall")
 FORMS, TRIED = 6, 3
 """Forms of a table tried beside an island, and islands tried before a table."""
 

@@ -12,7 +12,7 @@ import numpy as np
 
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
 from scenewright.domains.home.composing.forms import is_mere_kitchen
-from scenewright.domains.home.composing.judging import RUNS, JudgedRoom, Placed, RoomJudge, judge_of
+from scenewright.domains.home.composing.judging import JudgedRoom, Placed, RoomJudge, judge_of
 from scenewright.domains.home.composing.kitchens.fitted import (
     BESIDE,
     MORE,
@@ -28,6 +28,7 @@ from scenewright.domains.home.composing.kitchens.ways import is_walked, trim_to_
 from scenewright.domains.home.composing.moving import dress_group
 from scenewright.domains.home.composing.trials import take_best
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
+from scenewright.domains.home.groups.classes import RUNS
 from scenewright.domains.home.groups.fitted_kitchen import (
     SLIM_FRIDGE,
     Box,

@@ -13,18 +13,19 @@ from typing import NamedTuple
 
 import numpy as np
 
+from scenewright.catalog.classes import PLAIN_CABINETS
 from scenewright.core.catalog import Group, Member
 from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask, find_blocked
-from scenewright.domains.home.composing.case_faults import RAISED, RUN, find_neighbour
-from scenewright.domains.home.composing.judging import RUNS
+from scenewright.domains.home.composing.case_faults import RUN, find_neighbour
 from scenewright.domains.home.composing.moving import dress_group, with_margin
 from scenewright.domains.home.composing.wall_stretch import find_stretch, list_taken
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
+from scenewright.domains.home.groups.classes import RUNS
 from scenewright.domains.home.groups.kitchen import UNIT_DEPTH, WORKTOP
+from scenewright.domains.home.measures import RAISED
 
 SLIT = (0.03, 0.25)  # between these a gap is a slit, metres
-WIDENED = frozenset(("base_cabinet", "drawer_cabinet"))
 WIDEST = 1.0  # a cabinet grows to so much, metres
 AT = 0.02  # what hangs nearer to the middle of a unit hangs above it, metres
 
@@ -109,7 +110,7 @@ def widen_end(case: Group, slit: Slit) -> Group | None:
     None where none may grow."""
     units = [m for m in case.members if is_unit(m)]
     moved, at = list[Member](), slit.unit
-    while at.category not in WIDENED or at.size.width + slit.gap > WIDEST:
+    while at.category not in PLAIN_CABINETS or at.size.width + slit.gap > WIDEST:
         moved.append(at)
         following = find_neighbour(at, units, -slit.side)
         if following is None or following.category == "corner_cabinet":

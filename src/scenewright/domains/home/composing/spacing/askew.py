@@ -7,10 +7,9 @@ from math import pi, remainder
 
 import numpy as np
 
+from scenewright.catalog.classes import BEDS, SOFAS
 from scenewright.core.same import Same
 from scenewright.core.scene import Piece
-from scenewright.domains.home.furnishing.bed_rugs import BEDS
-from scenewright.domains.home.furnishing.enlarge import SOFAS
 from scenewright.domains.home.problem import Ground
 
 SQUARE = frozenset(

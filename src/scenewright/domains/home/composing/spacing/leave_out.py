@@ -6,10 +6,10 @@ from collections.abc import Sequence
 
 from scenewright.domains.home.attempt import FurnishedGroup, Missing, RoomAnswer, RoomTask
 from scenewright.domains.home.composing.case_faults import find_case_faults
-from scenewright.domains.home.composing.judging import RUNS, Placed, count_unmet
+from scenewright.domains.home.composing.judging import Placed, count_unmet
 from scenewright.domains.home.composing.placed_faults import list_standing
 from scenewright.domains.home.composing.spacing.rules import Close, list_close
-from scenewright.domains.home.household import COOKING, TABLES
+from scenewright.domains.home.groups.classes import COOKING, RUNS, TABLES
 from scenewright.domains.home.programme import WELCOME
 
 NEVER = 9

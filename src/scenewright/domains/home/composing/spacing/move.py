@@ -44,6 +44,8 @@ from scenewright.domains.home.composing.spacing.rules import list_close, measure
 from scenewright.domains.home.composing.spacing.shifts import list_shifted
 from scenewright.domains.home.composing.views import is_unseen
 from scenewright.domains.home.composing.walked_places import try_places
+from scenewright.domains.home.groups.classes import TABLES
+from scenewright.domains.home.measures import HAIR
 from scenewright.domains.home.programme import WELCOME
 from scenewright.domains.home.second_try import Opened
 
@@ -62,8 +64,6 @@ KEPT = HOLDING - {"wardrobe"}
 """What keeps all of its width; of a wardrobe that cannot be opened that is no loss."""
 WALKED = 4  # rooms that are walked through with their home, for each group
 ROUNDS = 3
-SEATED = frozenset(("dining", "dining_wall"))
-"""Groups whose chairs may go to other sides."""
 SEATING, STRAIGHT = "seating", {"corner_sofa": "sofa"}
 """Groups whose sofa may be a straight one instead."""
 WATCHED = frozenset(("media", SEATING))
@@ -73,7 +73,6 @@ SPARE = frozenset(("plant",))
 STUCK = 5.0
 """What it costs at least that a chair can hardly be drawn back; a table loses one for that."""
 CHAIR, FEWER = "dining_chair", "a chair less stands at it: it could not be drawn back"
-HAIR = 1e-6
 
 
 def keep_distances(
@@ -135,7 +134,7 @@ def _list_with_fewer(task: RoomTask, answer: RoomAnswer) -> Iterator[RoomAnswer]
         if p.wish.group == SEATING and p.name in stuck:
             found = _list_elsewhere(task, answer.placed, p.name, 1)
             yield from (answer._replace(placed=other) for other in found)
-        if p.wish.group in SEATED and p.name in stuck:
+        if p.wish.group in TABLES and p.name in stuck:
             lost = Missing(p.wish._replace(rank=WELCOME, core=False, required=False), FEWER)
             missing = (*answer.missing, lost)
             found = _list_elsewhere(task, answer.placed, p.name, 1)
@@ -232,12 +231,12 @@ def _holds(form: Group, now: Group, fewer: int = 0) -> bool:
     """Whether a form has all that a group has ``now``, a plant on it and so many chairs apart,
     hardly narrower, and no wider but for chairs on other sides of a table."""
     less = _straighten(now) if form.function == SEATING and fewer else _list_kinds(now)
-    chairs = [CHAIR] * fewer if form.function in SEATED else []
+    chairs = [CHAIR] * fewer if form.function in TABLES else []
     if sorted([*_list_kinds(form), *chairs]) != less:
         return False
     share = 1.0 if form.function in KEPT else HALF if form.function == "shoes" else CUT
     least = share * now.width
-    return form.width > least - HAIR and (form.function in SEATED or form.width < now.width + HAIR)
+    return form.width > least - HAIR and (form.function in TABLES or form.width < now.width + HAIR)
 
 
 def _straighten(form: Group) -> list[str]:

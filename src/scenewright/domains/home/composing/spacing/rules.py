@@ -13,18 +13,18 @@ from functools import lru_cache
 from math import cos, hypot, sin
 from typing import NamedTuple
 
+from scenewright.catalog.classes import BEDS, SOFAS
 from scenewright.core.same import Same
 from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import FurnishedGroup
 from scenewright.domains.home.composing.case_faults import RUN
-from scenewright.domains.home.composing.fronts import MOVED, ON_FLOOR
+from scenewright.domains.home.composing.fronts import MOVED
 from scenewright.domains.home.composing.spacing.askew import COST as ASKEW
 from scenewright.domains.home.composing.spacing.askew import is_askew
 from scenewright.domains.home.composing.spacing.cut_off import cost_of_cut_off, cost_of_shut_off
 from scenewright.domains.home.composing.spacing.shut_in import list_shut_in
 from scenewright.domains.home.composing.spacing.walled import BACK, FRONT, list_walled
-from scenewright.domains.home.furnishing.bed_rugs import BEDS
-from scenewright.domains.home.furnishing.enlarge import SOFAS
+from scenewright.domains.home.measures import ON_FLOOR
 from scenewright.domains.home.problem import Ground
 from scenewright.geometry.boxes import Frame, beyond, common_area, make_frame
 
@@ -50,7 +50,7 @@ EATEN_AT = frozenset(("dining_table", "round_table", "dining_chair", "stool"))
 """What coats are not to hang over."""
 CHESTS = frozenset(("chest_of_drawers", "console_table", "sideboard", "vanity"))
 """What is not to stand before open shelves."""
-HAIR = 0.02  # so much floor is not seen, square metres
+UNMISSED = 0.02  # so much floor is not seen, square metres
 
 
 class Distance(NamedTuple):
@@ -163,7 +163,7 @@ def _list_backs(name: str, piece: Piece, low: Sequence[tuple[str, Piece]]) -> It
         if other == name or there.category not in BACKED or not _may_meet(floor, there):
             continue
         away = cos(there.pose.heading - turn) > AWAY
-        if away and float(common_area(floor, _frame(there))) > HAIR:
+        if away and float(common_area(floor, _frame(there))) > UNMISSED:
             yield Close(name, other, BEHIND)
 
 

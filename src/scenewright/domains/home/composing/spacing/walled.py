@@ -10,9 +10,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from scenewright.catalog.classes import SOFAS
 from scenewright.core.scene import Piece
 from scenewright.domains.home.composing.outlook import FEET
-from scenewright.domains.home.furnishing.enlarge import SOFAS
 from scenewright.domains.home.problem import Ground
 from scenewright.geometry.boxes import area_in_polygon, beyond, common_area, make_frame
 
