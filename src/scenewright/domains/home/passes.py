@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from scenewright.core.passes import PassOptions, PassRun, PassTrace, tally_passes
+from typing import Any
+
+from scenewright.core.passes import Pass, PassOptions, PassRun, PassTrace, tally_passes
 from scenewright.core.plan import Plan
 from scenewright.core.solution import Solution
 from scenewright.domains.home.composing.home_passes import HOME_PASSES
 from scenewright.domains.home.composing.room_passes import ROOM_PASSES
 from scenewright.domains.home.solving import solve
 
-PASSES = (*ROOM_PASSES, *HOME_PASSES)
+PASSES: tuple[Pass[Any], ...] = (*ROOM_PASSES, *HOME_PASSES)
 
 
 def trace_passes(solution: Solution, plan: Plan) -> PassTrace:
