@@ -17,10 +17,13 @@ from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains import check
 from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask
 from scenewright.domains.home.cases.library import cases
+from scenewright.domains.home.composing.axis import slide_to_axis
 from scenewright.domains.home.composing.bare_floor import furnish_bare_floor
 from scenewright.domains.home.composing.bare_walls import furnish_bare_walls
 from scenewright.domains.home.composing.forms import list_further
+from scenewright.domains.home.composing.judging import judge_of
 from scenewright.domains.home.composing.moving import dress_group, make_unplaced
+from scenewright.domains.home.composing.rows import close_gaps
 from scenewright.domains.home.composing.views import cost_of_view, list_between
 from scenewright.domains.home.furnishing.furnish import FurnishedPatch
 from scenewright.domains.home.furnishing.obstacles import standing_of
@@ -98,6 +101,31 @@ def test_what_stands_between_seats_and_screen_is_named_and_costs(y, z, category,
     groups = (SOFA, SCREEN, table)
     assert list_between(groups) == (frozenset(("dining",)) if counts else frozenset())
     assert (cost_of_view(groups, COSTS) > 0.0) == counts
+
+
+@pytest.mark.parametrize("aside", [-1.2, 0.5, 1.2])
+def test_a_screen_moves_along_its_wall_onto_the_axis_of_the_sofa(aside):
+    task = _task("living", 5.0, 4.0)
+    sofa = next(c for c in cases("seating").groups if c.name == "2.0 m sofa, table")
+    stand = next(c for c in cases("media").groups if c.width == 1.2)
+    seats = _stand(task, sofa, 2.5, sofa.depth / 2, pi / 2)
+    media = _stand(task, stand, 2.5 + aside, 4.0 - stand.depth / 2, -pi / 2, seats)
+    placed = (seats, media)
+    moved = slide_to_axis(task, judge_of(task, placed).cost_of(placed), frozenset()).placed
+    screen = next(p for g in moved for p in g.pieces if p.category == "tv")
+    assert screen.pose.x == pytest.approx(2.5, abs=0.05)
+    assert screen.pose.y == pytest.approx(media.pieces[1].pose.y)
+
+
+def test_shelves_of_one_wall_close_up_to_the_corner():
+    task = _task("storage", 3.2, 2.0)
+    case = next(c for c in cases("storage").groups if c.width == 1.0 and c.depth < 0.35)
+    first = _stand(task, case, 0.72, 2.0 - case.depth / 2, -pi / 2)
+    second = _stand(task, case, 2.2, 2.0 - case.depth / 2, -pi / 2, first)
+    answer = RoomAnswer(0.0, (first, second), (), (), None, 0.0, 0)
+    shelves = sorted(g.dressed.box[0] for g in close_gaps(task, answer, frozenset()).placed)
+    assert shelves[1] - shelves[0] == pytest.approx(case.width, abs=0.03)
+    assert shelves[0] == pytest.approx(case.width / 2, abs=0.03)
 
 
 def test_walls_round_a_wide_empty_floor_take_a_sideboard_and_a_shelf():

@@ -13,7 +13,9 @@ from scenewright.domains.home.composing.bedsides import add_nightstands
 from scenewright.domains.home.composing.comparing import compare_homes
 from scenewright.domains.home.composing.doorways import clear_doorways
 from scenewright.domains.home.composing.eating_places import add_kitchen_tables, set_table
+from scenewright.domains.home.composing.kitchens.loose_cabinets import join_cabinets
 from scenewright.domains.home.composing.kitchens.mend import mend_kitchens
+from scenewright.domains.home.composing.kitchens.remade import remake_kitchens
 from scenewright.domains.home.composing.mend_bedrooms import mend_bedrooms
 from scenewright.domains.home.composing.soft_seats import add_soft_seat
 from scenewright.domains.home.composing.spacing.move import keep_distances
@@ -54,6 +56,8 @@ MENDING: tuple[Pass[HomePass], ...] = tuple(
         ("mend bedrooms", mend_bedrooms, "a half wardrobe or a bed with one side placed again"),
         ("clear doorways", clear_doorways, "what is before doors moved elsewhere"),
         ("clear windows", clear_windows, "what is before windows moved elsewhere"),
+        ("remake kitchens", remake_kitchens, "kitchens with a far fridge or a dark window remade"),
+        ("join cabinets", join_cabinets, "lone kitchen cabinets moved to their run"),
         ("add nightstands", add_nightstands, "a nightstand at each bed for one"),
     )
 )

@@ -10,19 +10,24 @@ from scenewright.core.passes import Pass, run_passes
 from scenewright.domains.home.attempt import RoomAnswer, RoomTask
 from scenewright.domains.home.composing.adding import add_groups
 from scenewright.domains.home.composing.anew import compose_anew
+from scenewright.domains.home.composing.axis import slide_to_axis
 from scenewright.domains.home.composing.bare_floor import furnish_bare_floor
 from scenewright.domains.home.composing.bare_walls import furnish_bare_walls
 from scenewright.domains.home.composing.beds import move_double_bed, restore_double_bed
 from scenewright.domains.home.composing.clothes import hang_in_closet
+from scenewright.domains.home.composing.coats import move_coats
 from scenewright.domains.home.composing.comparing import compare_answers, compare_judged
 from scenewright.domains.home.composing.freeing import free_ways
-from scenewright.domains.home.composing.improve import improve_groups
+from scenewright.domains.home.composing.hall_tables import furnish_hall
+from scenewright.domains.home.composing.improve import improve_groups, join_washer
 from scenewright.domains.home.composing.judging import JudgedRoom
 from scenewright.domains.home.composing.kitchens.islands import add_island
 from scenewright.domains.home.composing.kitchens.reform import reform_kitchen
 from scenewright.domains.home.composing.kitchens.slits import close_slits
 from scenewright.domains.home.composing.lounges import gather_seats
+from scenewright.domains.home.composing.rows import close_gaps
 from scenewright.domains.home.composing.seats_for_three import seat_three
+from scenewright.domains.home.composing.wardrobes import trim_wardrobe
 from scenewright.domains.home.composing.wet_rooms import fill_wet_room
 from scenewright.domains.home.composing.widening import widen_groups
 
@@ -33,6 +38,10 @@ JudgedPass = Callable[[RoomTask, JudgedRoom, Barred], JudgedRoom]
 
 def _free(task: RoomTask, answer: RoomAnswer, _: Barred) -> RoomAnswer:
     return answer._replace(placed=free_ways(task, answer.placed))
+
+
+def _trim(task: RoomTask, best: JudgedRoom, _: Barred) -> JudgedRoom:
+    return trim_wardrobe(task, best)
 
 
 OPENING: tuple[Pass[AnswerPass], ...] = (
@@ -49,22 +58,31 @@ MENDING: tuple[Pass[JudgedPass], ...] = (
     Pass("move double bed", "mending", move_double_bed, "a faulty double bed at its best place"),
     Pass("improve groups", "mending", improve_groups, "faulty groups in other forms and places"),
     Pass("reform kitchen", "mending", reform_kitchen, "a faulty kitchen made to measure"),
+    Pass("join washer", "mending", join_washer, "a washing machine beside the kitchen run"),
     Pass("gather seats", "mending", gather_seats, "seats, screen and table round one middle"),
     Pass("seat three", "mending", seat_three, "a sofa for three, or a third seat"),
     Pass("hang in closet", "mending", hang_in_closet, "drawers for half a wardrobe at a closet"),
     Pass("compose anew", "mending", compose_anew, "the room laid out from its worst group on"),
+    Pass("move bed again", "mending", move_double_bed, "as before, beside what moved since"),
 )
 """Only in rooms with a fault."""
+TRIMMING: tuple[Pass[JudgedPass], ...] = (
+    Pass("slide to axis", "trimming", slide_to_axis, "the screen straight before the sofa"),
+    Pass("trim wardrobe", "trimming", _trim, "no wardrobe far beyond what its sleepers need"),
+)
 FILLING: tuple[Pass[AnswerPass], ...] = (
     Pass("add groups", "filling", add_groups, "worktop, seats and shelves that still fit"),
     Pass("add island", "filling", add_island, "an island in a large kitchen"),
     Pass("bare floor", "filling", furnish_bare_floor, "a second zone in a bare half of a room"),
     Pass("bare walls", "filling", furnish_bare_walls, "storage at long bare walls"),
+    Pass("close gaps", "filling", close_gaps, "slits between neighbours in a row closed"),
     Pass("close slits", "filling", close_slits, "slits at the ends of a kitchen run closed"),
     Pass("fill wet room", "filling", fill_wet_room, "storage in bathrooms that hold it"),
+    Pass("furnish hall", "filling", furnish_hall, "a narrow table in a hall"),
     Pass("widen groups", "filling", widen_groups, "storage as wide as its wall allows"),
+    Pass("move coats", "filling", move_coats, "coats near the door one comes in by"),
 )
-ROOM_PASSES: tuple[Pass[Any], ...] = (*OPENING, *LACKING, *RESTORING, *MENDING, *FILLING)
+ROOM_PASSES: tuple[Pass[Any], ...] = (*OPENING, *LACKING, *RESTORING, *MENDING, *TRIMMING, *FILLING)
 
 
 def complete_room(

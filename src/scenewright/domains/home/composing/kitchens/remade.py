@@ -1,0 +1,151 @@
+"""Kitchens of a finished home with their fridge apart or their hob before a window, made anew.
+
+While a room is composed both are weighed against all else and against the ways on a grid, so that a
+fridge may end up across the room, or a hob before a window, though there is a place for a kitchen
+without either. It is looked for when the ways of the home are open: the fridge at an end of its
+run, where need be in the place of what stands there (:mod:`.fridge_places`); a kitchen made to
+measure beside the rest; one before all others, which follow it. What is merely welcome may give
+way. A change stays if nothing else is worse (:mod:`..no_worse`) and no way of the home is barred.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import chain, islice
+from math import inf
+
+from scenewright.domains.home.attempt import Missing, RoomAnswer, RoomTask, find_blocked
+from scenewright.domains.home.composing.case_faults import RUN, find_case_faults
+from scenewright.domains.home.composing.judging import Placed, judge_of
+from scenewright.domains.home.composing.kitchens.far_fridges import has_far_fridge, has_low_fridge
+from scenewright.domains.home.composing.kitchens.fridge_places import list_fridge_moves
+from scenewright.domains.home.composing.kitchens.mend import (
+    KITCHEN,
+    Place,
+    follow_kitchen,
+    measure_kitchen,
+    take_place,
+)
+from scenewright.domains.home.composing.kitchens.reform import KitchenStep, list_fitted
+from scenewright.domains.home.composing.kitchens.trades import list_traded
+from scenewright.domains.home.composing.moving import with_margin
+from scenewright.domains.home.composing.no_worse import is_no_worse
+from scenewright.domains.home.composing.placed_faults import (
+    DARK,
+    list_standing,
+    measure_before_windows,
+)
+from scenewright.domains.home.composing.settling import try_in_home
+from scenewright.domains.home.second_try import Opened
+
+WORTH = 30.0  # what a room may cost more for a kitchen without such a fault
+FOLLOWED = 3  # kitchens of one make-up that stand first and are followed by all others
+WALKED = 2  # kitchens of one make-up that are walked to through the whole home
+APART, LOW = 1, 3
+"""Steps of the kitchens made to measure that have their fridge by itself, or under the worktop."""
+ACROSS = 1.0
+"""A fridge farther than this from its kitchen may go under the worktop, metres."""
+
+Faults = tuple[int, ...]
+
+
+def remake_kitchens(
+    tasks: Sequence[RoomTask], answers: list[RoomAnswer], opened: Opened
+) -> list[RoomAnswer]:
+    """The answers for all rooms with kitchens whose fridge stands apart, or whose hob stands before
+    a window, made anew where that bars no way of the home, its ways ``opened``."""
+    found = answers
+    for room, task in enumerate(tasks):
+        may = task.preset.settings.exact and not task.accessible and not task.cancelled()
+        if may and any(find_faults(task, found[room].placed)[:2]):
+            place = take_place(task, found[room])
+            found = found if place is None else _remake(room, task, place, found, opened)
+    return found
+
+
+def find_faults(task: RoomTask, placed: Placed) -> Faults:
+    """Whether the fridge of a room stands apart, how many windows its kitchen stands before, and
+    whether hob and sink are apart."""
+    units = [p for p in placed if p.wish.group in KITCHEN]
+    windows = (measure_before_windows(p, task.ground) > DARK for p in units)
+    split = any("split" in dict(find_case_faults(list_standing(p))) for p in units)
+    taken = sum(any(w) for w in zip(*windows, strict=True))
+    return int(has_far_fridge(placed)), taken, int(split)
+
+
+def _remake(
+    room: int, task: RoomTask, place: Place, found: list[RoomAnswer], opened: Opened
+) -> list[RoomAnswer]:
+    """The answers with one kitchen without a fault it has, or as they were."""
+    before = found[room]
+    faults = find_faults(task, before.placed)
+
+    def is_sound(answer: RoomAnswer) -> bool:
+        fewer = _are_fewer(find_faults(task, answer.placed), faults)
+        return fewer and is_no_worse(task, before.placed, answer.placed, WORTH)
+
+    for answers in chain(_list_traded(task, before), _list_make_ups(task, place, before)):
+        for answer in islice(filter(is_sound, answers), WALKED):
+            trial = try_in_home(room, answer, found, opened)
+            if trial is not None:
+                return trial
+    return found
+
+
+def _list_traded(task: RoomTask, before: RoomAnswer) -> Iterator[Iterable[RoomAnswer]]:
+    """The room with a fridge that stands apart at an end of its run, the cheapest first."""
+    if has_far_fridge(before.placed):
+        most = judge_of(task, before.placed).cost_of(before.placed).cost + WORTH
+        moves = list_fridge_moves(task, before.placed)
+        rooms = list_traded(task, before.placed, moves, most)
+        missing = before.missing
+        yield _sort(task, (before._replace(placed=p, missing=(*missing, *m)) for p, m in rooms))
+
+
+def _list_make_ups(
+    task: RoomTask, place: Place, before: RoomAnswer
+) -> Iterator[Iterable[RoomAnswer]]:
+    """The room with kitchens of one make-up after the other, beside the rest and before it."""
+    barred = frozenset(find_blocked(with_margin(task), before.placed))
+    most = judge_of(task, before.placed).cost_of(before.placed).cost + WORTH
+    beside = list_fitted(task, place.rest, place.run, barred)
+    first = list_fitted(task, (), place.run, frozenset(), likeness=measure_kitchen)
+    for number, (step, free) in enumerate(zip(beside, first, strict=False)):
+        if _may_be(number, before.placed):
+            yield (_with(before, judged.placed, ()) for judged in step(most))
+            yield _sort(task, _list_first(task, place, before, free, barred))
+
+
+def _may_be(number: int, placed: Placed) -> bool:
+    """Whether kitchens of one step come in question."""
+    if number == LOW:
+        return has_low_fridge(placed) or has_far_fridge(placed, ACROSS)
+    return number != APART
+
+
+def _list_first(
+    task: RoomTask, place: Place, before: RoomAnswer, step: KitchenStep, barred: frozenset[str]
+) -> Iterator[RoomAnswer]:
+    """The room with kitchens that have fewer faults and all others after them."""
+    faults = find_faults(task, before.placed)
+    starts = (start for start in step(inf) if _are_fewer(find_faults(task, start.placed), faults))
+    for start in islice(starts, FOLLOWED):
+        followed = follow_kitchen(task, start, place, barred)
+        if followed is not None:
+            yield _with(before, *followed)
+
+
+def _are_fewer(new: Faults, old: Faults) -> bool:
+    """Whether the fridge or a window is better off and nothing else worse."""
+    return new[:2] != old[:2] and all(a <= b for a, b in zip(new, old, strict=True))
+
+
+def _sort(task: RoomTask, answers: Iterable[RoomAnswer]) -> list[RoomAnswer]:
+    """The answers for a room, the cheapest first."""
+    return sorted(answers, key=lambda a: judge_of(task, a.placed).cost_of(a.placed).cost)
+
+
+def _with(before: RoomAnswer, placed: Placed, gone: tuple[Missing, ...]) -> RoomAnswer:
+    missing = tuple(m for m in before.missing if m.wish.group not in KITCHEN)
+    stays = tuple(g for g in before.gone if g.category not in RUN)
+    return before._replace(placed=placed, missing=(*missing, *gone), gone=stays)
