@@ -129,11 +129,13 @@ def _too_near(site: Document, here: list[Document], mine: list[Any], floor: Any)
 
 
 def _front(piece: Document, ahead: float) -> np.ndarray:
-    """The point so far before the middle of a front."""
+    """The point so far before the middle of a front: of the sides that lie farthest ahead."""
     x, y, _, heading = piece["pose"]
-    return np.array([x, y]) + (piece["size"][1] / 2 + ahead) * np.array(
-        [np.cos(heading), np.sin(heading)]
-    )
+    ring = np.array(piece.get("footprint") or [[0.0, piece["size"][1] / 2]])
+    front = ring[np.isclose(ring[:, 1], ring[:, 1].max())]
+    ahead_of, right = front[0, 1] + ahead, front[:, 0].mean()
+    out = np.array([np.cos(heading), np.sin(heading)])
+    return np.array([x, y]) + ahead_of * out + right * np.array([out[1], -out[0]])
 
 
 def _doors(here: list[Document], mine: list[Any]) -> Iterator[Fault]:
