@@ -1,8 +1,9 @@
 """Uses damaged files one after another in a fork of this process, watched from outside.
 
 Of each file it is told whether it was accepted or refused or led to an internal error, the seconds
-of the processor and the most memory beyond what the process held before. A fork that is stuck, or
-takes too much of the processor, is ended; the rest goes on in another.
+of the processor and the most memory, of the process beyond what it held before or of one that it
+started. A fork that is stuck, or takes too much of the processor, is ended; the rest goes on in
+another.
 """
 
 from __future__ import annotations
@@ -80,7 +81,7 @@ def measure_run(path: Path, use: Use, folder: Path) -> DamagedRun:
     from scenewright.core.errors import CancelledError, InputError
 
     Path("/proc/self/clear_refs").write_text("5")
-    before, begun = _memory("VmRSS"), time.process_time()
+    before, begun = _memory("VmRSS"), _seconds()
     outcome, said = "accepted", ""
     try:
         if use(path, folder) == 2:
@@ -91,8 +92,15 @@ def measure_run(path: Path, use: Use, folder: Path) -> DamagedRun:
             outcome = "error"
     except BaseException as error:  # whatever ends a run that way is what is looked for
         outcome, said = "error", f"{type(error).__name__}: {error}"[:300]
-    took = time.process_time() - begun
-    return DamagedRun(outcome, took, max(_memory("VmHWM") - before, 0.0), said)
+    started = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024
+    most = max(_memory("VmHWM") - before, started)
+    return DamagedRun(outcome, _seconds() - begun, most, said)
+
+
+def _seconds() -> float:
+    """Seconds of the processor of this process and of those it started that have ended."""
+    taken = [resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
+    return sum(one.ru_utime + one.ru_stime for one in taken)
 
 
 def _memory(name: str) -> float:
@@ -133,13 +141,15 @@ def _report_death(child: int) -> Iterator[DamagedRun]:
         yield DamagedRun("error", 0.0, 0.0, f"ended by {status.si_status}")
 
 
-def _work_of(child: int) -> float:
-    """Seconds of the processor a process has taken."""
+def _work_of(process: int) -> float:
+    """Seconds of the processor a process has taken, with all that it started."""
     try:
-        told = Path(f"/proc/{child}/stat").read_text().rpartition(")")[2].split()
+        told = Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()
+        below = Path(f"/proc/{process}/task/{process}/children").read_text().split()
     except OSError:
         return 0.0
-    return (int(told[11]) + int(told[12])) / os.sysconf("SC_CLK_TCK")
+    own = sum(int(told[k]) for k in (11, 12, 13, 14)) / os.sysconf("SC_CLK_TCK")
+    return own + sum(_work_of(int(one)) for one in below)
 
 
 def _is_asleep(child: int) -> bool:
