@@ -15,7 +15,7 @@ import shapely
 from numpy.typing import NDArray
 
 from scenewright.core.space import Points
-from scenewright.ground.outlines import lines, way
+from scenewright.ground.outlines import grow, lines, way
 from scenewright.ground.path_raster import is_drivable
 from scenewright.ground.plan import SitePlan, Way
 
@@ -47,8 +47,8 @@ def open_border(floor: shapely.Polygon, street: Way, verge: float, lane: float) 
     if not shapely.dwithin(middle, border, reach):
         return street
     deep = max(0.5 * lane + ROOM - 0.5 * street.width, EDGE)
-    inner = shapely.buffer(shapely.Polygon(border), -deep)
-    near = shapely.intersection(middle, shapely.buffer(shapely.Polygon(border), reach + ROOM))
+    whole = shapely.Polygon(border)
+    inner, near = grow(whole, -deep), shapely.intersection(middle, grow(whole, reach + ROOM))
     parts = lines(shapely.difference(near, inner))
     ground = shapely.union_all([way(part, street.width)[1] for part in parts])
     entered = shapely.buffer(shapely.intersection(middle, inner), 2.0 * reach)

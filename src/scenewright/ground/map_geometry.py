@@ -95,7 +95,7 @@ def _ring(coordinates: Any) -> Points:
     ring = _positions(coordinates)
     if len(ring) and not (ring[0] == ring[-1]).all():
         ring = np.vstack([ring, ring[:1]])
-    if len(np.unique(ring, axis=0)) < 3:
+    if len({*map(tuple, ring.tolist())}) < 3:
         raise InputError("has a ring of fewer than three corners", "correct it in the map")
     away = ring - ring[0]
     flat = np.abs(away[:, :1] * away[:, 1] - away[:, 1:] * away[:, 0]).max()

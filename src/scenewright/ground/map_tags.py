@@ -55,5 +55,7 @@ def plain(value: object) -> str:
     >>> plain("Caf\\u00e9\\n du  Nord")
     'Café du Nord'
     """
-    text = "".join(c if c.isprintable() else " " for c in str(value)[: 4 * LONGEST_TEXT])
+    text = str(value)[: 4 * LONGEST_TEXT]
+    if not text.isprintable():
+        text = "".join(c if c.isprintable() else " " for c in text)
     return " ".join(text.split())[:LONGEST_TEXT]

@@ -9,6 +9,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from functools import lru_cache
+from types import MappingProxyType
 from typing import Any
 
 from scenewright.ground.map_kinds import ELSE, stands, words_of
@@ -115,7 +117,7 @@ def tags_of_row(properties: Mapping[str, Any], layer: str, shape: str) -> Tags:
     if said:
         return tags
     way = _way_class(properties) if shape == "line" else ""
-    return tags | ({"highway": way} if way else _tags_of_layer(layer, shape))
+    return tags | ({"highway": way} if way else dict(_tags_of_layer(layer, shape)))
 
 
 def _is_tag(tag: str, value: Any) -> bool:
@@ -131,14 +133,15 @@ def _way_class(properties: Mapping[str, Any]) -> str:
     return next((str(v) for v in properties.values() if isinstance(v, str) and v in WAYS), "")
 
 
-def _tags_of_layer(layer: str, shape: str) -> Tags:
+@lru_cache(maxsize=1024)
+def _tags_of_layer(layer: str, shape: str) -> Mapping[str, Any]:
     """The tags that the name of a layer stands for: the first row of the table that knows one of
     its words.
 
-    >>> _tags_of_layer("gis_osm_roads_free_1", "line"), _tags_of_layer("RedRiver", "polygon")
-    ({'highway': 'residential'}, {'natural': 'water'})
-    >>> _tags_of_layer("export", "polygon")
-    {}
+    >>> _tags_of_layer("gis_osm_roads_free_1", "line")["highway"]
+    'residential'
+    >>> dict(_tags_of_layer("RedRiver", "polygon")), dict(_tags_of_layer("export", "polygon"))
+    ({'natural': 'water'}, {})
     """
     split = re.sub(r"(?<=[a-zà-ÿ])(?=[A-Z])", " ", layer).casefold()
     words = [word for word in re.split(r"[\W\d_]+", split) if word]
@@ -146,8 +149,8 @@ def _tags_of_layer(layer: str, shape: str) -> Tags:
         if wanted not in ("any", shape):
             continue
         if any(_begins(word, stem) for stem in stems.split() for word in words):
-            return dict(tags)
-    return {}
+            return MappingProxyType(tags)
+    return MappingProxyType({})
 
 
 def _begins(word: str, stem: str) -> bool:

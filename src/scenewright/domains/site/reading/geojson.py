@@ -10,7 +10,6 @@ carries a report of what became of every feature.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import lru_cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -33,7 +32,7 @@ from scenewright.ground.fates import Note
 from scenewright.ground.map_features import Collection, Feature, SkippedFeature, load
 from scenewright.ground.map_place import projection_of
 from scenewright.ground.map_report import report_map
-from scenewright.ground.outlines import GRID
+from scenewright.ground.outlines import GRID, grow
 from scenewright.ground.reading.road_areas import pieces
 
 MOST_SITES = 100
@@ -268,18 +267,12 @@ def _near_parts(
         return []
     found = []
     for far, least, most in ((BEYOND, 0.0, 0.0), (verge + width / 2 + BEYOND, 1e-9, verge)):
-        cut = shapely.intersection(whole, _grow(floor, far))
+        cut = shapely.intersection(whole, grow(floor, far))
         for part in shapely.get_parts(shapely.line_merge(cut)):
             area = shapely.buffer(part, width / 2, cap_style="flat", join_style="mitre")
             if part.geom_type == "LineString" and least <= shapely.distance(area, floor) <= most:
                 found.append(part)
     return found
-
-
-@lru_cache(maxsize=8)
-def _grow(floor: shapely.Polygon, far: float) -> shapely.Geometry:
-    """A floor and what lies about it, made once for all ways of a width."""
-    return shapely.buffer(floor, far)
 
 
 def _middle_lines(

@@ -32,6 +32,9 @@ WHOLE = 0.98
 OUTSIDE = "lies outside the site"
 
 
+NOTHING = shapely.Polygon()
+
+
 class DrawnFeature(NamedTuple):
     """A feature with its polygons in metres."""
 
@@ -56,10 +59,12 @@ def find_landmarks(
     parts = [part for row in rows for part in _parts(row)]
     taken = shapely.STRtree([part.outline for part in parts])
     kept: dict[int, list[shapely.Polygon]] = {}
+    shapely.prepare(ground)
     found: list[dict[str, Any]] = []
     for number, part in enumerate(parts):
         name = part.row.feature.id
-        inside = shapely.intersection(part.outline, ground, grid_size=GRID)
+        reaches = ground.intersects(part.outline)
+        inside = shapely.intersection(part.outline if reaches else NOTHING, ground, grid_size=GRID)
         near = [one for k in taken.query(part.outline).tolist() for one in kept.get(k, ())]
         rest = shapely.difference(inside, shapely.union_all(near), grid_size=GRID)
         shapes = _polygons(rest)
