@@ -53,14 +53,6 @@ def improve_groups(task: RoomTask, best: JudgedRoom, barred: frozenset[str]) -> 
     return best
 
 
-def join_washer(task: RoomTask, best: JudgedRoom, barred: frozenset[str]) -> JudgedRoom:
-    """The groups with a washing machine of a kitchen at the side of the run that stands by now."""
-    if cost_of_washer(best.placed, 1.0) == 0.0 or task.cancelled():
-        return best
-    name = next(p.name for p in best.placed if p.wish.group == "washer")
-    return _improve(judge_of(task, best.placed), best, name, barred)
-
-
 def list_worst_first(task: RoomTask, placed: Placed) -> list[str]:
     """The names of groups with a fault, the costliest first, what stands between seats and screen
     before these; of all where a wish is not met."""

@@ -15,11 +15,10 @@ from scenewright.domains.home.composing.bare_floor import furnish_bare_floor
 from scenewright.domains.home.composing.bare_walls import furnish_bare_walls
 from scenewright.domains.home.composing.beds import move_double_bed, restore_double_bed
 from scenewright.domains.home.composing.clothes import hang_in_closet
-from scenewright.domains.home.composing.coats import move_coats
 from scenewright.domains.home.composing.comparing import compare_answers, compare_judged
 from scenewright.domains.home.composing.freeing import free_ways
 from scenewright.domains.home.composing.hall_tables import furnish_hall
-from scenewright.domains.home.composing.improve import improve_groups, join_washer
+from scenewright.domains.home.composing.improve import improve_groups
 from scenewright.domains.home.composing.judging import JudgedRoom
 from scenewright.domains.home.composing.kitchens.islands import add_island
 from scenewright.domains.home.composing.kitchens.reform import reform_kitchen
@@ -58,7 +57,6 @@ MENDING: tuple[Pass[JudgedPass], ...] = (
     Pass("move double bed", "mending", move_double_bed, "a faulty double bed at its best place"),
     Pass("improve groups", "mending", improve_groups, "faulty groups in other forms and places"),
     Pass("reform kitchen", "mending", reform_kitchen, "a faulty kitchen made to measure"),
-    Pass("join washer", "mending", join_washer, "a washing machine beside the kitchen run"),
     Pass("gather seats", "mending", gather_seats, "seats, screen and table round one middle"),
     Pass("seat three", "mending", seat_three, "a sofa for three, or a third seat"),
     Pass("hang in closet", "mending", hang_in_closet, "drawers for half a wardrobe at a closet"),
@@ -80,7 +78,6 @@ FILLING: tuple[Pass[AnswerPass], ...] = (
     Pass("fill wet room", "filling", fill_wet_room, "storage in bathrooms that hold it"),
     Pass("furnish hall", "filling", furnish_hall, "a narrow table in a hall"),
     Pass("widen groups", "filling", widen_groups, "storage as wide as its wall allows"),
-    Pass("move coats", "filling", move_coats, "coats near the door one comes in by"),
 )
 ROOM_PASSES: tuple[Pass[Any], ...] = (*OPENING, *LACKING, *RESTORING, *MENDING, *TRIMMING, *FILLING)
 
