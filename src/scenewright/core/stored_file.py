@@ -68,7 +68,8 @@ def read_plain(path: str | os.PathLike[str], most: int) -> bytes:
 
 
 def check_plain(path: str | os.PathLike[str], most: int) -> None:
-    """InputError unless there is a plain file of at most ``most`` bytes."""
+    """InputError unless there is a plain file of at most ``most`` bytes. The run counts as reading
+    it, also where its content is known from before."""
     try:
         status = Path(path).stat()
     except OSError as error:
@@ -77,3 +78,4 @@ def check_plain(path: str | os.PathLike[str], most: int) -> None:
         raise InputError("is not a plain file", "give the file itself")
     if status.st_size > most:
         raise InputError(f"is larger than {most / MEBIBYTE:g} MiB", "choose another one")
+    note_read(path)
