@@ -23,7 +23,7 @@ FAIR = Brief.model_validate(
                         "category": "exhibit_island",
                         "count": 12,
                         "name": "stands of the fair",
-                        "size": [4.0, 3.0, 2.8],
+                        "size": [4.0, 3.0, 2.5],
                     },
                     {"category": "round_table", "count": 5, "size": [0.8, 0.8, 0.74]},
                 ],

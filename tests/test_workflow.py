@@ -20,7 +20,16 @@ from scenewright.domains.site import plan as ground_plan
 from scenewright.formats import solution_json
 from scenewright.workflow.alternatives import arrange_alternatives
 from scenewright.workflow.arrange import arrange_file
-from scenewright.workflow.events import Event, Judged, Planned, Progress, Solved, Wrote, run_to_end
+from scenewright.workflow.events import (
+    Event,
+    Judged,
+    Notice,
+    Planned,
+    Progress,
+    Solved,
+    Wrote,
+    run_to_end,
+)
 from scenewright.workflow.request import ArrangeRequest
 from scenewright.workflow.stream import stream_progress
 
@@ -101,7 +110,8 @@ def kinds(events: Iterator[Event]) -> list[type]:
 def test_events_come_in_order() -> None:
     request = ArrangeRequest(ROOM, (Path("a.json"), Path("a.svg")), steps=100)
     events = list(arrange_file(request))
-    assert kinds(iter(events)) == [Planned, Progress, Solved, Judged, Progress, Wrote]
+    assert kinds(iter(events)) == [Planned, Progress, Solved, Judged, Progress, Wrote, Notice]
+    assert [str(e) for e in events if isinstance(e, Notice) and "a.svg: left out:" in str(e)]
     assert [event.path.name for event in events if isinstance(event, Wrote)] == ["a.json", "a.svg"]
     shares = [event.share for event in events if isinstance(event, Progress)]
     assert all(0.0 <= share <= 1.0 for share in shares)
