@@ -16,7 +16,9 @@ from scenewright.domains.hall.seats.turns import count_away
 
 
 def lay_out(seed: int, **room: Any) -> Solution:
-    brief = Brief.model_validate({"domain": "hall", "rooms": [{"name": "Hall"} | room]})
+    brief = Brief.model_validate(
+        {"domain": "hall", "rooms": [{"name": "Hall", "height": 4.0} | room]}
+    )
     return scenewright.solve(brief, seed=seed, threads=1)
 
 

@@ -27,6 +27,7 @@ from scenewright.engine.draws import streams
 def one_room(wide: float, deep: float, *demands: dict[str, Any]) -> Brief:
     room = {
         "name": "Hall",
+        "height": 4.0,
         "outline": [[0, 0], [wide, 0], [wide, deep], [0, deep]],
         "doors": [{"at": [2, 0], "width": 1.8}],
         "demands": list(demands),
