@@ -21,6 +21,7 @@ from scenewright.domains.home.furnishing.facing import face_screen
 from scenewright.domains.home.furnishing.furnish import Refused, furnish_patch
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles
 from scenewright.domains.home.ground import ground_of
+from thoroughness import THOROUGH
 
 EMPTY = StandingObstacles(np.zeros((0, 5)), np.zeros((0, 2)), ())
 
@@ -125,6 +126,7 @@ def test_a_screen_is_put_before_its_seat_where_it_can_stand() -> None:
     assert np.array_equal(kept, boxes)
 
 
+@pytest.mark.skipif(not THOROUGH, reason="many real scenes: in make test-all")
 @pytest.mark.realdata
 @pytest.mark.usefixtures("real_data")
 def test_most_seats_of_real_flats_are_before_their_screens() -> None:

@@ -18,6 +18,7 @@ from scenewright.domains.village.learning.tables import (
     relate_in_order,
 )
 from scenewright.domains.village.library import classify_house
+from thoroughness import THOROUGH
 
 
 def block(number: int = 0, gap: float = 3.0) -> RealBlock:
@@ -180,6 +181,7 @@ def test_the_data_are_split_by_place_and_rebuilt_without_a_leak() -> None:
     assert ((away > 8.5) & (away < 10.5)).mean() < 0.3
 
 
+@pytest.mark.skipif(not THOROUGH, reason="many real scenes: in make test-all")
 @pytest.mark.realdata
 def test_ours_is_nearer_to_real_blocks_than_what_is_proposed() -> None:
     grown, proposed = (village.fill_split("A", name, 8, 10) for name in ("grow", "proposals"))
