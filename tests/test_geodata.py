@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import bz2
 import gzip
 import json
 import sqlite3
@@ -84,8 +85,8 @@ def test_layers_say_what_their_features_are(tmp_path: Path) -> None:
         "site (layer Baufeld): used": 1,
         "building (layer Gebäude): used": 3,
         "road (layer Straßen): used": 1,
-        "place=plot (layer Flurstücke): left out": 2,
-        "terrain=yes (layer Höhenlinien): left out": 1,
+        "plot (layer Flurstücke): left out": 2,
+        "terrain (layer Höhenlinien): left out": 1,
     }
     heights = sorted(row.height or 0 for row in brief.part.sites[0].landmarks)
     assert heights[1:] == [6.0, 9.5]
@@ -186,6 +187,61 @@ def test_between_streets_is_a_site(tmp_path: Path) -> None:
     assert brief.input_report.features == 1
     outside = MapOptions(site="11.08,49.4505")
     assert "nothing encloses the place 11.08,49.4505" in refusal(path, outside)
+
+
+def test_the_likeliest_ground_is_the_site(tmp_path: Path) -> None:
+    """A plot before settled ground before a wood, however large; the report names the others."""
+
+    def square(name: str, side: float, **tags: str) -> dict[str, Any]:
+        ring = [[0, 0], [side, 0], [side, side], [0, side], [0, 0]]
+        geometry = {"type": "Polygon", "coordinates": [[[x + 11, y + 49] for x, y in ring]]}
+        return {"type": "Feature", "id": name, "properties": tags, "geometry": geometry}
+
+    rows = [
+        square("wood", 0.004, landuse="forest"),
+        square("town", 0.006, boundary="administrative"),
+        square("homes", 0.002, landuse="residential"),
+        square("plot", 0.001, place="plot"),
+    ]
+    path = tmp_path / "grounds.geojson"
+
+    def site_and_report(kept: list[dict[str, Any]]) -> tuple[str, list[str]]:
+        path.write_text(json.dumps({"type": "FeatureCollection", "features": kept}))
+        brief = formats.read(path)
+        assert brief.input_report is not None
+        reasons = [row.reason for row in brief.input_report.rows]
+        return brief.part.sites[0].id, [one for one in reasons if "--site" in one]
+
+    site, (told,) = site_and_report(rows)
+    assert site == "plot"
+    assert told.endswith("--site takes another: homes, wood, town")
+    assert "such as plot, homes, wood, town" in refusal(path, MapOptions(site="nowhere"))
+    assert site_and_report(rows[:3])[0] == "homes"
+    assert site_and_report(rows[:2])[0] == "wood"
+    assert site_and_report(rows[:1]) == ("wood", [])
+
+
+def test_a_map_without_areas_names_places(tmp_path: Path) -> None:
+    ring = [[11.07, 49.45], [11.072, 49.45], [11.072, 49.451], [11.07, 49.451], [11.07, 49.45]]
+    street = (
+        {"type": "LineString", "coordinates": ring[:3]},
+        {"type": "LineString", "coordinates": ring[2:]},
+    )
+    rows = [{"type": "Feature", "properties": {"highway": "road"}, "geometry": g} for g in street]
+    path = tmp_path / "streets.geojson"
+    path.write_text(json.dumps({"type": "FeatureCollection", "features": rows}))
+    place = refusal(path).partition("such as ")[2]
+    assert site_of(formats.read(path, map_options=MapOptions(site=place))).area > 5_000
+
+
+def test_kmz_and_bzip2_are_unpacked(tmp_path: Path) -> None:
+    kml = write_layers(tmp_path / "doc.kml", only=("Baufeld", "Gebäude", "Straßen"))
+    with zipfile.ZipFile(tmp_path / "quarter.kmz", "w") as archive:
+        archive.write(kml, "doc.kml")
+    check_quarter(formats.read(tmp_path / "quarter.kmz"))
+    packed = tmp_path / "quarter.osm.bz2"
+    packed.write_bytes(bz2.compress(osm_xml().encode()))
+    check_quarter(formats.read(packed))
 
 
 def test_options_of_maps_are_refused_elsewhere(tmp_path: Path) -> None:

@@ -15,7 +15,7 @@ import shapely
 from scenewright.core.errors import InputError
 from scenewright.core.projection import Projection, coordinates_of, metres
 from scenewright.ground.map_features import Collection, Feature
-from scenewright.ground.map_kinds import stands, words_of
+from scenewright.ground.map_kinds import is_footprint, stands, words_of
 
 MADE = "between the streets"
 """The layer of a site that no feature of the file draws."""
@@ -31,6 +31,46 @@ MINOR = frozenset(
 )
 """Ways that lie within the ground between streets."""
 OWN = ("site", "block", "extend")
+BUILDABLE = frozenset(words_of("construction brownfield greenfield"))
+SETTLED = frozenset(words_of("residential commercial retail industrial institutional education"))
+"""Values of ``landuse`` of ground that is to be built on, and of ground that is built on."""
+MOST_NAMED = 5
+"""Areas or places that a message names."""
+
+
+def order_grounds(areas: Iterable[Feature]) -> list[Feature]:
+    """The areas of a map by how likely each is the ground to build on, the largest of a kind
+    first: plots and building sites, settled or untagged ground, other grounds, land and water,
+    administrative areas, buildings."""
+    return sorted(areas, key=lambda one: (_rank(one), -_extent(one)))
+
+
+def name_places(found: Collection, map_: Projection) -> list[str]:
+    """Places between the streets of a map, as ``--site`` takes them, those with most ground
+    first."""
+    _, faces = _enclosed(found.features, map_)
+    largest = sorted(faces, key=lambda face: -face.area)[:MOST_NAMED]
+    points = [shapely.get_coordinates(face.representative_point()) for face in largest]
+    plain = map_._replace(swapped=False)
+    return [f"{x:.10g},{y:.10g}" for at in points for x, y in coordinates_of(plain, at).tolist()]
+
+
+def _rank(feature: Feature) -> int:
+    tags = feature.tags
+    if stands(tags):
+        return 5
+    if tags.get("place") == "plot" or tags.get("landuse") in BUILDABLE:
+        return 0
+    if tags.get("landuse") in SETTLED or is_footprint(tags):
+        return 1
+    if tags.keys() & {"boundary", "place"}:
+        return 4
+    return 3 if tags.keys() & {"natural", "landuse", "waterway", "railway", "aeroway"} else 2
+
+
+def _extent(feature: Feature) -> float:
+    parts = [shapely.make_valid(shapely.Polygon(part[0])) for part in feature.polygons]
+    return float(shapely.union_all(parts).area)
 
 
 def choose_by_id(found: Collection, wanted: str) -> Collection:
@@ -39,7 +79,7 @@ def choose_by_id(found: Collection, wanted: str) -> Collection:
     areas = [feature for feature in found.features if feature.polygons]
     chosen = next((feature for feature in areas if feature.id in (wanted, name)), None)
     if chosen is None:
-        some = ", ".join(feature.id for feature in areas[:3])
+        some = ", ".join(feature.id for feature in order_grounds(areas)[:MOST_NAMED])
         raise InputError(
             f"holds no area '{wanted[:60]}'",
             f"give --site the id of one, such as {some}, or a place as x,y"
@@ -92,22 +132,27 @@ def _between_streets(
     features: Iterable[Feature], map_: Projection, here: shapely.Point
 ) -> shapely.Polygon | None:
     """What the streets around a place enclose, without the streets; ``None`` if they do not."""
-    lines = [
-        shapely.LineString(metres(map_, line))
-        for feature in features
-        if feature.tags.get("highway", "footway") not in MINOR
-        for line in feature.lines
-    ]
-    if not lines:
-        return None
-    streets = shapely.union_all(lines)
-    faces = shapely.get_parts(shapely.polygonize(shapely.get_parts(streets)))
+    streets, faces = _enclosed(features, map_)
     around = [face for face in faces if face.contains(here)]
     if not around:
         return None
     left = around[0].difference(streets.buffer(HALF_STREET, join_style="mitre"))
     parts = [part for part in shapely.get_parts(left) if part.area >= LEAST]
     return min(parts, key=lambda part: part.distance(here), default=None)
+
+
+def _enclosed(
+    features: Iterable[Feature], map_: Projection
+) -> tuple[shapely.Geometry, list[shapely.Polygon]]:
+    """The middle lines of all streets, and the ground between them."""
+    lines = [
+        shapely.LineString(metres(map_, line))
+        for feature in features
+        if feature.tags.get("highway", "footway") not in MINOR
+        for line in feature.lines
+    ]
+    streets = shapely.union_all(lines)
+    return streets, list(shapely.get_parts(shapely.polygonize(shapely.get_parts(streets))))
 
 
 def _made(floor: shapely.Polygon, map_: Projection) -> Feature:

@@ -41,6 +41,26 @@ FAITHS = {
     "shinto": "shrine",
     "jewish": "synagogue",
 }
+FOLDED = {
+    "water": "water waterway",
+    "street furniture": "highway barrier",
+    "land use": "landuse natural leisure golf",
+    "transport": "railway route aeroway aerialway public_transport",
+    "supply": "power",
+    "boundary or place": "boundary place",
+    "place of interest": "amenity historic tourism shop office craft emergency man_made sport",
+    "entrance": "entrance",
+    "part of a storey": "level",
+}
+"""Kinds of a report, and the keys whose values it counts together."""
+TOLD = {
+    ("place", "plot"): "plot",
+    ("natural", "tree"): "tree",
+    ("natural", "water"): "water",
+    ("terrain", "yes"): "terrain",
+}
+"""Values that are kinds of their own."""
+_KINDS = {key: kind for kind, keys in FOLDED.items() for key in keys.split()}
 PLAIN = words_of("yes building true 1")
 
 
@@ -87,7 +107,9 @@ def kind_of(tags: Mapping[str, str], shape: str) -> str:
     >>> kind_of({"building": "yes"}, "area"), kind_of({"highway": "footway"}, "line")
     ('building', 'path')
     >>> kind_of({"natural": "tree"}, "point"), kind_of({"objectid": "7"}, "area")
-    ('natural=tree', 'area without tags of a map')
+    ('tree', 'area without tags of a map')
+    >>> kind_of({"highway": "crossing"}, "point"), kind_of({"landuse": "meadow"}, "area")
+    ('street furniture', 'land use')
     """
     if stands(tags):
         return "building"
@@ -100,4 +122,7 @@ def kind_of(tags: Mapping[str, str], shape: str) -> str:
     if way and shape != "point":
         return "path" if way in FOOTWAYS else "road"
     keys = [key for key in ("indoor", "door", "entrance", "highway", *ELSE) if key in tags]
-    return f"{keys[0]}={tags[keys[0]]}" if keys else f"{shape} without tags of a map"
+    if not keys:
+        return f"{shape} without tags of a map"
+    key, value = keys[0], tags[keys[0]]
+    return TOLD.get((key, value)) or _KINDS.get(key, f"{key}={value}")

@@ -1,7 +1,7 @@
 """Sites drawn for OpenStreetMap or by a planner, as GeoJSON.
 
 Polygons with the tag ``site`` are sites, and their properties fields of the brief (``setback``,
-``floor_area_ratio`` …); without one the largest polygon that is no building is the site. Lines
+``floor_area_ratio`` …); without one the area most likely to be built on is the site. Lines
 with ``highway`` become roads and paths as wide as their class, polygons with ``building``, or with
 no tag of a map at all, landmarks; water is no ground. What lies outside is cut off. The brief
 carries a report of what became of every feature.
@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, NoReturn
 
 import numpy as np
 import shapely
@@ -28,9 +28,10 @@ from scenewright.domains.site.reading.standing import (
     note_points,
 )
 from scenewright.domains.site.reading.tags import OWN, is_water, number_of, width_of
+from scenewright.ground.chosen_ground import MOST_NAMED, name_places, order_grounds
 from scenewright.ground.fates import Note
 from scenewright.ground.map_features import Collection, Feature, SkippedFeature, load
-from scenewright.ground.map_place import projection_of
+from scenewright.ground.map_place import corners_of, projection_of
 from scenewright.ground.map_report import report_map
 from scenewright.ground.outlines import GRID, grow
 from scenewright.ground.reading.road_areas import pieces
@@ -81,17 +82,14 @@ def brief_of(found: Collection, name: str) -> Brief:
 
 def report(found: Collection, name: str) -> SiteReport:
     """The brief and report of features already read; InputError if no site is among them."""
-    outlines = _outlines(found.features)
+    notes: list[Note] = []
+    outlines = _outlines(found.features, notes)
     if not outlines:
-        raise InputError(
-            f"holds no outline of a site among its {len(found.features)} features",
-            'draw a polygon with the property "site": "yes"',
-        )
+        _refuse(found)
     if len(outlines) > MOST_SITES:
         raise InputError(f"holds {len(outlines):,} sites", f"at most {MOST_SITES} are read")
     corners = np.vstack([ring for f in outlines for part in f.polygons for ring in part])
     map_ = projection_of(found, corners)
-    notes: list[Note] = []
     drawn = [DrawnFeature(f, _shape(f, map_, notes)) for f in found.features if f.polygons]
     sites = []
     for number, feature in enumerate(outlines):
@@ -112,18 +110,31 @@ def report(found: Collection, name: str) -> SiteReport:
     )
 
 
-def _outlines(features: tuple[Feature, ...]) -> list[Feature]:
-    """The features drawn as sites, else the largest polygon that is no building nor water."""
+def _refuse(found: Collection) -> NoReturn:
+    """Raise the InputError of a map without a site, with places between its streets."""
+    corners = corners_of(found)
+    places = name_places(found, projection_of(found, corners)) if len(corners) else []
+    choice = f", or give --site a place between its streets, such as {' or '.join(places)}"
+    raise InputError(
+        f"holds no outline of a site among its {len(found.features)} features",
+        'draw a polygon with the property "site": "yes"' + choice * bool(places),
+    )
+
+
+def _outlines(features: tuple[Feature, ...], notes: list[Note]) -> list[Feature]:
+    """The features drawn as sites, else the area most likely to be built on that is no building
+    nor water; ``notes`` say which of several it is, and how another is chosen."""
     areas = [f for f in features if f.polygons and not is_water(f.tags)]
     tagged = [f for f in areas if f.tags.get("site", "no") != "no"]
     plain = [f for f in areas if not {"building", "highway", "building:part"} & f.tags.keys()]
-    largest = sorted(plain, key=lambda f: _extent(f), reverse=True)[:1]
-    return tagged or largest
-
-
-def _extent(feature: Feature) -> float:
-    found = shapely.union_all([shapely.make_valid(shapely.Polygon(p[0])) for p in feature.polygons])
-    return float(found.area)
+    if tagged:
+        return tagged
+    likely = order_grounds(plain)[:MOST_NAMED]
+    if len(likely) > 1:
+        others = ", ".join(feature.id for feature in likely[1:])
+        reason = f"taken as the site, as no area is tagged so; --site takes another: {others}"
+        notes.append(Note(likely[0].id, "changed", reason))
+    return likely[:1]
 
 
 def _shape(feature: Feature, map_: Projection, notes: list[Note]) -> shapely.Geometry:
