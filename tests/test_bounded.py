@@ -20,7 +20,7 @@ from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
 from scenewright.core.scene import Size
 
-MOST_MEMORY, LONGEST = 500.0, 20.0
+MOST_MEMORY, LONGEST = 500.0, 5.0
 """Mebibytes beyond an empty run, and seconds of the processor until a refusal."""
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="bounds a process as Linux does")
 

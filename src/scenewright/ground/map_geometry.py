@@ -6,7 +6,6 @@ Parts that cannot be used (a ring of two corners, one on a line) are named; the 
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -27,6 +26,8 @@ GEOMETRIES = frozenset(
 )
 DEEPEST = 8
 """Collections within collections of geometries."""
+NUMBERS = (int, float)
+"""What JSON reads a number as; true and false are none."""
 FLATTEST = 1e-9
 """Twice the area of its largest triangle on a first corner, as a share of its squared extent, up to
 which a ring is a line."""
@@ -92,10 +93,9 @@ def _rings(coordinates: Any, faults: list[str]) -> tuple[Points, ...]:
 
 def _ring(coordinates: Any) -> Points:
     """A ring of at least three corners, its first again at the end."""
-    ring = _positions(coordinates)
-    if len(ring) and not (ring[0] == ring[-1]).all():
-        ring = np.vstack([ring, ring[:1]])
-    if len({*map(tuple, ring.tolist())}) < 3:
+    pairs = _pairs(coordinates)
+    ring = _points([*pairs, pairs[0]] if pairs and pairs[0] != pairs[-1] else pairs)
+    if len({*pairs}) < 3:
         raise InputError("has a ring of fewer than three corners", "correct it in the map")
     away = ring - ring[0]
     flat = np.abs(away[:, :1] * away[:, 1] - away[:, 1:] * away[:, 0]).max()
@@ -108,22 +108,32 @@ def _ring(coordinates: Any) -> Points:
 
 def _positions(listed: Any) -> Points:
     """Pairs of finite numbers; heights are dropped."""
-    flat = [axis for position in _to_list(listed) for axis in _pair(position)]
-    found = np.array(flat, float).reshape(-1, 2)
+    return _points(_pairs(listed))
+
+
+def _pairs(listed: Any) -> list[tuple[float, float]]:
+    return [_pair(position) for position in _to_list(listed)]
+
+
+def _points(pairs: list[tuple[float, float]]) -> Points:
+    found = np.array(pairs, float).reshape(-1, 2)
     if not (np.abs(found) < 1e9).all():  # also false for what is not a number
         raise InputError("has a coordinate that is out of range", "correct it in the map")
     return found
 
 
-def _pair(position: Any) -> Iterator[float]:
+def _pair(position: Any) -> tuple[float, float]:
     if not isinstance(position, list) or len(position) < 2:
         raise InputError("has a position that is not a pair of numbers", "correct it in the map")
-    for axis in position[:2]:
-        if isinstance(axis, bool) or not isinstance(axis, int | float):
-            raise InputError(
-                "has a position that is not a pair of numbers", "correct it in the map"
-            )
-        yield float(axis) if abs(axis) < 1e9 else np.nan
+    x, y = position[:2]
+    if type(x) not in NUMBERS or type(y) not in NUMBERS:
+        raise InputError("has a position that is not a pair of numbers", "correct it in the map")
+    return _bounded(x), _bounded(y)
+
+
+def _bounded(axis: float) -> float:
+    """A number as a float, NaN where it is too large to be a place."""
+    return float(axis) if abs(axis) < 1e9 else np.nan
 
 
 def _to_list(value: Any) -> list[Any]:

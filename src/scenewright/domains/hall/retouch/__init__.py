@@ -58,6 +58,7 @@ from scenewright.domains.hall.retouch.runs import measure_runs, propose_runs
 from scenewright.domains.hall.retouch.spread import measure_spread, propose_spread
 from scenewright.domains.hall.retouch.stands import measure_backs, propose_turns
 from scenewright.domains.hall.retouch.tills import find_tills, propose_tills, tills_adrift
+from scenewright.domains.hall.retouch.waiting import forgive_backs, measure_waiting, propose_waiting
 from scenewright.domains.hall.solvers.outcome import MeasuredLayout
 
 ROUNDS = 4
@@ -130,6 +131,12 @@ RETOUCHES: tuple[Pass[Retouch], ...] = (
         "service",
         Retouch(other_desks, desks_adrift, propose_desks, forgive_walls, find_desks),
         "counters stand at walls with room for who serves",
+    ),
+    Pass(
+        "waiting",
+        "seating",
+        Retouch(_whole, measure_waiting, propose_waiting, forgive_backs),
+        "who waits sits near a desk, on its visitors' side",
     ),
     Pass(
         "tills",
