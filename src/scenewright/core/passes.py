@@ -8,7 +8,11 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterable, Sequence
-from typing import Generic, NamedTuple, TypeVar
+from typing import TYPE_CHECKING, Generic, NamedTuple, TypeVar
+
+if TYPE_CHECKING:
+    from scenewright.core.plan import Plan
+    from scenewright.core.solution import Solution
 
 Run = TypeVar("Run")
 State = TypeVar("State")
@@ -116,6 +120,23 @@ def tally_passes(passes: Iterable[Pass[Run]], runs: Sequence[PassRun]) -> tuple[
     [('a', 0, (), 0, 0), ('b', 2, ('hall',), 2.0, 0.75)]
     """
     return tuple(_tally(each, [run for run in runs if run.name == each.name]) for each in passes)
+
+
+def trace_passes(
+    passes: Iterable[Pass[Run]], solve: Callable[..., Solution], solution: Solution, plan: Plan
+) -> PassTrace:
+    """What each pass changes when the brief of a solution is solved again (``solve``) with its
+    preset, solver and seed; every run counts, in drafts and further tries too."""
+    heard = list[PassRun]()
+    again = solve(
+        solution.brief,
+        plan=plan,
+        preset=solution.preset,
+        solver=solution.solver,
+        seed=solution.seed,
+        passes=PassOptions(hear=heard.append),
+    )
+    return PassTrace(tally_passes(passes, heard), again.pieces == solution.pieces)
 
 
 def _tally(each: Pass[Run], runs: Sequence[PassRun]) -> PassTally:
