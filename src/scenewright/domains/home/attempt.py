@@ -380,6 +380,13 @@ def find_blocked(task: RoomTask, placed: tuple[FurnishedGroup, ...]) -> tuple[st
     return (*sorted(others), *groups)
 
 
+def bars_no_more(
+    task: RoomTask, placed: tuple[FurnishedGroup, ...], barred: frozenset[str]
+) -> bool:
+    """Whether nothing is out of reach but what was (``barred``, of :func:`find_blocked`)."""
+    return barred.issuperset(find_blocked(task, placed))
+
+
 def out_of_reach(task: RoomTask, pieces: tuple[Piece, ...]) -> frozenset[str]:
     """Doors that no route joins to the first, and pieces that none reaches."""
     standing = (*task.fixed, *task.beside, *pieces)

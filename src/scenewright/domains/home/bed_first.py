@@ -14,7 +14,13 @@ from itertools import islice
 import numpy as np
 
 from scenewright.core.catalog import Group
-from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask, find_blocked
+from scenewright.domains.home.attempt import (
+    FurnishedGroup,
+    RoomAnswer,
+    RoomTask,
+    bars_no_more,
+    find_blocked,
+)
 from scenewright.domains.home.composing.moving import dress_group, make_unplaced
 from scenewright.domains.home.composing.wall_ends import list_wall_ends
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
@@ -46,7 +52,7 @@ def list_beds_first(
     barred = frozenset(find_blocked(narrow, stays))
     for case in LEAST[SINGLE]():
         for bed in islice(list_placed(task, stays, wish, case), PLACES):
-            if barred.issuperset(find_blocked(narrow, (*stays, bed))):
+            if bars_no_more(narrow, (*stays, bed), barred):
                 yield answer_of(task, (*stays, bed), wishes)
 
 

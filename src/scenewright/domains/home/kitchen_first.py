@@ -17,6 +17,7 @@ from scenewright.domains.home.attempt import (
     Missing,
     RoomAnswer,
     RoomTask,
+    bars_no_more,
     find_blocked,
 )
 from scenewright.domains.home.bed_first import list_placed, with_narrow_ways
@@ -92,7 +93,7 @@ def _list_beside(task: RoomTask, stays: Placed, wish: Wish) -> Iterator[Placed]:
     for case in mini_kitchens():
         form = wish._replace(group=case.function, small=True)
         found = ((*stays, run) for run in islice(list_placed(task, stays, form, case), PLACES))
-        yield from islice((p for p in found if barred.issuperset(find_blocked(task, p))), 1)
+        yield from islice((p for p in found if bars_no_more(task, p, barred)), 1)
 
 
 def _find_lacking(task: RoomTask, before: RoomAnswer) -> Wish | None:

@@ -9,7 +9,7 @@ from scenewright.domains.home.attempt import (
     Missing,
     RoomAnswer,
     RoomTask,
-    find_blocked,
+    bars_no_more,
 )
 from scenewright.domains.home.composing.additions import forms_to_add, is_wanted, list_additions
 from scenewright.domains.home.composing.judging import Placed, judge_of
@@ -71,8 +71,6 @@ def _best_added(
         added = judged.placed[-1]
         if wish.group == "reading" and not joins_sofa(added, placed):
             continue
-        if not added.dressed.lost and barred.issuperset(
-            find_blocked(with_margin(task), judged.placed)
-        ):
+        if not added.dressed.lost and bars_no_more(with_margin(task), judged.placed, barred):
             return added
     return None

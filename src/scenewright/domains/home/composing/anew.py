@@ -13,7 +13,7 @@ from functools import cache
 from itertools import islice
 from math import hypot, inf
 
-from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, find_blocked
+from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, bars_no_more
 from scenewright.domains.home.composing.case_faults import find_case_faults
 from scenewright.domains.home.composing.forms import is_mere_kitchen, list_forms
 from scenewright.domains.home.composing.improve import list_worst_first
@@ -183,7 +183,7 @@ def list_starts(task: RoomTask, first: FurnishedGroup, barred: frozenset[str]) -
     margin, kept = with_margin(task), list[JudgedRoom]()
     for judged in found:
         near = any(_is_near(judged, other, rule.apart) for other in kept)
-        if not near and barred.issuperset(find_blocked(margin, judged.placed)):
+        if not near and bars_no_more(margin, judged.placed, barred):
             kept.append(judged)
             if len(kept) == rule.starts:
                 break
@@ -224,7 +224,7 @@ def follow(
         if other.wish.group in TABLES and (eats or is_mere_kitchen(task)):
             count = places = MANY
         found = islice(try_forms(judges(at + 1), whole, at, forms, count), places)
-        open_ = (j for j in found if barred >= set(find_blocked(wide, j.placed)))
+        open_ = (j for j in found if bars_no_more(wide, j.placed, barred))
         following = next(open_, None)
         if following is None:
             return None

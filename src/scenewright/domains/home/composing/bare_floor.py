@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from scenewright.core.catalog import Group
 from scenewright.core.scene import Piece
-from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask, find_blocked
+from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask, bars_no_more
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.judging import Placed, judge_of, sum_faults
 from scenewright.domains.home.composing.moving import (
@@ -149,7 +149,7 @@ def _add(
         group = make_unplaced(task, placed, Wish(name, WELCOME), case)
         found = list(_list_smaller(task, placed, group, void))
         for _, _, added in sorted(found, key=lambda each: each[:2]):
-            if barred.issuperset(find_blocked(with_margin(task), (*placed, added))):
+            if bars_no_more(with_margin(task), (*placed, added), barred):
                 return added
     return None
 

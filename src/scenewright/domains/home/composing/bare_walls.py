@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask, find_blocked
+from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask, bars_no_more
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.bare_floor import (
     LARGE,
@@ -89,7 +89,7 @@ def _list_beside(
             whole = (*placed, *((added,) if added else ()))
             if added is None or is_left_alone(added, placed) or sum_faults(task, whole) > faults:
                 continue
-            if barred.issuperset(find_blocked(margin, whole)):
+            if bars_no_more(margin, whole, barred):
                 yield added
 
 

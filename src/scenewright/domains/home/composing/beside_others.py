@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.core.catalog import Group
-from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, find_blocked
+from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, bars_no_more
 from scenewright.domains.home.composing.judging import Placed, RoomJudge, judge_of
 from scenewright.domains.home.composing.moving import dress_group, with_margin
 from scenewright.domains.home.composing.placed_faults import cost_of_group
@@ -66,6 +66,6 @@ def take_first_place(
         other = (*placed[:at], dressed, *placed[at + 1 :])
         if judge.cost_of(other).cost > most:
             continue
-        if barred.issuperset(find_blocked(with_margin(task), other)):
+        if bars_no_more(with_margin(task), other, barred):
             return other
     return placed

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.core.catalog import Group
-from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, find_blocked
+from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, bars_no_more, find_blocked
 from scenewright.domains.home.bed_first import with_narrow_ways
 from scenewright.domains.home.composing.anew import Judges, judge_in_order
 from scenewright.domains.home.composing.bed_sides import count_closed_beds
@@ -81,7 +81,7 @@ def _list_starts(
             continue
         placed = (*stays, dressed)
         is_open = count_closed_beds(placed, task.ground) <= closed
-        if is_open and barred.issuperset(find_blocked(task, placed)):
+        if is_open and bars_no_more(task, placed, barred):
             yield judge.cost_of(placed)
 
 
@@ -139,7 +139,7 @@ def _follow(
             judged
             for judged in found
             if count_closed_beds(judged.placed, task.ground) <= closed
-            and barred.issuperset(find_blocked(task, judged.placed))
+            and bars_no_more(task, judged.placed, barred)
         )
         following = next(open_, None)
         if following is None:

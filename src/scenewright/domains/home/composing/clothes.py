@@ -7,7 +7,7 @@ takes the rest.
 
 from __future__ import annotations
 
-from scenewright.domains.home.attempt import FurnishedGroup, Missing, RoomTask, find_blocked
+from scenewright.domains.home.attempt import FurnishedGroup, Missing, RoomTask, bars_no_more
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.case_faults import find_case_faults
 from scenewright.domains.home.composing.judging import JudgedRoom, Placed, judge_of
@@ -41,7 +41,7 @@ def hang_instead(
     whole, most = (*rest, chest), best.cost - task.preset.settings.composing.least
     found = try_places(judge_of(task, whole), whole, len(rest), forms, most, METRE)
     margin = with_margin(task)
-    free = (j for j in found if barred.issuperset(find_blocked(margin, j.placed)))
+    free = (j for j in found if bars_no_more(margin, j.placed, barred))
     return next(free, best)
 
 

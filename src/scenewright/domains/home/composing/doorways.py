@@ -19,6 +19,7 @@ from scenewright.domains.home.attempt import (
     Missing,
     RoomAnswer,
     RoomTask,
+    bars_no_more,
     find_blocked,
 )
 from scenewright.domains.home.composing.clothes import METRE, WARDROBE, hang_instead, list_hung
@@ -115,7 +116,7 @@ def _list_open(task: RoomTask, placed: Placed, at: int) -> Iterator[Placed]:
     moved = _list_moved(judge, best, at)
     for wholly in (True, False):
         some = (p for p, free in moved if free == wholly)
-        yield from islice((p for p in some if barred.issuperset(find_blocked(margin, p))), TRIED)
+        yield from islice((p for p in some if bars_no_more(margin, p, barred)), TRIED)
         if wholly and group.wish.group == WARDROBE:
             hung = hang_instead(task, best, barred, group)
             yield from (hung.placed,) if hung is not best else ()

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from scenewright.core.catalog import Group
-from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, find_blocked
+from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, bars_no_more, find_blocked
 from scenewright.domains.home.composing.forms import list_forms
 from scenewright.domains.home.composing.judging import Placed, judge_of
 from scenewright.domains.home.composing.moving import with_margin
@@ -31,7 +31,7 @@ def free_ways(task: RoomTask, placed: Placed) -> Placed:
         left = frozenset(find_blocked(task, rest))
         if left < barred:
             for whole in _list_elsewhere(task, rest, group):
-                if left.issuperset(find_blocked(margin, whole)):
+                if bars_no_more(margin, whole, left):
                     return whole
     return placed
 

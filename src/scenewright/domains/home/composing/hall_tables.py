@@ -6,7 +6,7 @@ else. The table stands amid a free stretch of wall where 0.9 m stay free before 
 
 from __future__ import annotations
 
-from scenewright.domains.home.attempt import RoomAnswer, RoomTask, find_blocked
+from scenewright.domains.home.attempt import RoomAnswer, RoomTask, bars_no_more
 from scenewright.domains.home.composing.amid_walls import list_amid_walls
 from scenewright.domains.home.composing.bare_floor import is_left_to_us
 from scenewright.domains.home.composing.moving import with_margin
@@ -32,6 +32,6 @@ def furnish_hall(task: RoomTask, answer: RoomAnswer, barred: frozenset[str]) -> 
     for table in list_amid_walls(task, answer.placed, wish, CONSOLE, WAY):
         whole = (*answer.placed, table)
         sound = cost_of_group(table, task.ground, rule) == 0.0
-        if sound and barred.issuperset(find_blocked(margin, whole)):
+        if sound and bars_no_more(margin, whole, barred):
             return answer._replace(placed=whole)
     return answer

@@ -15,7 +15,7 @@ from math import hypot
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.domains.home.attempt import FurnishedGroup, Missing, RoomTask, find_blocked
+from scenewright.domains.home.attempt import FurnishedGroup, Missing, RoomTask, bars_no_more
 from scenewright.domains.home.composing.anew import follow, judge_in_order
 from scenewright.domains.home.composing.judging import JudgedRoom, Placed, judge_of, sum_faults
 from scenewright.domains.home.composing.lounge_places import list_lounges
@@ -114,7 +114,7 @@ def _list_starts(
     for start in (listed[k] for k in order):
         x, y = start.placed[0].dressed.box[:2].tolist()
         like = sum(hypot(x - a, y - b) < APART for a, b in kept)
-        if like < ONE_WAY and barred.issuperset(find_blocked(margin, start.placed)):
+        if like < ONE_WAY and bars_no_more(margin, start.placed, barred):
             yield start
             kept.append((x, y))
             if len(kept) == task.preset.settings.composing.starts:
@@ -150,7 +150,7 @@ def _follow_first(
     cooked = any(p.wish.group in RUNS for p in rest)
     for there in dict.fromkeys((stay, essential) if cooked else (stay, essential, ())):
         whole = _follow_beside(task, start, there, rest, barred, most)
-        if whole is not None and barred.issuperset(find_blocked(with_margin(task), whole.placed)):
+        if whole is not None and bars_no_more(with_margin(task), whole.placed, barred):
             return whole
     return None
 

@@ -13,7 +13,13 @@ from collections.abc import Iterator, Sequence
 from itertools import chain, islice
 
 from scenewright.core.catalog import Group
-from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask, find_blocked
+from scenewright.domains.home.attempt import (
+    FurnishedGroup,
+    RoomAnswer,
+    RoomTask,
+    bars_no_more,
+    find_blocked,
+)
 from scenewright.domains.home.composing.case_faults import find_case_faults
 from scenewright.domains.home.composing.clothes import CHEST
 from scenewright.domains.home.composing.forms import list_forms
@@ -83,7 +89,7 @@ def _list_open(task: RoomTask, pair: Placed, rest: Placed) -> Iterator[Placed]:
     narrow = task._replace(route_width=width, use_width=use)
     barred = frozenset(find_blocked(narrow, (*rest, *pair)))
     for placed in islice(_list_pairs(task, pair, rest), WALKED):
-        if barred.issuperset(find_blocked(narrow, placed)):
+        if bars_no_more(narrow, placed, barred):
             yield placed
 
 

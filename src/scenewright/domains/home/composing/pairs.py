@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.core.catalog import Group
-from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, find_blocked
+from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, bars_no_more
 from scenewright.domains.home.composing.bed_places import cost_of_bed_places
 from scenewright.domains.home.composing.case_faults import find_case_faults
 from scenewright.domains.home.composing.forms import cost_of_case, list_forms
@@ -75,7 +75,7 @@ def list_pair_starts(
     than ``most``, the cheapest first; ``judge`` is that of these two."""
     margin, most_tried = with_margin(judge.task), judge.task.preset.settings.composing.pairs
     for tried in islice(furnish_pairs(judge, pair, most, list_by_turns), most_tried):
-        if barred.issuperset(find_blocked(margin, tried.placed)):
+        if bars_no_more(margin, tried.placed, barred):
             yield tried
 
 

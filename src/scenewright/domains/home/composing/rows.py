@@ -7,7 +7,7 @@ from math import cos, remainder, sin, tau
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask, find_blocked
+from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask, bars_no_more
 from scenewright.domains.home.composing.judging import Placed, judge_of
 from scenewright.domains.home.composing.moving import dress_group, with_margin
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
@@ -34,7 +34,7 @@ def close_gaps(task: RoomTask, answer: RoomAnswer, barred: frozenset[str]) -> Ro
         _, _, group, gap = min(gaps, key=lambda row: row[:2])
         tried.add(group.name)
         placed = _move(task, answer.placed, group, gap)
-        if placed and barred.issuperset(find_blocked(with_margin(task), placed)):
+        if placed and bars_no_more(with_margin(task), placed, barred):
             answer = answer._replace(placed=placed)
     return answer
 

@@ -21,6 +21,7 @@ from scenewright.domains.home.attempt import (
     Missing,
     RoomAnswer,
     RoomTask,
+    bars_no_more,
     find_blocked,
 )
 from scenewright.domains.home.bed_first import with_narrow_ways
@@ -119,7 +120,7 @@ def list_sound(
         if any(a > b + ROUNDING for a, b in zip(harm, most, strict=True)):
             continue
         barred = _find_barred(Same(task), Same(before)) if barred is None else barred
-        if barred.issuperset(find_blocked(with_narrow_ways(task), placed)):
+        if bars_no_more(with_narrow_ways(task), placed, barred):
             if measure_closeness((added,), (), task.ground) > 0.0:
                 wedged.append(placed)
             else:

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.core.catalog import Group
-from scenewright.domains.home.attempt import RoomTask, find_blocked
+from scenewright.domains.home.attempt import RoomTask, bars_no_more
 from scenewright.domains.home.composing.bed_places import are_adrift
 from scenewright.domains.home.composing.forms import cost_of_case
 from scenewright.domains.home.composing.judging import JudgedRoom, Placed, RoomJudge, cost_each
@@ -61,7 +61,7 @@ def take_first(
     for judged in found:
         if judged.cost > best.cost - price - task.preset.settings.composing.least:
             break
-        if barred.issuperset(find_blocked(with_margin(task), judged.placed)):
+        if bars_no_more(with_margin(task), judged.placed, barred):
             return judged
     return best
 

@@ -11,6 +11,7 @@ from scenewright.domains.home.attempt import (
     Missing,
     RoomAnswer,
     RoomTask,
+    bars_no_more,
     find_blocked,
 )
 from scenewright.domains.home.composing.amid_walls import list_amid_walls
@@ -110,7 +111,7 @@ def _put_books(task: RoomTask, rest: Placed) -> Placed:
     margin, wish = with_margin(task), Wish("shelf", WELCOME)
     barred = frozenset(find_blocked(margin, rest))
     found = (g for g in list_amid_walls(task, rest, wish, BOOKS, BEFORE) if _lets_in(task, g))
-    return next(((g,) for g in found if barred.issuperset(find_blocked(margin, (*rest, g)))), ())
+    return next(((g,) for g in found if bars_no_more(margin, (*rest, g), barred)), ())
 
 
 def _lets_in(task: RoomTask, group: FurnishedGroup) -> bool:

@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from itertools import chain, islice
 
-from scenewright.domains.home.attempt import RoomAnswer, RoomTask, find_blocked
+from scenewright.domains.home.attempt import RoomAnswer, RoomTask, bars_no_more, find_blocked
 from scenewright.domains.home.bed_first import with_narrow_ways
 from scenewright.domains.home.composing.bed_sides import count_closed_beds
 from scenewright.domains.home.composing.bright_beds import list_around_bed
@@ -141,11 +141,11 @@ def _list_open(task: RoomTask, placed: Placed, at: int) -> Iterator[Placed]:
         if _cost_of_view(task, other) > seen:
             continue
         better = is_better(count_faults(task, other), counted)
-        if better and barred.issuperset(find_blocked(narrow, other)):
+        if better and bars_no_more(narrow, other, barred):
             yield other
         elif not better and is_bed and _is_worth_it(task, other, placed, counted):
             dearer.append(other)
-    yield from (other for other in dearer if barred.issuperset(find_blocked(narrow, other)))
+    yield from (other for other in dearer if bars_no_more(narrow, other, barred))
 
 
 def _cost_of_view(task: RoomTask, placed: Placed) -> float:

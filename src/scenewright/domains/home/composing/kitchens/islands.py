@@ -13,7 +13,7 @@ from scenewright.domains.home.attempt import (
     Missing,
     RoomAnswer,
     RoomTask,
-    find_blocked,
+    bars_no_more,
 )
 from scenewright.domains.home.composing.forms import list_forms
 from scenewright.domains.home.composing.judging import Placed, judge_of
@@ -115,4 +115,4 @@ def _may_have_island(task: RoomTask, placed: Placed) -> bool:
 
 
 def _is_open(task: RoomTask, placed: Placed, barred: frozenset[str]) -> bool:
-    return barred.issuperset(find_blocked(with_margin(task), placed))
+    return bars_no_more(with_margin(task), placed, barred)

@@ -18,6 +18,7 @@ from scenewright.domains.home.attempt import (
     Missing,
     RoomAnswer,
     RoomTask,
+    bars_no_more,
     find_blocked,
     penalty,
 )
@@ -202,7 +203,7 @@ def _set_beside(
     """One more group beside those placed; None where it would bar a way."""
     whole, forms = (*placed, other), list_forms(task, other)
     tried = islice(try_forms(judge_of(task, whole), whole, len(placed), forms, FORMS), PLACES)
-    open_ = (j for j in tried if barred >= set(find_blocked(task, j.placed)))
+    open_ = (j for j in tried if bars_no_more(task, j.placed, barred))
     return next(open_, None)
 
 

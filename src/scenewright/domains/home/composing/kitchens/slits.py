@@ -16,7 +16,7 @@ import numpy as np
 from scenewright.catalog.classes import PLAIN_CABINETS
 from scenewright.core.catalog import Group, Member
 from scenewright.core.scene import Piece
-from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask, find_blocked
+from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask, bars_no_more
 from scenewright.domains.home.composing.case_faults import RUN, find_neighbour
 from scenewright.domains.home.composing.moving import dress_group, with_margin
 from scenewright.domains.home.composing.wall_stretch import find_stretch, list_taken
@@ -54,7 +54,7 @@ def close_slits(task: RoomTask, answer: RoomAnswer, barred: frozenset[str]) -> R
                 break
             at = answer.placed.index(run)
             placed = (*answer.placed[:at], closed, *answer.placed[at + 1 :])
-            if not barred.issuperset(find_blocked(with_margin(task), placed)):
+            if not bars_no_more(with_margin(task), placed, barred):
                 break
             answer, run = answer._replace(placed=placed), closed
     return answer

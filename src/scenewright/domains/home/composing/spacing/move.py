@@ -19,6 +19,7 @@ from scenewright.domains.home.attempt import (
     Missing,
     RoomAnswer,
     RoomTask,
+    bars_no_more,
     find_blocked,
 )
 from scenewright.domains.home.bed_first import with_narrow_ways
@@ -180,7 +181,7 @@ def _list_apart(task: RoomTask, placed: Placed, at: int, fewer: int) -> Iterator
     narrow = with_narrow_ways(task)  # the home tells exactly
     barred = frozenset(find_blocked(narrow, placed)) if rooms else frozenset()
     for other in _take_turns(sorted(rooms, key=lambda row: row[0]), at):
-        if barred.issuperset(find_blocked(narrow, other)):
+        if bars_no_more(narrow, other, barred):
             yield other
 
 
