@@ -16,13 +16,13 @@ import numpy as np
 import scenewright as sw
 from benchmarks.extend_raters import rater_records
 from scenewright.domains import problems
+from scenewright.domains.extend.solvers.ants import run_ants
 from scenewright.domains.extend.solvers.colony import (
     BredPlots,
     anneal_plots,
     breed,
     climb_plots,
     draw_plots,
-    run_ants,
 )
 from scenewright.domains.extend.solvers.paper import PRINTED, REPAIRED, WEIGHTS, grid_of
 

@@ -228,8 +228,8 @@ def _breed(
         a, b = (np.zeros(free.shape, np.int64) for _ in range(2))
         for matrix, k in zip((a, b), rng.integers(len(parents), size=2).tolist(), strict=True):
             matrix[free] = parents[k]
-        child = swap_blocks(a, b, settings.crossover, rng)
-        child = mutate(child, values, settings.mutation, rng)
+        child = swap_blocks(a, b, rng) if rng.random() < settings.crossover else a
+        child = mutate(child, values, rng.random(child.shape) < settings.mutation, rng)
         made.append(tuple(child[free].tolist()))
     return made
 

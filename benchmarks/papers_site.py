@@ -31,8 +31,9 @@ from scenewright.domains.site.presets import PRESETS
 from scenewright.domains.site.problem import SiteProblem
 from scenewright.domains.site.solvers import SITE_SOLVERS
 from scenewright.domains.site.solvers.answer import score
-from scenewright.domains.site.solvers.genetic import MatrixGenetic, evolve, make_judge
+from scenewright.domains.site.solvers.genetic import MatrixGenetic, evolve
 from scenewright.domains.site.solvers.lattice import make_cells
+from scenewright.domains.site.solvers.matrix_judge import make_judge
 from scenewright.domains.site.solvers.outcome import SiteFound
 from scenewright.domains.site.solvers.seed_layouts import seed_layouts
 from scenewright.engine.solve import Budget

@@ -20,8 +20,9 @@ from benchmarks.papers_site_raters import SiteRater, like
 from scenewright.domains.site.encodings.cells import KIND, PART, SiteLattice
 from scenewright.domains.site.encodings.refill import make_amount
 from scenewright.domains.site.problem import SiteProblem
-from scenewright.domains.site.solvers.genetic import MatrixGenetic, make_judge
+from scenewright.domains.site.solvers.genetic import MatrixGenetic
 from scenewright.domains.site.solvers.lattice import make_cells
+from scenewright.domains.site.solvers.matrix_judge import make_judge
 from scenewright.domains.site.solvers.seed_layouts import seed_layouts
 from scenewright.engine.preference.alleles.art1 import (
     STAGES,

@@ -18,20 +18,19 @@ from scenewright.domains.extend.printed import (
     next_evaporation,
     tree_length,
 )
+from scenewright.domains.extend.solvers.ants import BestAnt, run_ants, update_trails
 from scenewright.domains.extend.solvers.colony import (
     ColonySettings,
     anneal_plots,
     breed,
     draw_plots,
     mutate,
-    run_ants,
     swap_blocks,
-    update_trails,
 )
 from scenewright.domains.extend.solvers.paper import grid_of
 
 EVEN = np.full(4, 0.25)
-REPAIRED = ColonySettings(elite=True, printed=False)
+REPAIRED = ColonySettings(printed=False)
 
 
 def plots(rows: int = 6, columns: int = 8, wanted: float = 2400.0) -> PlotGrid:
@@ -82,14 +81,27 @@ def test_attractors_draw_and_repel() -> None:
     assert found.tolist() == pytest.approx([-0.5 * 5, 1.5 * 5])
 
 
-def test_printed_trails_never_change_where_they_are_equal_and_the_repair_does() -> None:
-    flat = np.full((5, 5), 0.05)
-    printed = flat
-    for _ in range(20):
-        printed = update_trails(printed, [0, 1, 2, 3], 0.9, 0.3, ColonySettings())
-    assert (printed == flat).all()
-    repaired = update_trails(flat, [0, 1, 2, 3], 0.9, 0.3, REPAIRED)
+def test_trails_of_ants_far_from_the_best_are_drawn_to_its_fitness() -> None:
+    """(15) with p >= p0, then the way of the best by rho* of table 1."""
+    flat, rule = np.full((6, 6), 0.05), ColonySettings()
+    ways = tuple(np.array(way) for way in ([0, 1], [2, 3], [2, 3], [4, 5]))
+    values = np.array([0.9, 0.9 * 0.75, 0.9 * 0.7, 0.9 * 0.95])
+    after, far = update_trails(flat, ways, values, BestAnt(ways[0], 0.9), 0.5, rule)
+    assert far == 2
+    assert after[2, 3] == after[3, 2] == pytest.approx(0.25 * 0.05 + 0.75 * 0.9)
+    assert after[0, 1] == pytest.approx(0.7 * 0.05 + 0.3 * 0.9)
+    assert after[4, 5] == after[0, 2] == 0.05
+    repaired, _ = update_trails(flat, ways, values, BestAnt(ways[0], 0.9), 0.5, REPAIRED)
     assert repaired[0, 1] > 2 * repaired[0, 4]
+    assert repaired[2, 3] == repaired[0, 4] < 0.05
+
+
+def test_evaporation_of_the_preset_falls_to_its_least() -> None:
+    """From rho of table 1, with a and b at the end of the printed ranges."""
+    rule, rates = ColonySettings(), [ColonySettings().local]
+    for step in range(1, 6):
+        rates.append(next_evaporation(rates[-1], step, rule.a, rule.b, rule.least))
+    assert rates[0] == 0.5 > rates[1] > rates[2] > rule.least == rates[-1]
 
 
 def test_evaporation_grows_without_bound_or_falls_to_its_least() -> None:
@@ -117,13 +129,13 @@ def test_blocks_are_swapped_whole_and_genes_mutate_by_worth() -> None:
     rng = np.random.default_rng(0)
     one, other = np.zeros((6, 6), int), np.ones((6, 6), int)
     for _ in range(30):
-        child = swap_blocks(one, other, 1.0, rng)
+        child = swap_blocks(one, other, rng)
         rows, columns = np.flatnonzero(child.any(1)), np.flatnonzero(child.any(0))
         if len(rows):
             assert child[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1].all()
     worth = np.zeros((6, 6, 3))
     worth[..., 2] = 50.0
-    assert (mutate(one, worth, 1.0, rng) == 2).mean() > 0.95
+    assert (mutate(one, worth, np.ones((6, 6), bool), rng) == 2).mean() > 0.95
 
 
 def test_searches_look_at_as_many_layouts_as_they_may_and_beat_chance() -> None:

@@ -27,8 +27,9 @@ from scenewright.domains.site.encodings.refill import (
     refill,
 )
 from scenewright.domains.site.presets import PRESETS
-from scenewright.domains.site.solvers.genetic import MatrixGenetic, make_judge, viewpoint_site
+from scenewright.domains.site.solvers.genetic import MatrixGenetic, viewpoint_site
 from scenewright.domains.site.solvers.lattice import make_cells
+from scenewright.domains.site.solvers.matrix_judge import make_judge
 from scenewright.domains.site.solving import build_site_problem, problems
 from scenewright.domains.site.terms.value import OMEGA
 from scenewright.engine.solve import Budget

@@ -22,8 +22,9 @@ from scenewright.domains.site.problem import Buildings, SiteProblem
 from scenewright.domains.site.solvers import SITE_SOLVERS
 from scenewright.domains.site.solvers.anneal import anneal_from
 from scenewright.domains.site.solvers.answer import make_measure, score, standing
-from scenewright.domains.site.solvers.genetic import MatrixGenetic, make_judge, viewpoint_site
+from scenewright.domains.site.solvers.genetic import MatrixGenetic, viewpoint_site
 from scenewright.domains.site.solvers.lattice import make_cells
+from scenewright.domains.site.solvers.matrix_judge import make_judge
 from scenewright.domains.site.solvers.outcome import SiteLayout
 from scenewright.domains.site.solvers.random_search import lines_of
 from scenewright.domains.site.solvers.templates import make_template

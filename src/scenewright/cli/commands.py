@@ -63,6 +63,9 @@ app = typer.Typer(
 USAGE_FAULT = cast(type[Exception], typer.BadParameter.__mro__[2])
 """What the parser raises for arguments it cannot use (its own ``ClickException``)."""
 
+TraceOption = Annotated[
+    Path | None, typer.Option(help="Write a paper's run step by step to this file, JSON Lines.")
+]
 JsonOption = Annotated[bool, typer.Option("--json", help="Print one JSON document only.")]
 QuietOption = Annotated[bool, typer.Option("--quiet", "-q", help="Print nothing but errors.")]
 
@@ -155,6 +158,7 @@ def arrange(
     jobs: cli_batch.JobsOption = None,
     memory: cli_batch.MemoryOption = None,
     limit: cli_batch.LimitOption = None,
+    trace: TraceOption = None,
     as_json: JsonOption = False,
     quiet: QuietOption = False,
 ) -> int:
@@ -174,8 +178,11 @@ def arrange(
         style=style,
         layouts=layouts,
         map_options=map_options_of(crs, origin, layers, site),
+        trace=trace,
     )
     terms = cli_batch.BatchTerms(formats, jobs, memory, limit)
+    if trace is not None and (many or alternatives > 1):
+        raise InputError("--trace is of one run", "leave --batch and --alternatives out")
     if many:
         return cli_batch.run(sources, request, terms, as_json, quiet)
     cli_batch.check_single(sources, terms)

@@ -103,7 +103,8 @@ class Solving(Protocol):
     """``solve``: ``plan`` is that of the brief, made once a run. The work is ``steps`` or
     ``seconds``, else what the preset says. ``progress`` is called with the share done and what is
     being done; when ``cancel`` answers true, the best so far is returned. ``watch`` is only handed
-    to a domain where somebody watches: it gets the best layout of each space."""
+    to a domain where somebody watches: it gets the best layout of each space; ``hear`` only where a
+    traced solver's steps are heard."""
 
     def __call__(
         self,

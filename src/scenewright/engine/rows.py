@@ -19,7 +19,8 @@ class SolverRow(NamedTuple):
     :data:`scenewright.engine.solve.Run` as ``"package.module:name"``, imported when first run.
 
     ``encoding`` names what it moves; ``adapter``, as ``"package.module:name"``, calls functions of
-    another signature: ``adapter(function, problem, budget, seed, progress, cancel)``.
+    another signature: ``adapter(function, problem, budget, seed, progress, cancel)``. A ``traced``
+    one tells its steps to whom its budget names (:mod:`scenewright.engine.trace`).
     """
 
     name: str
@@ -28,6 +29,7 @@ class SolverRow(NamedTuple):
     function: str
     encoding: str = ""
     adapter: str = ""
+    traced: bool = False
 
     def run(
         self,

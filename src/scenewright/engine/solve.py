@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from scenewright.core.layout import Layout
 from scenewright.engine.asked import rate_unrated
+from scenewright.engine.trace import Hear
 from scenewright.geometry.compiled import compiled, inlined
 
 Floats = NDArray[np.float64]
@@ -42,7 +43,7 @@ Objective = Callable[[Floats], Floats]
 class Budget(NamedTuple):
     """What a run may use: seconds, or steps (looked-at layouts), whichever ends first; it also
     ends at an energy of ``target`` or below. ``threads`` is how many it may run on (``None``: one
-    for each processor).
+    for each processor); ``hear`` gets the steps of a traced solver.
 
     Without ``seconds`` the result depends on the seed alone, on any machine and number of threads.
     """
@@ -51,6 +52,7 @@ class Budget(NamedTuple):
     steps: int | None = None
     target: float = -math.inf
     threads: int | None = None
+    hear: Hear | None = None
 
 
 class Found(NamedTuple, Generic[L]):

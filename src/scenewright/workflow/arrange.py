@@ -14,9 +14,11 @@ from scenewright.core.map_options import AS_IT_IS, MapOptions
 from scenewright.core.plan import Plan
 from scenewright.core.report import Report
 from scenewright.core.solution import Solution
-from scenewright.workflow.events import Event, Hear, Judged, Progress, Solved, run_to_end
+from scenewright.engine.trace import Step
+from scenewright.workflow.events import Event, Hear, Judged, Progress, Solved, Wrote, run_to_end
 from scenewright.workflow.request import ArrangeRequest, note_heavy, note_losses, open_request
 from scenewright.workflow.stream import Cancel, stream_progress
+from scenewright.workflow.trace import write_trace
 from scenewright.workflow.writing import write_all
 
 
@@ -47,6 +49,8 @@ def arrange_file(
     ``CancelledError`` and writes nothing. ``parts`` is the folder of temporary files.
     """
     brief, plan, domain = yield from open_request(request)
+    steps = list[Step]()
+    heard = {} if request.trace is None else {"hear": steps.append}
     try:
         solution = yield from stream_progress(
             lambda tell, cancelled: domain.verb("solve")(
@@ -60,6 +64,7 @@ def arrange_file(
                 threads=threads,
                 progress=tell,
                 cancel=cancelled,
+                **heard,
             ),
             cancel,
         )
@@ -71,6 +76,9 @@ def arrange_file(
     report = domains.check(solution, plan=plan)
     yield Judged(report)
     yield from write_all([(solution, path) for path in request.outputs], plan, parts)
+    if request.trace is not None:
+        write_trace(request.trace, solution, steps)
+        yield Wrote(request.trace)
     yield from note_losses(solution, request.outputs)
     yield from note_heavy(solution)
     return Arranged(solution, plan, report)
@@ -98,13 +106,13 @@ def arrange(
     style: str = "",
     layouts: int | None = None,
     map_options: MapOptions = AS_IT_IS,
+    trace: str | os.PathLike[str] | None = None,
 ) -> Arranged:
     """Read a brief, solve it, judge the solution and write it to all ``outputs`` or none.
 
-    The options are those of ``scenewright arrange``. ``progress`` is called with the share done,
-    0 to 1, and what is being done; ``hear`` with every event (:mod:`scenewright.workflow.events`);
-    when ``cancel`` answers true, the best so far is taken. Raises :class:`InputError` for whatever
-    cannot be used.
+    The options are those of ``scenewright arrange``. ``progress`` is called with the share done, 0
+    to 1, and what is done; ``hear`` with every event (:mod:`scenewright.workflow.events`); when
+    ``cancel`` answers true, the best so far is taken. Raises :class:`InputError` for bad input.
 
     >>> arrange("sample:home-room", steps=200).report.valid
     True
@@ -126,6 +134,7 @@ def arrange(
         style=style,
         layouts=layouts,
         map_options=map_options,
+        trace=None if trace is None else Path(trace),
     )
 
     def pass_on(event: Event) -> None:

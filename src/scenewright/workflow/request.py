@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from scenewright.catalog.loading import catalog_of
+from scenewright.core.atomic_file import check_targets
 from scenewright.core.brief import Brief
 from scenewright.core.catalog import OWN
 from scenewright.core.errors import InputError
@@ -50,6 +51,7 @@ class ArrangeRequest(NamedTuple):
     style: str = ""
     layouts: int | None = None
     map_options: MapOptions = AS_IT_IS
+    trace: Path | None = None
 
     @property
     def work(self) -> int | None:
@@ -77,6 +79,7 @@ def plan_request(request: ArrangeRequest) -> Planned:
         map_options=request.map_options,
     )
     check_outputs(request.outputs, brief)
+    check_targets([*request.outputs, *filter(None, [request.trace])])
     domain: Domain = domain_of(brief.domain)
     if request.accessible:
         brief = make_accessible(brief, domain, request.source)
@@ -84,6 +87,8 @@ def plan_request(request: ArrangeRequest) -> Planned:
     check_name("preset", request.preset, presets)
     check_name("solver", request.solver, (*solvers, None))
     check_work(request, brief, plan, domain)
+    if request.trace is not None:
+        check_traced(request, domain)
     return Planned(brief, plan, domain)
 
 
@@ -111,6 +116,16 @@ def check_work(request: ArrangeRequest, brief: Brief, plan: Plan, domain: Domain
     if (request.work or 0) > most:
         fault = f"--{domain.budget} {request.work} takes more than a day here"
         raise InputError(fault, f"give at most {most}")
+
+
+def check_traced(request: ArrangeRequest, domain: Domain) -> None:
+    """Raise :class:`InputError` where a trace is asked of a solver that tells nothing."""
+    solvers = domain.table("solvers")
+    named = request.solver or domain.table("presets")[request.preset].solver
+    if not solvers[named].traced:
+        traced = ", ".join(name for name, row in solvers.items() if row.traced)
+        fault = f"the solver '{named}' tells no steps: --trace has nothing to write"
+        raise InputError(fault, f"give --preset paper, or a --solver of: {traced}")
 
 
 def make_accessible(brief: Brief, domain: Domain, source: str) -> Brief:

@@ -40,6 +40,7 @@ from scenewright.domains.extend.settings import GrowthSettings
 from scenewright.domains.extend.solvers import EXTEND_SOLVERS
 from scenewright.engine.rows import preset_named
 from scenewright.engine.solve import Budget, Report
+from scenewright.engine.trace import Hear, hear_in
 from scenewright.engine.watched import add_watch
 
 Progress = Callable[[float, str], None]
@@ -69,12 +70,13 @@ def solve(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
     watch: Watch | None = None,
+    hear: Hear | None = None,
 ) -> Solution:
     """Fill every area of a brief.
 
     ``steps`` are layouts of each area, ``seconds`` are for each; the same seed and steps give the
     same answer. ``plan`` is that of the brief (made unless given). ``watch`` gets the best
-    layout of each area, as boxes by the names of kinds.
+    layout of each area, as boxes by the names of kinds; ``hear`` the steps of a traced solver.
     """
     started = time.perf_counter()
     chosen, made = preset_named(PRESETS, preset), (plan or plan_extend(brief)).detail
@@ -85,7 +87,7 @@ def solve(
         problem = pose_problem(made, area, chosen.settings, catalog)
         on_progress = None if progress is None else _share(progress, k, len(made.areas), area.name)
         on_progress = add_watch(on_progress, watch, area.id, partial(_boxes, problem))
-        budget = Budget(seconds, given, threads=threads)
+        budget = Budget(seconds, given, threads=threads, hear=hear_in(hear, area.id))
         answer = EXTEND_SOLVERS[named].run(problem, budget, seed + 7919 * k, on_progress, cancel)
         layout, tried = answer.layouts[0], answer.evaluations
         stopped = cancel is not None and cancel()

@@ -65,6 +65,7 @@ from scenewright.domains.hall.zoning.zones import HallPlan, borders_of, zones_of
 from scenewright.engine.rows import preset_named
 from scenewright.engine.shared_progress import SharedProgress
 from scenewright.engine.solve import Budget
+from scenewright.engine.trace import Hear, hear_in
 
 AFRESH, AGAIN = 3, 104_729
 """How often a hall is laid out again where nobody can serve at some of its desks, once where
@@ -104,6 +105,7 @@ def solve(
     variant: int = 0,
     lean: int = 0,
     passes: PassOptions = ALL_PASSES,
+    hear: Hear | None = None,
 ) -> Solution:
     """Lay out every hall of a brief.
 
@@ -113,7 +115,8 @@ def solve(
     ``variant`` takes another proposal of zones where the brief leaves them open; ``lean`` above 0
     narrows every demand to one of its patterns, another for another number. ``progress`` gets
     the share done and what is done, ``watch`` the best layouts of objects; when ``cancel`` answers
-    true, what was found so far is returned. ``passes`` switches retouches off or hears of them.
+    true, what was found so far is returned. ``passes`` switches retouches off or hears of them;
+    ``hear`` gets the steps of a traced solver.
     """
     started, chosen = time.perf_counter(), preset_named(PRESETS, preset)
     named = solver or chosen.solver
@@ -123,7 +126,7 @@ def solve(
     halls = hall_contexts(brief, rooms, catalog, seed, variant, zoning)
     brief = fill_halls(brief, halls, catalog)
     busy = [k for k, room in enumerate(brief.rooms) if room.demands]
-    each = Budget(threads=threads if len(busy) == 1 else 1)
+    each = Budget(threads=threads if len(busy) == 1 else 1, hear=hear)
     share = min(threads, max(len(busy), 1)) / max(len(busy), 1)
     if seconds is not None:
         each = each._replace(seconds=seconds * share)
@@ -287,7 +290,7 @@ def _lay(
     if not fitted.units:
         laid = _keep(hall, locked, carried, left_out(hall, wishes, []), catalog)
         return laid._replace(pieces=(*boarding, *laid.pieces))
-    budget = task.budget
+    budget = task.budget._replace(hear=hear_in(task.budget.hear, task.hall.space.id))
     if budget.steps is None and budget.seconds is None and task.solver == preset.solver:
         budget = budget._replace(steps=count_steps(preset, len(fitted.units) + count_groups(small)))
     search = HallSearch(

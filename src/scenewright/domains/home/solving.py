@@ -63,6 +63,7 @@ from scenewright.domains.home.wished.wishes import check_wishes, list_substitute
 from scenewright.engine.rows import preset_named
 from scenewright.engine.shared_progress import SharedProgress
 from scenewright.engine.solve import Budget
+from scenewright.engine.trace import Hear, hear_in
 
 Progress = Callable[[float, str], None]
 Cancel = Callable[[], bool]
@@ -89,6 +90,7 @@ def solve(
     watch: Watch | None = None,
     variant: int = 0,
     passes: PassOptions = ALL_PASSES,
+    hear: Hear | None = None,
 ) -> Solution:
     """Furnish every room of a home.
 
@@ -101,7 +103,7 @@ def solve(
     room's name, ``watch`` the best layouts of groups in each room; when ``cancel`` answers true,
     what was found so far is returned. A ``variant`` above 0 arranges rooms around other walls and
     takes other groups for the same use; its energies are reported as those of the usual problem.
-    ``passes`` switches passes off or hears of them.
+    ``passes`` switches passes off or hears of them; ``hear`` gets the steps of a traced solver.
     """
     started = time.perf_counter()
     chosen = preset_named(PRESETS, preset)
@@ -114,10 +116,12 @@ def solve(
     wishes = [other_groups(asked, variant) for asked in usual]
     work = [float(len(w)) ** 1.5 for w in wishes]
     threads = min(threads or os.cpu_count() or 1, MOST_THREADS)
-    each = Budget(threads=1 if len(rooms) > 1 else threads)
+    each = Budget(threads=1 if len(rooms) > 1 else threads, hear=hear)
     pool = min(threads, len(rooms))
     budgets = [
-        _budget(each, task, named, len(w), pool * b / (sum(work) or 1), seconds, steps)
+        _budget(
+            hear_room(each, task), task, named, len(w), pool * b / (sum(work) or 1), seconds, steps
+        )
         for task, w, b in zip(tasks, wishes, work, strict=True)
     ]
     heard = [task._replace(watch=watch, passes=passes) for task in tasks]
@@ -279,6 +283,11 @@ def _furnish(task: RoomTask, wishes: tuple[Wish, ...], budget: Budget) -> RoomAn
         return compose(draft, furnish_by_use(draft, wishes, budget))
 
     return furnish_best(task, wishes, furnish) if budget.seconds is None else furnish(task)
+
+
+def hear_room(budget: Budget, task: RoomTask) -> Budget:
+    """A budget whose listener hears of the room of a task."""
+    return budget._replace(hear=hear_in(budget.hear, task.space.id))
 
 
 def _budget(

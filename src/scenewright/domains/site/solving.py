@@ -47,6 +47,7 @@ from scenewright.domains.site.variants import Variant, vary
 from scenewright.domains.site.works import gather_works, lay_works
 from scenewright.engine.rows import preset_named
 from scenewright.engine.solve import Budget, Report
+from scenewright.engine.trace import Hear, hear_in
 from scenewright.engine.watched import add_watch
 from scenewright.ground.plan import SitePlan
 from scenewright.ground.works import GroundWorks
@@ -91,17 +92,19 @@ def solve(
     cancel: Cancel | None = None,
     watch: Watch | None = None,
     variant: Variant = AS_ASKED,
+    hear: Hear | None = None,
 ) -> Solution:
     """Place the buildings of every site of a brief.
 
     ``steps`` are layouts looked at (of each block, by the default solver); the same seed and
     steps give the same answer. ``plan`` is that of the brief (made unless given). ``progress``
     gets the share done; when ``cancel`` answers true, what was found so far is returned.
+    ``hear`` gets the steps of a traced solver.
     """
     started = time.perf_counter()
     chosen, catalog = preset_named(PRESETS, preset), catalog_of(brief.catalogs)
     named = solver or chosen.solver
-    budget = Budget(seconds, steps, threads=threads)
+    budget = Budget(seconds, steps, threads=threads, hear=hear)
     found = []
     grounds = plan.detail if plan else site_plans(brief.part.sites, catalog)
     for number, (site, ground) in enumerate(zip(brief.part.sites, grounds, strict=True)):
@@ -172,6 +175,7 @@ def _build(
     choose = bool(site.library) and solver in CHOOSING
     rows, problem = build_site_problem(site, plan, place, catalog, preset, progress, choose)
     problem = vary(problem, variant)
+    budget = budget._replace(hear=hear_in(budget.hear, plan.id))
     if budget.steps is None and budget.seconds is None and solver == preset.solver:
         budget = budget._replace(steps=preset.steps)
     on_progress = add_watch(progress, watch, plan.id, partial(_building_rows, rows))

@@ -36,6 +36,7 @@ from scenewright.domains.village.solvers import VILLAGE_SOLVERS
 from scenewright.domains.village.solvers.growing import standing_of
 from scenewright.engine.rows import preset_named
 from scenewright.engine.solve import Budget, Report
+from scenewright.engine.trace import Hear, hear_in
 from scenewright.engine.watched import add_watch
 
 Progress = Callable[[float, str], None]
@@ -66,12 +67,13 @@ def solve(
     progress: Progress | None = None,
     cancel: Cancel | None = None,
     watch: Watch | None = None,
+    hear: Hear | None = None,
 ) -> Solution:
     """Fill every block of a brief.
 
     ``steps`` are layouts of each block, ``seconds`` are for each; the same seed and steps give the
     same answer. ``plan`` is that of the brief (made unless given). ``watch`` gets the best
-    layout of each block, as boxes by the names of houses.
+    layout of each block, as boxes by the names of houses; ``hear`` the steps of a traced solver.
     """
     started = time.perf_counter()
     chosen, village = preset_named(PRESETS, preset), (plan or plan_village(brief)).detail
@@ -84,7 +86,7 @@ def solve(
             None if progress is None else _share(progress, k, len(village.blocks), one.name)
         )
         on_progress = add_watch(on_progress, watch, one.id, partial(_boxes, one, village.houses))
-        budget = Budget(seconds, given, threads=threads)
+        budget = Budget(seconds, given, threads=threads, hear=hear_in(hear, one.id))
         answer = VILLAGE_SOLVERS[named].run(problem, budget, seed + 7919 * k, on_progress, cancel)
         layout = answer.layouts[0]
         found.append(

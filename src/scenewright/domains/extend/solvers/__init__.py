@@ -25,6 +25,7 @@ ROWS = (
         "Zhang and Fei 2017",
         f"{__name__}.paper:grow_printed",
         "matrix of plots",
+        traced=True,
     ),
     SolverRow(
         "colony-repaired",
@@ -32,6 +33,7 @@ ROWS = (
         "Zhang and Fei 2017, repaired",
         f"{__name__}.paper:grow_repaired",
         "matrix of plots",
+        traced=True,
     ),
     SolverRow(
         "tiling",

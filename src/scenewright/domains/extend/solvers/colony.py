@@ -1,59 +1,55 @@
-"""The paper's search: ants lay out matrices of plots, a genetic algorithm breeds them.
+"""Matrices of plots bred by a genetic algorithm: section 5 and tables of Zhang and Fei (2017).
 
-Equations (13) to (23) and tables 1 and 2 of Zhang and Fei (2017). ``printed`` keeps every equation
-as it stands; ``repaired`` has an elite deposit: every iteration the best ant leaves pheromone, for
-(15) leaves none where all trails are equal, which they are at the start.
+A generation of 8 is bred from the elites of the one before: blocks of matrices are swapped, each
+gene mutates with its chance, then the best of the last generation replaces the worst of the new.
+:mod:`.ants` lay out what it starts from.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
-from scenewright.domains.extend.printed import (
-    Floats,
-    Genes,
-    PlotGrid,
-    allele_values,
-    attract,
-    fitness,
-    next_evaporation,
-)
+from scenewright.domains.extend.printed import Floats, Genes, PlotGrid, allele_values, fitness
+from scenewright.engine.trace import Hear, tell
 
+Flags = NDArray[np.bool_]
 ELITES = 20
 """Past elites that allele values are taken of."""
 
+ALIKE = 0.95
+"""Share of equal genes from which on a population hardly differs."""
 HOT = 5e-4
 """F that annealing gives up at the start about as often as not."""
 
 
 class ColonySettings(NamedTuple):
-    """Tables 1 and 2: ants, α and β of (13), evaporation ρ and ρ*, τ₀, weights of two attractors,
-    iterations, q₀ of (18), a, b and ρ_min of (16) and (17); chances of crossover and mutation, the
-    population, generations and share of elites. ``elite`` is the repair; ``printed`` takes (15)
-    to (17) and (23) as printed."""
+    """Tables 1 and 2: ants, α and β of (13), ρ of (15) at the start (``local``) and ρ*
+    (``overall``), τ₀, weights of two attractors, iterations; q₀ of (18), p₀ of (15), a, b and ρ_min
+    of (16) and (17); chances of crossover and of a gene's mutation, the population, generations and
+    share of elites. ``printed`` takes (15) to (17) and (23) as printed."""
 
     ants: int = 300
     alpha: float = 1.5
     beta: float = 4.2
     local: float = 0.5
-    evaporation: float = 0.3
+    overall: float = 0.3
     start: float = 0.05
     pulls: tuple[float, float] = (0.3, 0.7)
     iterations: int = 20
     choice: float = 0.5
-    a: float = 0.6
-    b: float = 1.0
+    far: float = 0.1
+    a: float = 1.0
+    b: float = 2.0
     least: float = 0.1
     crossover: float = 0.56
     mutation: float = 0.028
     population: int = 8
     generations: int = 30
     elites: float = 0.4
-    elite: bool = False
     printed: bool = True
 
 
@@ -85,6 +81,14 @@ class PlotJudge:
         """Whether as much has been looked at as may be."""
         return self.stopped or len(self.history) >= self.most
 
+    def left(self) -> int:
+        """How many more may be looked at."""
+        return self.most - len(self.history)
+
+    def reason(self, what: str) -> str:
+        """Why it ended, if not for its number of ``what``."""
+        return "cancelled" if self.stopped else f"the last of its {what}"
+
     def rate(self, genes: Genes) -> float:
         """The fitness of a matrix."""
         value = fitness(self.grid, genes, self.weights)
@@ -100,149 +104,99 @@ class PlotJudge:
         return BredPlots(self.best, self.value, tuple(self.history))
 
 
-def run_ants(
-    grid: PlotGrid,
-    weights: Floats,
-    evaluations: int,
-    rng: np.random.Generator,
-    settings: ColonySettings | None = None,
-    on_plots: OnPlots | None = None,
-) -> BredPlots:
-    """Ant colony (13) to (19): each ant walks from plot to plot and builds on those it visits,
-    until enough is built."""
-    chosen = settings or ColonySettings()
-    judge = PlotJudge(grid, weights, evaluations, on_plots)
-    plots = grid.middles.reshape(-1, 2)[grid.free.ravel()]
-    count = len(plots)
-    trails = np.full((count, count), chosen.start)
-    rate = chosen.evaporation
-    sight = _sight(plots, chosen)
-    for step in range(1, chosen.iterations * 1000):
-        ants = max(min(chosen.ants, evaluations // chosen.iterations), 1)
-        best: tuple[float, list[int]] | None = None
-        for _ in range(ants):
-            if judge.spent():
-                return judge.found()
-            walk, genes = _walk(grid, plots, trails, sight, chosen, rng)
-            value = judge.rate(genes)
-            if best is None or value > best[0]:
-                best = (value, walk)
-        if best is None:
-            break
-        trails = update_trails(trails, best[1], best[0], rate, chosen)
-        if chosen.printed:
-            rate = min(next_evaporation(rate, step, chosen.a, chosen.b, chosen.least), 1e6)
-    return judge.found()
+class PlotBrood(NamedTuple):
+    """Children of a generation and what made them: whether the best was searched around
+    (``local``), how many were crossed, genes drawn anew (``mutated``) of how many."""
 
-
-def _sight(plots: Floats, settings: ColonySettings) -> Floats:
-    """η^β with η = 1 / d (13), drawn to two attractors (14): the middle and the first plot."""
-    away = np.hypot(*(plots[:, None] - plots[None]).transpose(2, 0, 1))
-    np.fill_diagonal(away, np.inf)
-    spots = np.zeros((2, 3))
-    spots[0, :2], spots[1, :2] = plots.mean(0), plots[0]
-    points = np.concatenate([plots, np.zeros((len(plots), 1))], 1)
-    pull = attract(points, spots, np.array(settings.pulls), np.array([0.5, 0.5, 0.0]))
-    return np.asarray((1.0 / (away + 0.05 * pull[None])) ** settings.beta)
-
-
-def update_trails(
-    trails: Floats, walk: list[int], value: float, rate: float, settings: ColonySettings
-) -> Floats:
-    """(15): τ ← (1 − ρ) τ + ρ Fit(best) on the way of the best ant *where τ differs from the mean*
-    (printed: an ant that is far from the best; with equal τ nothing is, and nothing is updated).
-    The repair deposits always, and trails evaporate at ρ*.
-
-    >>> flat = np.full((3, 3), 0.05)
-    >>> after = update_trails(flat, [0, 1, 2], 0.9, 0.3, ColonySettings())
-    >>> bool((after == flat).all())
-    True
-    >>> repaired = ColonySettings(elite=True, printed=False)
-    >>> bool((update_trails(flat, [0, 1, 2], 0.9, 0.3, repaired) == flat).all())
-    False
-    """
-    found = trails.copy()
-    mean = float(trails.mean())
-    pairs = list(pairwise(walk))
-    if not settings.printed:
-        found *= 1 - settings.evaporation * 0.1
-    for a, b in pairs:
-        far = abs(float(trails[a, b]) - mean) > 1e-9
-        if settings.elite or far:
-            share = min(rate, 1.0) if settings.elite else rate
-            found[a, b] = found[b, a] = (1 - share) * trails[a, b] + share * value
-    return np.asarray(np.clip(found, 1e-6, 1e6))
-
-
-def _walk(
-    grid: PlotGrid,
-    plots: Floats,
-    trails: Floats,
-    sight: Floats,
-    settings: ColonySettings,
-    rng: np.random.Generator,
-) -> tuple[list[int], Genes]:
-    """One ant: plots in order, and the matrix it builds."""
-    kinds = len(grid.areas)
-    at = int(rng.integers(len(plots)))
-    walk, taken, area = [at], np.zeros(len(plots), np.bool_), 0.0
-    built = np.zeros(len(plots), np.int64)
-    while area < grid.wanted and not taken.all():
-        taken[at] = True
-        built[at] = 1 + int(rng.integers(kinds))
-        area += float(grid.areas[built[at] - 1])
-        weight = np.where(taken, 0.0, trails[at] ** settings.alpha * sight[at])
-        if weight.sum() <= 0:
-            break
-        greedy = rng.random() <= settings.choice
-        at = (
-            int(np.argmax(weight))
-            if greedy
-            else int(rng.choice(len(weight), p=weight / weight.sum()))
-        )
-        walk.append(at)
-    genes = np.zeros(grid.free.shape, np.int64)
-    genes[grid.free] = built
-    return walk, genes
+    children: tuple[Genes, ...]
+    local: bool
+    crossed: int
+    mutated: int
+    genes: int
 
 
 def breed(
     grid: PlotGrid,
     weights: Floats,
-    evaluations: int,
+    evaluations: int | None,
     rng: np.random.Generator,
     settings: ColonySettings | None = None,
     score: Callable[[Genes], float] | None = None,
     on_plots: OnPlots | None = None,
+    hear: Hear | None = None,
 ) -> BredPlots:
     """The genetic algorithm of section 5: blocks of matrices are swapped with chance φ, single
     genes mutate, drawn by their allele value (23); the best replaces the worst; local search once
-    the genes of the population hardly differ. ``score`` rates in place of F (a person)."""
+    the genes of the population hardly differ. Without a number of ``evaluations`` as many
+    generations as printed. ``score`` rates in place of F (a person)."""
     chosen = settings or ColonySettings()
-    judge = PlotJudge(grid, weights, evaluations, on_plots)
+    judge = PlotJudge(
+        grid, weights, evaluations or chosen.population * chosen.generations, on_plots
+    )
     rate = judge.rate if score is None else _both(judge, score)
-    kinds = len(grid.areas)
-    people = [_random(grid, kinds, rng) for _ in range(chosen.population)]
-    values = [rate(genes) for genes in people]
-    elites: list[tuple[float, Genes]] = []
+    people = [_random(grid, len(grid.areas), rng) for _ in range(chosen.population)]
+    values, elites, age = [rate(genes) for genes in people], list[tuple[float, Genes]](), 1
+    tell(hear, "begin", 0, method="breeding", settings=chosen, budget=judge.most)
+    _tell(hear, age, judge, values, PlotBrood((), False, 0, 0, 0))
     while not judge.spent():
-        order = np.argsort(values)[::-1]
+        order, age = np.argsort(values)[::-1], age + 1
         keep = max(round(chosen.elites * len(people)), 1)
         elites = [*((values[k], people[k]) for k in order[:keep].tolist()), *elites][:ELITES]
-        worth = allele_values(
-            np.array([genes for _, genes in elites]),
-            np.array([value for value, _ in elites]),
-            kinds,
-            chosen.printed,
-        )
-        a, b = (people[k] for k in rng.choice(order[: max(keep, 2)], 2).tolist())
-        child = mutate(swap_blocks(a, b, chosen.crossover, rng), worth, chosen.mutation, rng)
-        child[~grid.free] = 0
-        if np.array([genes == people[0] for genes in people]).mean() > 0.95:
-            child = _step(grid, people[int(order[0])], kinds, rng)
-        worst = int(order[-1])
-        people[worst], values[worst] = child, rate(child)
+        parents = [people[k] for k in order[: max(keep, 2)].tolist()]
+        brood = _bear(grid, people, parents, elites, chosen, rng)
+        best, most = people[int(order[0])], values[int(order[0])]
+        people, values = list(brood.children[: judge.left()]), []
+        for genes in people:
+            values.append(rate(genes))
+        worst = int(np.argmin(values))
+        people[worst], values[worst] = best, most
+        _tell(hear, age, judge, values, brood)
+    tell(hear, "stop", age, reason=judge.reason("generations"), evaluations=len(judge.history))
     return judge.found()
+
+
+def _bear(
+    grid: PlotGrid,
+    people: list[Genes],
+    parents: list[Genes],
+    elites: list[tuple[float, Genes]],
+    chosen: ColonySettings,
+    rng: np.random.Generator,
+) -> PlotBrood:
+    """The next generation, of parents best first."""
+    kinds, many = len(grid.areas), chosen.population
+    if np.array([genes == people[0] for genes in people]).mean() > ALIKE:
+        around = tuple(_step(grid, parents[0], kinds, rng) for _ in range(many))
+        return PlotBrood(around, True, 0, 0, 0)
+    carriers, fits = np.array([genes for _, genes in elites]), np.array([v for v, _ in elites])
+    worth = allele_values(carriers, fits, kinds, chosen.printed)
+    children, crossed, mutated = list[Genes](), 0, 0
+    for _ in range(many):
+        one, other = (parents[k] for k in rng.choice(len(parents), 2).tolist())
+        if rng.random() < chosen.crossover:
+            one, crossed = swap_blocks(one, other, rng), crossed + 1
+        hit = (rng.random(one.shape) < chosen.mutation) & grid.free
+        children.append(np.where(grid.free, mutate(one, worth, hit, rng), 0))
+        mutated += int(hit.sum())
+    return PlotBrood(tuple(children), False, crossed, mutated, many * int(grid.free.sum()))
+
+
+def _tell(
+    hear: Hear | None, age: int, judge: PlotJudge, values: list[float], brood: PlotBrood
+) -> None:
+    tell(
+        hear,
+        "generation",
+        age,
+        stage="local" if brood.local else "global",
+        evaluations=len(judge.history),
+        population=len(values),
+        values=values,
+        best=judge.value,
+        crossed=brood.crossed,
+        mutated=brood.mutated,
+        genes=brood.genes,
+    )
 
 
 def _both(judge: PlotJudge, score: Callable[[Genes], float]) -> Callable[[Genes], float]:
@@ -261,28 +215,24 @@ def _random(grid: PlotGrid, kinds: int, rng: np.random.Generator) -> Genes:
     return np.where(grid.free, genes, 0)
 
 
-def swap_blocks(one: Genes, other: Genes, chance: float, rng: np.random.Generator) -> Genes:
-    """A matrix with a random block of another, with some chance.
+def swap_blocks(one: Genes, other: Genes, rng: np.random.Generator) -> Genes:
+    """A matrix with a random block of another.
 
     >>> none, all_ = np.zeros((3, 3), int), np.ones((3, 3), int)
-    >>> int(swap_blocks(none, all_, 0.0, np.random.default_rng(0)).sum())
-    0
+    >>> swap_blocks(none, all_, np.random.default_rng(0)).tolist()
+    [[0, 0, 0], [1, 0, 0], [1, 0, 0]]
     """
     child = one.copy()
-    if rng.random() < chance:
-        rows, columns = (np.sort(rng.integers(0, n + 1, 2)) for n in one.shape)
-        child[rows[0] : rows[1], columns[0] : columns[1]] = other[
-            rows[0] : rows[1], columns[0] : columns[1]
-        ]
+    rows, columns = (np.sort(rng.integers(0, n + 1, 2)) for n in one.shape)
+    child[rows[0] : rows[1], columns[0] : columns[1]] = other[
+        rows[0] : rows[1], columns[0] : columns[1]
+    ]
     return child
 
 
-def mutate(genes: Genes, worth: Floats, chance: float, rng: np.random.Generator) -> Genes:
-    """Single genes drawn anew by the values (m, n, k) of their alleles; at least one."""
+def mutate(genes: Genes, worth: Floats, hit: Flags, rng: np.random.Generator) -> Genes:
+    """The genes that are ``hit`` (m, n) drawn anew by the values (m, n, k) of their alleles."""
     child = genes.copy()
-    hit = rng.random(genes.shape) < chance
-    if not hit.any():
-        hit[int(rng.integers(genes.shape[0])), int(rng.integers(genes.shape[1]))] = True
     for i, j in np.argwhere(hit).tolist():
         weight = worth[i, j] + 0.05
         child[i, j] = int(rng.choice(len(weight), p=weight / weight.sum()))

@@ -10,17 +10,16 @@ import shapely
 from scenewright.domains.extend.printed import PlotGrid
 from scenewright.domains.extend.problem import ExtendFound, ExtendProblem, GrownLayout
 from scenewright.domains.extend.rating import rate_layout
+from scenewright.domains.extend.solvers.ants import run_ants
 from scenewright.domains.extend.solvers.canvas import Canvas
-from scenewright.domains.extend.solvers.colony import ColonySettings, breed, run_ants
+from scenewright.domains.extend.solvers.colony import ColonySettings, breed
 from scenewright.engine.growing import tell_growth
 from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Found, Progress
 
 WEIGHTS = np.full(4, 0.25)
 """ω of (22) where nobody says."""
-EVALUATIONS = 1200
-"""Layouts looked at where no budget is given, half by ants and half by breeding."""
 PRINTED = ColonySettings()
-REPAIRED = ColonySettings(elite=True, printed=False)
+REPAIRED = ColonySettings(printed=False)
 
 
 def grow_printed(
@@ -68,6 +67,17 @@ def grid_of(problem: ExtendProblem) -> PlotGrid:
     return PlotGrid(middles, free, areas, float(wanted))
 
 
+def share_work(steps: int | None, settings: ColonySettings) -> tuple[int, int]:
+    """Matrices that ants and breeding look at: as printed, or each half of what is stated.
+
+    >>> share_work(None, PRINTED), share_work(121, PRINTED)
+    ((6000, 240), (60, 61))
+    """
+    if steps is None:
+        return (settings.ants * settings.iterations, settings.population * settings.generations)
+    return max(steps // 2, 1), max(steps - steps // 2, 1)
+
+
 def _grow(
     problem: ExtendProblem,
     budget: Budget,
@@ -77,18 +87,19 @@ def _grow(
     settings: ColonySettings,
 ) -> ExtendFound:
     grid, rng = grid_of(problem), np.random.default_rng(seed)
-    most = budget.steps or EVALUATIONS
+    parts = share_work(budget.steps, settings)
+    most = sum(parts)
     watch = BudgetWatch(budget._replace(steps=most), progress, cancel)
-    tell = tell_growth(watch, 0, 1)
+    growth = tell_growth(watch, 0, 1)
 
-    def on_plots(begun: float, share: float, best: np.ndarray) -> bool:
-        return tell(begun + share / 2, partial(_build, problem, grid, best))
+    def on_plots(before: int, own: int, share: float, best: np.ndarray) -> bool:
+        return growth((before + own * share) / most, partial(_build, problem, grid, best))
 
     genes = np.zeros(grid.free.shape, np.int64)
     if grid.free.any():
-        ants = run_ants(grid, WEIGHTS, max(most // 2, 1), rng, settings, partial(on_plots, 0.0))
-        rest = max(most - most // 2, 1)
-        bred = breed(grid, WEIGHTS, rest, rng, settings, on_plots=partial(on_plots, 0.5))
+        first, second = partial(on_plots, 0, parts[0]), partial(on_plots, *parts)
+        ants = run_ants(grid, WEIGHTS, parts[0], rng, settings, first, budget.hear)
+        bred = breed(grid, WEIGHTS, parts[1], rng, settings, on_plots=second, hear=budget.hear)
         genes = max(ants, bred, key=lambda one: one.value).genes
     found = rate_layout(problem, _build(problem, grid, genes))
     watch.over(most, found.score["energy"], lambda: found)

@@ -25,6 +25,7 @@ ROWS = (
         "Cao, Cheng, Zhang 2024",
         f"{__name__}.chains:gd_mh",
         *_PATTERNS,
+        traced=True,
     ),
     SolverRow(
         "merrell",

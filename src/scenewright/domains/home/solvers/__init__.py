@@ -21,6 +21,7 @@ ROWS = (
         "Liu et al. 2017",
         f"{__name__}.genetic:paper_ga",
         *_PATCHES,
+        traced=True,
     ),
     SolverRow(
         "paper-sa",

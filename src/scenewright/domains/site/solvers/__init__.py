@@ -19,6 +19,7 @@ ROWS = (
         "Zhang, Yang 2023",
         f"{__name__}.genetic:viewpoint_site",
         "buildings",
+        traced=True,
     ),
     SolverRow(
         "sga",
@@ -26,6 +27,7 @@ ROWS = (
         "Goldberg 1989",
         f"{__name__}.genetic:simple_site",
         "buildings",
+        traced=True,
     ),
     SolverRow(
         "sa",

@@ -7,9 +7,7 @@ is a rating with its sign turned. Chromosomes travel as rows (cells · 3,) of wh
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from functools import partial
-from typing import Literal, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
@@ -22,27 +20,35 @@ from scenewright.domains.site.encodings.cell_moves import (
     spread,
     tournament,
 )
-from scenewright.domains.site.encodings.cells import Ints, SiteLattice, decode_genes
+from scenewright.domains.site.encodings.cells import Ints, SiteLattice
 from scenewright.domains.site.encodings.refill import Amount, make_amount, mutate_surely, refill
 from scenewright.domains.site.problem import Floats, SiteProblem
 from scenewright.domains.site.settings import MatrixSettings
-from scenewright.domains.site.solvers.answer import Measure, answer, make_measure, stand, views_of
+from scenewright.domains.site.solvers.answer import answer, stand
 from scenewright.domains.site.solvers.lattice import make_cells
+from scenewright.domains.site.solvers.matrix_judge import MatrixJudge, make_judge
 from scenewright.domains.site.solvers.outcome import SiteFound, SiteLayout
 from scenewright.domains.site.solvers.seed_layouts import seed_layouts
-from scenewright.domains.site.terms.measure import lay
-from scenewright.domains.site.terms.table import LEFT, QUALITY
-from scenewright.domains.site.terms.value import FULL, OMEGA, Worth, make_worth, value_parts
 from scenewright.engine.asked import Asked, join
 from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Progress
+from scenewright.engine.trace import tell
 
 USUAL = MatrixSettings()
+
+
+class Operations(NamedTuple):
+    """What made a generation: ``pairs`` of parents and how many of them were ``crossed``, children
+    ``mutated``; all 0 where the best was searched around."""
+
+    pairs: int = 0
+    crossed: int = 0
+    mutated: int = 0
 
 
 class Bred(NamedTuple):
     """A generation: genes (P, cells · 3) and their energies (P,), its number, the generation in
     which ρ <= 0 ended the global search (-1: not yet), generations without gain since, all that was
-    asked, and the generation that waits to be rated."""
+    asked, the generation that waits to be rated, what made it, and ρ of (12)."""
 
     genes: Floats
     energies: Floats
@@ -51,6 +57,8 @@ class Bred(NamedTuple):
     stalled: int
     asked: Asked
     waiting: Floats
+    operations: Operations = Operations()
+    rho: float = math.inf
 
 
 class MatrixGenetic(NamedTuple):
@@ -59,8 +67,8 @@ class MatrixGenetic(NamedTuple):
     ``points`` of the crossover; ``keep`` how many of the best stay; ``led`` how much the visual
     quality rules the first layouts; ``local`` whether, once the individuals are alike, the best
     one is searched around by single-point mutations; ``amount`` what is to stand where operators
-    are repaired (left out: as printed); ``alike`` δ of (12), and ``known`` generations without
-    anything new after which there is nothing left to ask.
+    are repaired (left out: as printed); ``alike`` δ of (12), ``known`` generations without
+    anything new after which there is nothing left to ask, and most ``generations``.
 
     Ratings may come from anybody who looks at the layouts: with their sign turned, the best
     rated breed. Here somebody likes buildings in the west.
@@ -97,6 +105,7 @@ class MatrixGenetic(NamedTuple):
     parents: Floats | None = None
     alike: float = USUAL.alike
     known: int = USUAL.known
+    generations: int = USUAL.generations
 
     def init(self, rng: np.random.Generator, low: Floats, high: Floats) -> Bred:  # noqa: ARG002
         """Nothing judged yet."""
@@ -106,14 +115,18 @@ class MatrixGenetic(NamedTuple):
     def ask(self, state: Bred, rng: np.random.Generator) -> tuple[Floats, Bred]:
         """Layouts to be judged: given parents and random ones at first, then children of the last
         generation. Those asked before are known, and not asked again: a generation that holds
-        nothing new is followed by the next. None, if nothing new comes of many."""
-        for _ in range(self.known):
-            rows = self._first(rng) if state.age == 0 else self._next(state, rng)
-            new, state = state.asked.new_among(rows), state._replace(waiting=rows)
+        nothing new is followed by the next. None, if nothing new comes of many, or after the
+        last generation."""
+        for _ in range(min(self.known, self.generations - state.age)):
+            rows, made = (
+                (self._first(rng), Operations()) if state.age == 0 else self._next(state, rng)
+            )
+            new = state.asked.new_among(rows)
+            state = state._replace(waiting=rows, operations=made)
             if len(new):
-                break
+                return new, state
             state = self.tell(state, new, np.empty(0))
-        return new, state
+        return state.waiting[:0], state
 
     def _first(self, rng: np.random.Generator) -> Floats:
         drawn = [
@@ -139,16 +152,16 @@ class MatrixGenetic(NamedTuple):
         else:
             mutate_surely(self.cells, child, self.amount, rng)
 
-    def _next(self, state: Bred, rng: np.random.Generator) -> Floats:
-        """The kept best and children."""
+    def _next(self, state: Bred, rng: np.random.Generator) -> tuple[Floats, Operations]:
+        """The kept best and children, and what made them."""
         order = np.argsort(state.energies, kind="stable")
         parents = state.genes.astype(np.int64).reshape(len(order), -1, 3)
         if self.local and state.settled >= 0:
-            children = self._around(parents[order[0]], rng)
+            children, made = self._around(parents[order[0]], rng), Operations()
         else:
-            children = self._breed(parents, state.energies, rng)
+            children, made = self._breed(parents, state.energies, rng)
         rows = [*parents[order[: self.keep]], *children][: self.population]
-        return np.array(rows, float).reshape(self.population, -1)
+        return np.array(rows, float).reshape(self.population, -1), made
 
     def _around(self, best: Ints, rng: np.random.Generator) -> list[Ints]:
         """Local search: the best one with one to three mutations."""
@@ -158,14 +171,17 @@ class MatrixGenetic(NamedTuple):
                 self._mutate(child, rng)
         return children
 
-    def _breed(self, parents: Ints, energies: Floats, rng: np.random.Generator) -> list[Ints]:
+    def _breed(
+        self, parents: Ints, energies: Floats, rng: np.random.Generator
+    ) -> tuple[list[Ints], Operations]:
         """Global search: parents drawn, crossed, repaired, mutated."""
         draw = tournament if self.selection == "tournament" else roulette
         chosen = draw(energies, 2 * ((self.population + 1) // 2), rng)
-        children: list[Ints] = []
+        children, done = list[Ints](), Operations(len(chosen) // 2)
         for a, b in chosen.reshape(-1, 2):
             pair = parents[a].copy(), parents[b].copy()
             if rng.random() < self.crossover:
+                done = done._replace(crossed=done.crossed + 1)
                 crossed = cross(parents[a], parents[b], rng, self.points)
                 pair = (
                     repair_genes(self.cells, crossed[0], rng),
@@ -177,8 +193,9 @@ class MatrixGenetic(NamedTuple):
             children += pair
         for child in children:
             if rng.random() < self.mutation:
+                done = done._replace(mutated=done.mutated + 1)
                 self._mutate(child, rng)
-        return children
+        return children, done
 
     def tell(self, state: Bred, genes: Floats, energies: Floats) -> Bred:
         """The next generation's parents, what is rated now and what was known; whether they are
@@ -188,65 +205,21 @@ class MatrixGenetic(NamedTuple):
         energies = asked.energies(genes)
         settled, before = state.settled, state.energies.min(initial=math.inf)
         rated = energies[np.isfinite(energies)]
-        if settled < 0 and len(rated) > 1 and spread(-rated, self.alike) <= 0.0:
+        rho = spread(-rated, self.alike) if len(rated) > 1 else math.inf
+        if settled < 0 and rho <= 0.0:
             settled = state.age + 1
         gained = energies.min() < before - 1e-12
         stalled = 0 if gained or settled < 0 or not self.local else state.stalled + 1
-        return Bred(genes, energies, state.age + 1, settled, stalled, asked, genes[:0])
-
-
-class MatrixJudge(NamedTuple):
-    """What judges chromosomes without a person: -F_eva of (22), and ``position`` times the mean
-    position costs of (5), which are none as printed. ``seen`` is M of boxes (n, 5) (left out: as
-    printed)."""
-
-    cells: SiteLattice
-    measure: Measure
-    worth: Worth
-    omega: tuple[float, ...] = OMEGA
-    position: float = MatrixSettings().position
-    seen: Callable[[Floats], float] | None = None
-
-    def energies(self, genes: Floats) -> Floats:
-        """Energies (P,) of chromosomes (P, cells · 3), about -1 … 0; lower is better."""
-        p, s = self.measure
-        parts, found = np.empty(len(OMEGA)), np.empty(len(genes))
-        weights = p.weights.copy()
-        weights[[QUALITY, LEFT]] = 0.0
-        for k, boxes in enumerate(self.boxes(genes)):
-            lay(p, s, boxes)
-            value_parts(s, self.worth, parts)
-            if self.seen is not None:
-                parts[1] = self.seen(boxes)
-            position = float(weights @ s.sums) / max(len(boxes), 1)
-            found[k] = self.position * position - float(parts @ np.array(self.omega))
-        return found
-
-    def boxes(self, genes: Floats) -> Floats:
-        """Boxes (P, n, 5) of chromosomes; of no width: left out."""
-        found = np.empty((len(genes), len(self.cells.members), 5))
-        used = np.zeros_like(self.cells.counts())
-        for k, row in enumerate(genes):
-            whole = np.ascontiguousarray(row.reshape(-1, 3).astype(np.int64))
-            decode_genes(self.cells, whole, used, found[k])
-        return found
-
-
-def make_judge(
-    problem: SiteProblem, cells: SiteLattice, liked: Floats | None = None
-) -> MatrixJudge:
-    """A judge of a problem's chromosomes; ``liked`` (n,) a person's preference of buildings."""
-    judge = MatrixJudge(cells, make_measure(problem), make_worth(problem, liked))
-    if problem.form == "printed" or not len(problem.ground.eyes):
-        return judge
-    return judge._replace(seen=partial(measure_seen, problem))
-
-
-def measure_seen(problem: SiteProblem, boxes: Floats) -> float:
-    """M of (22) in the repaired form: what walkers see of boxes (n, 5), of no width: left out."""
-    present, rule = boxes[:, 3] > 0.0, problem.settings.matrix
-    views = views_of(problem, boxes[present], present, rule.eyes, rule.rays)
-    return min(float(views.mean()) / FULL, 1.0)
+        return state._replace(
+            genes=genes,
+            energies=energies,
+            age=state.age + 1,
+            settled=settled,
+            stalled=stalled,
+            asked=asked,
+            waiting=genes[:0],
+            rho=rho,
+        )
 
 
 def evolve(
@@ -258,7 +231,8 @@ def evolve(
     progress: Progress | None,
     cancel: Cancel | None,
 ) -> SiteFound:
-    """Breed until the budget is spent; without one 200 generations, or until nothing is gained."""
+    """Breed until the budget is spent or the last generation is bred; without a budget until
+    nothing is gained, too."""
     watch, rng = BudgetWatch(budget, progress, cancel), np.random.default_rng(seed)
     rule = problem.settings.matrix
     if budget.steps:
@@ -271,21 +245,55 @@ def evolve(
     def layout() -> SiteLayout:
         return stand(problem, judge.boxes(best[None])[0])
 
+    tell(budget.hear, "begin", 0, **told_settings(solver), budget=budget.steps)
     while True:
         genes, state = solver.ask(state, rng)
         if not len(genes):
+            over = state.age >= solver.generations
+            reason = "the last generation" if over else f"nothing new in {solver.known} generations"
             break
         energies = judge.energies(genes)
         state, done = solver.tell(state, genes, energies), done + len(genes)
         first = int(energies.argmin())
         if energies[first] < least:
             best, least = genes[first].copy(), float(energies[first])
-        spent = not bounded and (state.age >= rule.generations or state.stalled > rule.stalled)
+        tell_generation(budget, state, done, least)
         full = budget.steps is not None and done + solver.population > budget.steps
-        if watch.over(done, least, layout) or spent or full:
+        if watch.over(done, least, layout) or full:
+            reason = "cancelled" if watch.cancelled() else "the budget is spent"
             break
+        if not bounded and state.stalled > rule.stalled:
+            reason = f"nothing gained in {rule.stalled} generations of local search"
+            break
+    tell(budget.hear, "stop", state.age, reason=reason, evaluations=done, best=-least)
     settled = state.settled if state.settled >= 0 else state.age
     return answer(problem, judge.boxes(best[None])[0], done, settled)
+
+
+def told_settings(solver: MatrixGenetic) -> dict[str, Any]:
+    """The parameters of an algorithm as a trace tells them."""
+    known = ("population", "generations", "crossover", "mutation", "selection", "points", "keep")
+    found = {name: getattr(solver, name) for name in (*known, "local", "alike")}
+    parents = 0 if solver.parents is None else len(solver.parents)
+    return found | {"templates": parents, "refilled": solver.amount is not None}
+
+
+def tell_generation(budget: Budget, state: Bred, done: int, least: float) -> None:
+    """Tell a generation: whether it searched the whole space or around the best, how it was bred,
+    the values (22) of its layouts and of the best so far, and ρ of (12)."""
+    tell(
+        budget.hear,
+        "generation",
+        state.age,
+        stage="global" if state.settled < 0 or state.settled == state.age else "local",
+        evaluations=done,
+        population=len(state.energies),
+        values=-state.energies,
+        best=-least,
+        rho=state.rho,
+        settled=state.settled if state.settled >= 0 else None,
+        **state.operations._asdict(),
+    )
 
 
 def viewpoint_site(
@@ -311,6 +319,7 @@ def viewpoint_site(
         parents=seed_layouts(problem, cells, rule.templates, seed),
         alike=rule.alike,
         known=rule.known,
+        generations=rule.generations,
     )
     judge = make_judge(problem, cells)._replace(position=0.0 if printed else rule.position)
     return evolve(problem, solver, judge, budget, seed, progress, cancel)
@@ -324,8 +333,10 @@ def simple_site(
     cancel: Cancel | None = None,
 ) -> SiteFound:
     """The simple genetic algorithm (Goldberg 1989) over the same code and measure: selection in
-    proportion to fitness, one-point crossover, nobody kept, no local search."""
+    proportion to fitness, one-point crossover, nobody kept, no local search. What crossover loses
+    is put back as for the paper's algorithm, but in the form printed."""
     cells, rule = make_cells(problem), problem.settings.matrix
+    amount = make_amount(problem.target, cells, problem.buildings.floors)
     solver = MatrixGenetic(
         cells,
         problem.buildings.quality,
@@ -337,8 +348,8 @@ def simple_site(
         keep=0,
         led=0.0,
         local=False,
-        amount=make_amount(problem.target, cells, problem.buildings.floors)
-        if problem.target[0] > 0.0
-        else None,
+        amount=amount if problem.form != "printed" or amount.covered > 0.0 else None,
+        known=rule.known,
+        generations=rule.generations,
     )
     return evolve(problem, solver, make_judge(problem, cells), budget, seed, progress, cancel)

@@ -32,6 +32,7 @@ ROWS = (
         "Zhu, Jiang and Li 2022",
         f"{__name__}.paper:fill_by_paper",
         "houses",
+        traced=True,
     ),
 )
 VILLAGE_SOLVERS: dict[str, SolverRow] = name_solvers("village", ROWS)

@@ -1,0 +1,145 @@
+"""What the presets of the papers do, read from their traces: not what fields say, what was done."""
+
+from __future__ import annotations
+
+import json
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import scenewright as sw
+from scenewright.core.errors import InputError
+from scenewright.domains.extend.printed import PlotGrid
+from scenewright.domains.extend.solvers.ants import run_ants
+from scenewright.domains.extend.solvers.colony import breed
+from scenewright.domains.site.solving import solve as solve_site
+from scenewright.engine.trace import Step
+from scenewright.workflow.arrange import arrange
+
+EVEN = np.full(4, 0.25)
+
+
+def of_kind(steps: list[Step], kind: str) -> list[Step]:
+    return [step for step in steps if step.kind == kind]
+
+
+def share(steps: list[Step], part: str, whole: str) -> float:
+    return sum(s.facts[part] for s in steps) / sum(s.facts[whole] for s in steps)
+
+
+@pytest.fixture(scope="module")
+def site() -> list[Step]:
+    heard = list[Step]()
+    solve_site(sw.read("sample:site-square"), preset="paper", hear=heard.append)
+    return heard
+
+
+def test_sites_are_bred_for_at_most_two_hundred_generations(site: list[Step]) -> None:
+    begun, stop = site[0], site[-1]
+    assert (begun.kind, stop.kind) == ("begin", "stop")
+    assert begun.facts["population"] == 10
+    assert begun.facts["generations"] == 200
+    bred = of_kind(site, "generation")
+    assert all(len(step.facts["values"]) == step.facts["population"] for step in bred)
+    assert {step.facts["population"] for step in bred} == {10}
+    assert max(step.number for step in bred) <= stop.number <= 200
+    assert stop.facts["reason"] in ("the last generation", "nothing new in 50 generations")
+    looked = [step.facts["evaluations"] for step in bred]
+    assert looked == sorted(looked)
+    assert looked[-1] == stop.facts["evaluations"] <= 2000
+
+
+def test_sites_are_crossed_and_mutated_as_often_as_printed(site: list[Step]) -> None:
+    """Few generations are global, so the shares are of several seeds."""
+    heard = list[Step]()
+    for seed in range(1, 5):
+        brief = sw.read("sample:site-square")
+        solve_site(brief, preset="paper", seed=seed, steps=200, hear=heard.append)
+    bred = [step for step in of_kind(heard, "generation") if step.facts["stage"] == "global"]
+    pairs = sum(step.facts["pairs"] for step in bred)
+    assert share(bred, "crossed", "pairs") == pytest.approx(0.75, abs=4 * (0.19 / pairs) ** 0.5)
+    mutated = sum(step.facts["mutated"] for step in bred) / (2 * pairs)
+    assert mutated == pytest.approx(0.04, abs=4 * (0.039 / 2 / pairs) ** 0.5)
+
+
+def test_equation_12_ends_the_global_search_once(site: list[Step]) -> None:
+    bred = of_kind(site, "generation")
+    stages = [step.facts["stage"] for step in bred]
+    first = stages.index("local")
+    assert stages == ["global"] * first + ["local"] * (len(stages) - first)
+    ended = bred[first].facts["settled"]
+    assert bred[first - 1].number <= ended < bred[first].number
+    assert all((step.facts["rho"] > 0.0) == (step.number < ended) for step in bred[:first])
+
+
+def plots(rows: int = 6, columns: int = 8) -> PlotGrid:
+    x, y = np.meshgrid(np.arange(columns) * 20.0, np.arange(rows) * 20.0)
+    free = np.ones((rows, columns), bool)
+    return PlotGrid(np.stack([x, y], -1), free, np.array([80.0, 120.0, 200.0]), 2400.0)
+
+
+@pytest.fixture(scope="module")
+def ants() -> list[Step]:
+    heard = list[Step]()
+    rng = np.random.default_rng(0)
+    run_ants(plots(4, 5), EVEN, None, rng, hear=heard.append)
+    return heard
+
+
+def test_three_hundred_ants_walk_twenty_times_and_trails_move(ants: list[Step]) -> None:
+    walked = of_kind(ants, "ants")
+    assert [step.number for step in walked] == list(range(1, 21))
+    assert {step.facts["ants"] for step in walked} == {300}
+    assert ants[-1].facts == {"reason": "the last of its iterations", "evaluations": 6000}
+    assert all(step.facts["moved"] > 0 for step in walked)
+    assert all(step.facts["far"] > 0 for step in walked)
+    assert walked[0].facts["rho"] == 0.5 > walked[-1].facts["rho"] == 0.1
+    assert np.mean([step.facts["greedy"] for step in walked]) == pytest.approx(0.5, abs=0.02)
+
+
+def test_eight_are_bred_thirty_times_and_few_genes_mutate() -> None:
+    heard = list[Step]()
+    for seed in range(4):
+        breed(plots(), EVEN, None, np.random.default_rng(seed), hear=heard.append)
+    bred = of_kind(heard, "generation")
+    assert [step.number for step in bred] == list(range(1, 31)) * 4
+    assert {step.facts["population"] for step in bred} == {8}
+    assert {step.facts["evaluations"] for step in of_kind(heard, "stop")} == {240}
+    born = [step for step in bred if step.facts["genes"]]
+    assert 20 < len(born) < len(bred)
+    assert share(born, "mutated", "genes") == pytest.approx(0.028, abs=0.005)
+    crossed = sum(step.facts["crossed"] for step in born) / (8 * len(born))
+    assert crossed == pytest.approx(0.56, abs=0.08)
+    assert all(a.facts["best"] <= b.facts["best"] for a, b in pairwise(bred[:30]))
+
+
+def test_nothing_heard_changes_nothing() -> None:
+    heard = list[Step]()
+    brief = sw.read("sample:site-square")
+    told = solve_site(brief, preset="paper", steps=60, hear=heard.append)
+    assert heard
+    assert told.pieces == solve_site(brief, preset="paper", steps=60).pieces
+
+
+def test_a_trace_is_written_beside_the_outputs_a_line_a_step(tmp_path: Path) -> None:
+    file = tmp_path / "trace.jsonl"
+    arranged = arrange("sample:extend-terrace", preset="paper", layouts=80, trace=file)
+    lines = [json.loads(line) for line in file.read_text("utf-8").splitlines()]
+    assert lines[0]["kind"] == "run"
+    assert lines[0]["brief_hash"] == arranged.solution.brief_hash
+    assert {line["space"] for line in lines[1:]} == {"east"}
+    assert [line["kind"] for line in lines if line["kind"] in ("begin", "stop")] == [
+        *["begin", "stop"] * 2
+    ]
+    assert lines[-1]["evaluations"] == 40
+    again = tmp_path / "again.jsonl"
+    arrange("sample:extend-terrace", preset="paper", layouts=80, trace=again)
+    assert again.read_bytes() == file.read_bytes()
+
+
+def test_a_trace_of_a_solver_that_tells_nothing_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="the solver 'anneal' tells no steps") as fault:
+        arrange("sample:home-room", trace=tmp_path / "trace.jsonl")
+    assert "paper-ga" in str(fault.value)
