@@ -259,27 +259,30 @@ def damage_database(data: bytes, draw: Draw, path: Path) -> bytes:
 def _change_cell(base: sqlite3.Connection, draw: Draw) -> None:
     tables = [row[0] for row in base.execute("SELECT name FROM sqlite_master WHERE type='table'")]
     table = draw.choice(sorted(tables))
-    columns = [row[1] for row in base.execute(f"PRAGMA table_info({table})")]
-    rows = base.execute(f"SELECT rowid, * FROM {table} ORDER BY rowid").fetchall()
+    columns = [row[1] for row in base.execute(f'PRAGMA table_info("{table}")')]
+    rows = base.execute(f'SELECT rowid, * FROM "{table}" ORDER BY rowid').fetchall()
     if not rows:
         return
     row, k = draw.choice(rows), draw.randrange(len(columns))
     value = _changed_cell(row[1 + k], draw)
-    base.execute(f"UPDATE {table} SET {columns[k]} = ? WHERE rowid = ?", (value, row[0]))
+    base.execute(f'UPDATE "{table}" SET "{columns[k]}" = ? WHERE rowid = ?', (value, row[0]))
 
 
 def _changed_cell(value: Any, draw: Draw) -> Any:
     if isinstance(value, bytes):
         bombs = (zlib.compress(bytes(BOMB)), damage_bytes(value, draw), "text", 7)
-        whole = draw.random() < 0.6
-        return (
-            zlib.compress(damage_json(zlib.decompress(value), draw))
-            if whole
-            else draw.choice(bombs)
-        )
+        return _damage_packed(value, draw) if draw.random() < 0.6 else draw.choice(bombs)
     if isinstance(value, str) and value[:1] in "[{" and draw.random() < 0.8:
         return damage_json(value.encode(), draw).decode("utf-8", "replace")
     return draw.choice((-1, 10**9, "x", "", "9" * 30, "\x00", b"\xff", 1.5, "{}", "[]", "3:a;b"))
+
+
+def _damage_packed(value: bytes, draw: Draw) -> bytes:
+    """Packed JSON damaged within; bytes of another kind as they are."""
+    try:
+        return zlib.compress(damage_json(zlib.decompress(value), draw))
+    except zlib.error:
+        return damage_bytes(value, draw)
 
 
 def _change_tables(base: sqlite3.Connection, draw: Draw) -> None:

@@ -9,17 +9,16 @@ from typing import Any
 
 import numpy as np
 
-from benchmarks.damage import Damage, damage_bytes, damage_text, damage_zip, zipped
+from benchmarks.damage import Draw, damage_bytes, damage_database, damage_json, damage_zip, zipped
+from benchmarks.damage_structure import BZIP, GZIP, damage_json_lines, damage_packed, damage_xml
+from benchmarks.damaged_samples import CITY, CITY_LINES, IMDF, INDOOR, LAND
+from benchmarks.damaged_uses import DamagedFormat, arrange_with, given, plain, plan_site
 
-MAPS: dict[str, Damage] = {
-    ".gpkg": damage_bytes,
-    ".shp": damage_bytes,
-    ".zip": damage_zip(damage_bytes),
-    ".kml": damage_text,
-    ".osm": damage_text,
-    ".pbf": damage_bytes,
-}
-"""How files of a suffix are damaged."""
+SHARE = 500
+"""Files of each kind."""
+PACKINGS = {".osm.gz": GZIP, ".osm.bz2": BZIP}
+PLAIN_PBF = "pbf,pbf_compression=none"
+"""Not packed: what is damaged is the content and not its checksum."""
 DRIVERS = {".gpkg": "GPKG", ".shp": "ESRI Shapefile", ".kml": "LIBKML"}
 LAYERS: dict[str, tuple[str, list[Any]]] = {
     "site": ("Polygon", [[[11.57, 48.14, 0.002]]]),
@@ -34,6 +33,11 @@ def sound_map(suffix: str) -> Callable[[Path], bytes]:
     def make(folder: Path) -> bytes:
         if suffix in (".osm", ".pbf"):
             return _osm(folder, suffix)
+        if suffix in PACKINGS:
+            return PACKINGS[suffix][1](_osm(folder, ".osm"))
+        if suffix == ".kmz":
+            _write(folder / "doc.kml", tuple(LAYERS))
+            return zipped({"doc.kml": (folder / "doc.kml").read_bytes()})
         if suffix == ".zip":
             for name in LAYERS:
                 _write(folder / f"{name}.shp", (name,))
@@ -99,7 +103,50 @@ def _osm(folder: Path, suffix: str) -> bytes:
     import osmium
 
     (folder / "sound.osm").write_text(text, encoding="utf-8")
-    with osmium.SimpleWriter(str(folder / "sound.osm.pbf")) as writer:
+    with osmium.SimpleWriter(osmium.io.File(str(folder / "sound.osm.pbf"), PLAIN_PBF)) as writer:
         for one in osmium.FileProcessor(str(folder / "sound.osm")):
             writer.add(one)
     return (folder / "sound.osm.pbf").read_bytes()
+
+
+def _damage_seldom(data: bytes, draw: Draw, path: Path) -> bytes:
+    """A database of a map damaged by its cells and tables, or its bytes."""
+    return damage_database(data, draw, path) if draw.random() < 0.7 else damage_bytes(data, draw)
+
+
+def _row(suffix: str, damage: Any, share: int = SHARE) -> DamagedFormat:
+    return DamagedFormat(f"maps as {suffix}", share, suffix, sound_map(suffix), damage, plan_site)
+
+
+_JSON = plain(damage_json)
+MAP_FORMATS = (
+    _row(".gpkg", _damage_seldom),
+    _row(".shp", plain(damage_bytes)),
+    _row(".zip", plain(damage_zip(damage_bytes))),
+    _row(".kml", plain(damage_xml)),
+    _row(".kmz", plain(damage_zip(damage_xml))),
+    _row(".osm", plain(damage_xml)),
+    _row(".osm.gz", plain(damage_packed(damage_xml, GZIP)), 60),
+    _row(".osm.bz2", plain(damage_packed(damage_xml, BZIP)), 60),
+    _row(".pbf", plain(damage_bytes)),
+    DamagedFormat("indoor maps", 120, ".geojson", given(INDOOR), _JSON, arrange_with(10)),
+    DamagedFormat("IMDF", SHARE, ".geojson", given(IMDF), _JSON, arrange_with(10)),
+    DamagedFormat("maps", SHARE, ".geojson", given(LAND), _JSON, arrange_with(10)),
+    DamagedFormat("city sites", 120, ".city.json", given(CITY), _JSON, arrange_with(10)),
+    DamagedFormat(
+        "CityJSONSeq",
+        SHARE,
+        ".city.jsonl",
+        given(CITY_LINES),
+        plain(damage_json_lines),
+        arrange_with(10),
+    ),
+    DamagedFormat(
+        "CityJSONSeq as .jsonl",
+        60,
+        ".jsonl",
+        given(CITY_LINES),
+        plain(damage_json_lines),
+        arrange_with(10),
+    ),
+)

@@ -19,6 +19,9 @@ from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from benchmarks.damaged_warm import WarmParsers
+from scenewright.core import apart
+
 MEBIBYTE = 2**20
 GUARD = 3072 * MEBIBYTE
 """Bytes of address space that a run may take beyond what the process held before."""
@@ -64,24 +67,26 @@ def _work(paths: Sequence[Path], use: Use, spare: Path, writer: int, sound: Path
     again = sound if sound not in paths else None
     held = int(Path("/proc/self/statm").read_text().split()[0]) * resource.getpagesize()
     resource.setrlimit(resource.RLIMIT_AS, (held + GUARD, held + GUARD))
+    parsers = WarmParsers()
+    apart.run_child = parsers.run
     if again is not None:
         (spare / f"warm-{os.getpid()}").mkdir()
-        measure_run(again, use, spare / f"warm-{os.getpid()}")
+        measure_run(again, use, spare / f"warm-{os.getpid()}", parsers)
     for number, path in enumerate(paths):
         folder = spare / f"run-{os.getpid()}-{number}"
         folder.mkdir()
-        run = measure_run(path, use, folder)
+        run = measure_run(path, use, folder, parsers)
         shutil.rmtree(folder, ignore_errors=True)
         os.write(writer, json.dumps(run).encode() + b"\n")
     os._exit(0)
 
 
-def measure_run(path: Path, use: Use, folder: Path) -> DamagedRun:
-    """Use a file in this process."""
+def measure_run(path: Path, use: Use, folder: Path, parsers: WarmParsers) -> DamagedRun:
+    """Use a file in this process, and what it is parsed by in another."""
     from scenewright.core.errors import CancelledError, InputError
 
     Path("/proc/self/clear_refs").write_text("5")
-    before, begun = _memory("VmRSS"), _seconds()
+    before, begun = _memory("VmRSS"), _seconds() + parsers.spent.seconds
     outcome, said = "accepted", ""
     try:
         if use(path, folder) == 2:
@@ -93,8 +98,8 @@ def measure_run(path: Path, use: Use, folder: Path) -> DamagedRun:
     except BaseException as error:  # whatever ends a run that way is what is looked for
         outcome, said = "error", f"{type(error).__name__}: {error}"[:300]
     started = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024
-    most = max(_memory("VmHWM") - before, started)
-    return DamagedRun(outcome, _seconds() - begun, most, said)
+    most = max(_memory("VmHWM") - before, started, parsers.spent.memory)
+    return DamagedRun(outcome, _seconds() + parsers.spent.seconds - begun, most, said)
 
 
 def _seconds() -> float:

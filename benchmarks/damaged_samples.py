@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import base64
+import json
+import struct
 from typing import Any
 
 Json = Any
@@ -64,6 +67,37 @@ XML = """<?xml version='1.0' encoding='UTF-8'?>
 <pieceOfFurniture name='Table' x='100' y='100' width='60'
  depth='60' height='70'/></furnitureGroup></home>"""
 OBJ = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"
+STL = "solid s\n" + "".join(
+    "facet normal 0 0 0\nouter loop\n"
+    + "".join(f"vertex {x} {y} {z}\n" for x, y, z in corners)
+    + "endloop\nendfacet\n"
+    for corners in (
+        ((0, 0, 0), (0, 1, 0), (1, 0, 0)),
+        ((0, 0, 0), (1, 0, 0), (0, 0, 1)),
+        ((1, 0, 0), (0, 1, 0), (0, 0, 1)),
+        ((0, 1, 0), (0, 0, 0), (0, 0, 1)),
+    )
+) + "endsolid\n"  # fmt: skip
+_CORNERS, _FACES = (0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1), (0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3)
+_BODY = struct.pack("<12f12H", *_CORNERS, *_FACES)
+_URI = "data:application/octet-stream;base64," + base64.b64encode(_BODY).decode()
+GLTF: Json = {
+    "asset": {"version": "2.0"},
+    "scene": 0,
+    "scenes": [{"nodes": [0]}],
+    "nodes": [{"mesh": 0, "name": "table"}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "material": 0}]}],
+    "materials": [{"pbrMetallicRoughness": {"baseColorFactor": [0.5, 0.4, 0.3, 1]}}],
+    "buffers": [{"uri": _URI, "byteLength": len(_BODY)}],
+    "bufferViews": [
+        {"buffer": 0, "byteOffset": 0, "byteLength": 48},
+        {"buffer": 0, "byteOffset": 48, "byteLength": 24},
+    ],
+    "accessors": [
+        {"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3"},
+        {"bufferView": 1, "componentType": 5123, "count": 12, "type": "SCALAR"},
+    ],
+}
 TABLE = (
     "id#1=x#table\nname#1=Table\ncategory#1=Tables\nmodel#1=/kit/table.obj\nwidth#1=100\n"
     "depth#1=60\nheight#1=74\nmovable#1=true\ndoorOrWindow#1=false\n"
@@ -77,7 +111,7 @@ def square(west: float, south: float, side: float) -> Json:
     return [[*ring, ring[0]]]
 
 
-def feature(geometry: str, coordinates: Json, **tags: str) -> Json:
+def feature(geometry: str, coordinates: Json, **tags: Json) -> Json:
     """A feature of GeoJSON."""
     shape = {"type": geometry, "coordinates": coordinates}
     return {"type": "Feature", "properties": tags, "geometry": shape}
@@ -119,6 +153,31 @@ CITY: Json = {
         }
     },
     "vertices": [[1000 * x, 1000 * y, z] for z in (0, 6000) for x, y in CORNERS],
+}
+
+
+def _city_line(name: str) -> Json:
+    alone = {"b" + name: CITY["CityObjects"]["b"]}
+    east = [[x + 20_000 * int(name), y, z] for x, y, z in CITY["vertices"]]
+    return {"type": "CityJSONFeature", "id": "b" + name, "CityObjects": alone, "vertices": east}
+
+
+CITY_LINES = "\n".join(
+    json.dumps(line)
+    for line in (CITY | {"CityObjects": {}, "vertices": []}, *map(_city_line, "0123"))
+).encode()
+IMDF: Json = {
+    "type": "FeatureCollection",
+    "features": [
+        feature("Polygon", square(8.0, 50.0, 2e-4), category="unspecified", ordinal=0)
+        | {"feature_type": "level", "id": "l"},
+        feature("Polygon", square(8.0, 50.0, 1e-4), category="retail", level_id="l")
+        | {"feature_type": "unit", "id": "u"},
+        feature("Polygon", square(8.0001, 50.0, 1e-4), category="walkway", level_id="l")
+        | {"feature_type": "unit", "id": "w"},
+        feature("LineString", [[8.0001, 50.00004], [8.0001, 50.00006]], level_id="l")
+        | {"feature_type": "opening", "id": "o"},
+    ],
 }
 HOUSE = [[3, 3], [13, 3], [13, 11], [3, 11]]
 BLOCKS: Json = [

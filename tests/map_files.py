@@ -38,29 +38,37 @@ def write_layers(
     path: Path, crs: str | None = UTM, only: tuple[str, ...] = (), site: str = ""
 ) -> Path:
     """The layers as one file, or as a shapefile of the first of them."""
-    import shapely
-    from pyogrio.raw import write
-
     for name, (kind, shapes, columns) in LAYERS.items():
         if only and name not in only:
             continue
         columns = columns | ({"site": [site]} if site and name == "Baufeld" else {})
-        typed = {
-            key: np.array(values, object if isinstance(values[0], str) else float)
-            for key, values in columns.items()
-        }
-        geometries = [shapely.from_geojson(geometry(kind, shape)) for shape in shapes]
-        write(
-            path,
-            shapely.to_wkb(geometries),
-            list(typed.values()),
-            list(typed),
-            layer=name if path.suffix != ".shp" else None,
-            driver={".gpkg": "GPKG", ".shp": "ESRI Shapefile", ".kml": "LIBKML"}[path.suffix],
-            geometry_type=kind,
-            crs=crs,
-            append=path.suffix != ".shp" and path.exists(),
-        )
+        write_layer(path, name, kind, shapes, columns, crs)
+    return path
+
+
+def write_layer(
+    path: Path, name: str, kind: str, shapes: list[Any], columns: dict[str, Any], crs: str | None
+) -> Path:
+    """One layer in a file, beside those that it has."""
+    import shapely
+    from pyogrio.raw import write
+
+    typed = {
+        key: np.array(values, object if isinstance(values[0], str) else float)
+        for key, values in columns.items()
+    }
+    geometries = [shapely.from_geojson(geometry(kind, shape)) for shape in shapes]
+    write(
+        path,
+        shapely.to_wkb(geometries),
+        list(typed.values()),
+        list(typed),
+        layer=name if path.suffix != ".shp" else None,
+        driver={".gpkg": "GPKG", ".shp": "ESRI Shapefile", ".kml": "LIBKML"}[path.suffix],
+        geometry_type=kind,
+        crs=crs,
+        append=path.suffix != ".shp" and path.exists(),
+    )
     return path
 
 
@@ -78,6 +86,12 @@ def zip_shapefiles(path: Path, folder: Path) -> Path:
             for file in sorted(own.iterdir()):
                 archive.write(file, f"Lieferung/{file.name}")
     return path
+
+
+def write_rows(path: Path) -> Path:
+    """A layer of two rows of five like houses."""
+    houses = [box(20.0 * k, 40.0 * row, 10, 8) for row in range(2) for k in range(5)]
+    return write_layer(path, "houses", "Polygon", [[ring] for ring in houses], {}, UTM)
 
 
 def to_degrees(ring: Any) -> list[tuple[float, float]]:

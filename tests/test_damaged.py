@@ -10,8 +10,11 @@ from benchmarks.damaged import FORMATS, KINDS, MOST_MEMORY, run_format
 from benchmarks.damaged_plugins import list_plugins, run_plugin
 from benchmarks.killed import kill_often
 
+from scenewright import formats
+from scenewright.catalog import models
+
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="watches processes as Linux does")
-SOON = ("ledgers", "trainings", "groups", "corrections", "blocks to learn")
+SOON = ("ledgers", "trainings", "groups", "corrections", "blocks to learn", "IMDF", "SVG plans")
 SOME = 8
 MET = ("scenewright.kinds exits", "scenewright.domains raises", "format without dot", "kinds odd")
 
@@ -24,6 +27,13 @@ def test_damaged_files_are_used_or_refused(name: str, tmp_path: Path) -> None:
     for run in runs:
         assert run.outcome in ("accepted", "refused"), run
         assert run.memory <= MOST_MEMORY, run
+
+
+def test_every_suffix_that_is_read_is_damaged() -> None:
+    damaged = {row.suffix for row in FORMATS}
+    read = {row.suffix for row in formats.formats() if row.reader}
+    assert read | {row.suffix for row in models.ROWS} <= damaged
+    assert len({row.name for row in FORMATS}) == len(FORMATS)
 
 
 @pytest.mark.parametrize("name", MET)

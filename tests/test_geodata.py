@@ -352,38 +352,3 @@ def test_every_feature_of_real_maps_has_a_fate(real_data: Path, kind: str) -> No
         assert len(found.features) + len(found.skipped) == raw_count(path), path.name
         names = [f.id for f in found.features] + [row.feature for row in found.skipped]
         assert len(set(names)) == len(names), path.name
-
-
-def test_geopackage_out_reads_again_with_its_system(tmp_path: Path) -> None:
-    """What was laid out in a map comes back at its place: as many buildings, the same ground."""
-    given = write_layers(tmp_path / "quarter.gpkg")
-    out, again = tmp_path / "out.gpkg", tmp_path / "again.gpkg"
-    words = ["arrange", str(given), "--steps", "5", "-q", "-o"]
-    assert cli.run([*words, str(out), "-o", str(tmp_path / "out.json")]) in (0, 1)
-    assert cli.run([*words, str(again)]) in (0, 1)
-    assert out.read_bytes() == again.read_bytes()
-    assert cli.run([*words, str(again)]) in (0, 1), "an output of ours may be replaced"
-    with sqlite3.connect(out) as database:
-        systems = set(database.execute("SELECT srs_id FROM gpkg_geometry_columns").fetchall())
-        counted = database.execute("SELECT COUNT(*) FROM buildings").fetchone()[0]
-    assert systems == {(25832,)}
-    brief = formats.read(out)
-    assert site_of(brief).area == pytest.approx(120 * 90, rel=2e-3)
-    saved = json.loads((tmp_path / "out.json").read_text())
-    built = sum(piece["category"] == "building" for piece in saved["pieces"])
-    assert counted == len(brief.part.sites[0].landmarks) == built >= len(HOUSES)
-    away = np.subtract(brief.part.sites[0].shift, SITE[0])
-    assert (away >= -1).all()
-    assert (away <= (121, 91)).all()
-
-
-def test_geopackage_out_is_for_maps(tmp_path: Path) -> None:
-    out = tmp_path / "room.gpkg"
-    assert cli.run(["arrange", "sample:home-room", "--steps", "5", "-q", "-o", str(out)]) == 2
-    assert not out.exists()
-    somebodys = tmp_path / "theirs.gpkg"
-    write_layers(somebodys)
-    before = somebodys.read_bytes()
-    words = ["arrange", "sample:site-square", "--steps", "1", "-q", "-o", str(somebodys)]
-    assert cli.run(words) == 2
-    assert somebodys.read_bytes() == before

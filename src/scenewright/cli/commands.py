@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 import sys
+from functools import cache
 from pathlib import Path
 from typing import Annotated, Any, cast
 
@@ -75,12 +76,18 @@ def main(arguments: list[str] | None = None) -> None:
     sys.exit(run(arguments))
 
 
+@cache
+def _command() -> Any:
+    """The tree of commands, made once a process: that takes longer than most of them run."""
+    return typer.main.get_command(app)
+
+
 def run(arguments: list[str] | None = None) -> int:
     """Run the command line and return its exit code."""
     try:
         check_words(arguments)
         completion.split_colon(os.environ)
-        command = typer.main.get_command(app)
+        command = _command()
         check_repeated(sys.argv[1:] if arguments is None else arguments, command)
         with orderly_termination(), recorded_run():
             code = int(command(arguments, standalone_mode=False) or 0)

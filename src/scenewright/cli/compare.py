@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 def compare(
     first: Annotated[
-        Path, typer.Argument(metavar="A", help="GeoJSON, CityJSON or a saved solution.")
+        Path, typer.Argument(metavar="A", help="A map, a city model or a saved solution.")
     ],
     second: Annotated[
         Path | None,

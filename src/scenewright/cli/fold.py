@@ -11,7 +11,8 @@ from scenewright.cli import tables
 from scenewright.core.atomic_file import check_targets, write_atomically
 from scenewright.core.errors import InputError
 
-SCENES = (".geojson", ".json", ".cityjson")
+SCENES = (".geojson", ".json", ".cityjson", ".jsonl")
+"""Suffixes of scenes besides those of GIS maps."""
 MOST_ROWS = 12
 """Rows shown."""
 
@@ -20,7 +21,7 @@ def fold(
     source: Annotated[
         str,
         typer.Argument(
-            metavar="INPUT", help='A scene, sample:NAME, a model (.glb) or a string "A B A B".'
+            metavar="INPUT", help='A scene, map, sample:NAME, model (.glb) or string "A B A B".'
         ),
     ],
     to: Annotated[
@@ -41,7 +42,8 @@ def fold(
         raise InputError(f"'{axis}' is no axis", "give x, y or z")
     source = _find_sample(source)
     suffix = Path(source).suffix.lower()
-    if suffix in SCENES:
+    scene = _is_scene(source)
+    if scene:
         rows = scene_rows(Path(source), to)
     elif suffix and Path(source).exists():
         rows = model_rows(Path(source), "xyz".index(axis), to, output)
@@ -49,7 +51,7 @@ def fold(
         raise InputError("there is no such file", "check the path", file=source)
     else:
         rows = [_row("string", _parse_string(source), to)]
-    if output is not None and suffix in SCENES:
+    if output is not None and scene:
         raise InputError("only models are written", "give a .glb or .obj", file=str(output))
     lines = _layout_lines(source, suffix, axis, to) if grammar else []
     if as_json:
@@ -62,6 +64,13 @@ def fold(
     if output is not None:
         tables.print_line(console, f"wrote {output}", "dim")
     return 0
+
+
+def _is_scene(source: str) -> bool:
+    """Whether a source holds buildings by its suffix: a map, a city model, a saved solution."""
+    from scenewright.ground.geodata.kinds import is_map
+
+    return source.lower().endswith(SCENES) or is_map(source)
 
 
 def _find_sample(source: str) -> str:
@@ -77,7 +86,7 @@ def _layout_lines(source: str, suffix: str, axis: str, to: int | None) -> list[s
     from scenewright.geometry.folding import unfold
     from scenewright.ground.grammar import grow_layout, parse_slabs, show_layout
 
-    if suffix in SCENES:
+    if _is_scene(source):
         layout = _scene_layout(Path(source))
     elif suffix and Path(source).exists():
         layout = parse_slabs(_model_slabs(Path(source), "xyz".index(axis))[0][1])

@@ -15,7 +15,7 @@ def learn(
     domain: Annotated[str, typer.Argument(metavar="KIND", help="village.")],
     sources: Annotated[
         list[Path],
-        typer.Argument(metavar="DATA...", help="Blocks with their houses: .json or .geojson."),
+        typer.Argument(metavar="DATA...", help="Blocks with their houses: a .json list or a map."),
     ],
     output: Annotated[Path, typer.Option("-o", "--output", metavar="STYLE.npz")],
     hold_out: Annotated[

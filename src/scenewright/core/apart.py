@@ -14,11 +14,12 @@ import sys
 from collections.abc import Mapping
 from importlib import import_module
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TextIO
 
 from scenewright.core.errors import InputError
 
 PROGRAM = "from scenewright.core.apart import answer; answer()"
+MEBIBYTE = 2**20
 STOPPED = (-9, -24)
 """Exit codes of what was killed, or took more of the processor than it may."""
 CRASHED = "is damaged or too large: its parser gave up"
@@ -55,7 +56,7 @@ def read_apart(
     Raises :class:`InputError` as the function does, and where the process is brought down or needs
     more than it may.
     """
-    size = path.stat().st_size / 2**20
+    size = path.stat().st_size / MEBIBYTE
     memory = int(allowance.memory + allowance.per_size * size)
     order: dict[str, Any] = {
         "module": module,
@@ -64,24 +65,42 @@ def read_apart(
     }
     order |= {"memory": memory, "seconds": allowance.seconds, "remedy": allowance.remedy}
     try:
-        done = subprocess.run(
-            [sys.executable, "-c", PROGRAM],
-            input=json.dumps(order).encode(),
-            capture_output=True,
-            check=False,
-            timeout=20 * allowance.seconds,
-            env={**os.environ, "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"},
-        )
-        document: dict[str, Any] = json.loads(done.stdout)
+        done = run_child(json.dumps(order).encode(), 20.0 * allowance.seconds)
+        document: dict[str, Any] = json.loads(done.said)
     except subprocess.TimeoutExpired:
         document = {"fault": _too_much(memory, allowance.seconds), "remedy": allowance.remedy}
     except (ValueError, RecursionError):
-        stopped = done.returncode in STOPPED
+        stopped = done.code in STOPPED
         fault = _too_much(memory, allowance.seconds) if stopped else CRASHED
         document = {"fault": fault, "remedy": allowance.remedy}
     if "fault" in document:
         raise InputError(document["fault"], document["remedy"], place=document.get("place", ""))
     return document
+
+
+class Ended(NamedTuple):
+    """What a process said on its standard output, and its exit code."""
+
+    said: bytes
+    code: int
+
+
+def run_child(order: bytes, seconds: float) -> Ended:
+    """Carry out an order in a new interpreter; ``TimeoutExpired`` after so long."""
+    done = subprocess.run(
+        [sys.executable, "-c", PROGRAM],
+        input=order,
+        capture_output=True,
+        check=False,
+        timeout=seconds,
+        env=surroundings(),
+    )
+    return Ended(done.stdout, done.returncode)
+
+
+def surroundings() -> dict[str, str]:
+    """The environment of a process apart: one thread."""
+    return {**os.environ, "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
 
 
 def _too_much(memory: int, seconds: int) -> str:
@@ -91,10 +110,15 @@ def _too_much(memory: int, seconds: int) -> str:
 def answer() -> None:
     """Print the document that is asked for on the standard input, or its fault and remedy."""
     order = json.load(sys.stdin)
-    extract = import_module(order["module"]).extract
-    _limit(order["memory"] * 2**20, order["seconds"])
+    import_module(order["module"])
+    limit(order["memory"] * MEBIBYTE, order["seconds"])
+    carry_out(order, sys.stdout)
+
+
+def carry_out(order: Mapping[str, Any], out: TextIO) -> None:
+    """Write the document of an order, or its fault and remedy."""
     try:
-        document = extract(order["path"], **order["options"])
+        document = import_module(order["module"]).extract(order["path"], **order["options"])
     except InputError as error:
         document = {"fault": error.fault, "remedy": error.remedy, "place": error.place}
     except MemoryError:
@@ -105,10 +129,10 @@ def answer() -> None:
         reason = "" if own else " ".join(str(error).split())[:120]
         fault = f"is damaged ({reason or 'its parts do not fit'})"
         document = {"fault": fault, "remedy": order["remedy"]}
-    sys.stdout.write(json.dumps(document))
+    out.write(json.dumps(document))
 
 
-def _limit(memory: int, seconds: int) -> None:
+def limit(memory: int, seconds: int) -> None:
     """Limit this process; where the system knows no limits there are none."""
     try:
         import resource

@@ -35,6 +35,7 @@ KINDS = (
     MapKind("OpenStreetMap XML", ".osm", lambda head: b"<osm" in head, "osm"),
     MapKind("KML", ".kml", lambda head: b"<kml" in head or b":kml" in head, "kml"),
 )
+PACKED = (".osm.gz", ".osm.bz2", ".kmz", ".zip")
 BESIDE = (".shx", ".dbf", ".prj", ".cpg")
 """What lies beside a shapefile under the same name."""
 
@@ -46,6 +47,15 @@ def kind_by_suffix(name: str) -> MapKind | None:
     'OpenStreetMap PBF'
     """
     return next((kind for kind in KINDS if name.lower().endswith(kind.suffix)), None)
+
+
+def is_map(name: str) -> bool:
+    """Whether a file is a map of GIS or of OpenStreetMap by the end of its name.
+
+    >>> is_map("town.GPKG"), is_map("town.osm.gz"), is_map("town.geojson")
+    (True, True, False)
+    """
+    return kind_by_suffix(name) is not None or name.lower().endswith(PACKED)
 
 
 def check_content(path: Path, kind: MapKind) -> None:

@@ -9,6 +9,7 @@ from scenewright.catalog.models.files import MEBIBYTE, json_of, whole
 from scenewright.core.atomic_file import note_read
 from scenewright.core.errors import InputError
 from scenewright.ground.built import BuiltScene
+from scenewright.ground.geodata.kinds import is_map
 
 MOST_BYTES = 128 * MEBIBYTE
 
@@ -16,8 +17,9 @@ MOST_BYTES = 128 * MEBIBYTE
 def read_built(
     path: Path, origin: tuple[float, float] | None = None, scale: float = 1.0
 ) -> BuiltScene:
-    """What is built in a file: GeoJSON, CityJSON, a glTF scene (or a folder of them; ``scale`` is
-    metres a unit), a saved solution of buildings or a brief that draws some.
+    """What is built in a file: a map (GeoJSON, GIS, OpenStreetMap), CityJSON, a glTF scene (or a
+    folder of them; ``scale`` is metres a unit), a saved solution of buildings or a brief that
+    draws some.
 
     Maps in degrees become metres about ``origin`` (longitude, latitude), else about their own
     middle. InputError, naming the file, for what holds no building.
@@ -34,7 +36,7 @@ def read_built(
 def _read(path: Path, origin: tuple[float, float] | None, scale: float) -> BuiltScene:
     from scenewright.ground.reading.briefs import drawn_scene, draws_buildings
     from scenewright.ground.reading.city import city_scene
-    from scenewright.ground.reading.maps import map_scene
+    from scenewright.ground.reading.maps import map_scene, scene_of_features
     from scenewright.ground.reading.models import SUFFIXES, model_scene
     from scenewright.ground.reading.saved import saved_scene
 
@@ -42,10 +44,14 @@ def _read(path: Path, origin: tuple[float, float] | None, scale: float) -> Built
         return _with_buildings(model_scene(path, scale))
     if not path.is_file():
         raise InputError("there is no such file", "check the path")
+    if is_map(path.name):
+        from scenewright.ground.geodata.reading import load_map, name_of
+
+        return _with_buildings(scene_of_features(load_map(path), name_of(path), origin))
     if path.suffix.lower() not in (".json", ".geojson", ".cityjson", ".jsonl"):
         raise InputError(
             f"'{path.suffix}' holds no buildings that can be read",
-            "give .geojson, .city.json, .glb or a saved solution",
+            "give a map (.geojson, .osm, .gpkg, .shp, .kml), .city.json, .glb or a saved solution",
         )
     note_read(path)
     document = document_of(whole(path, MOST_BYTES), "JSON")
@@ -60,7 +66,7 @@ def _read(path: Path, origin: tuple[float, float] | None, scale: float) -> Built
     else:
         raise InputError(
             "is no map, city model or solution and draws no building",
-            "give .geojson, .city.json, or what arrange wrote as .json",
+            "give a map, .city.json, or what arrange wrote as .json",
         )
     return _with_buildings(found)
 
@@ -79,6 +85,8 @@ def read_grown(path: Path) -> tuple[BuiltScene, BuiltScene]:
     try:
         if not path.is_file():
             raise InputError("there is no such file", "check the path")
+        if path.suffix.lower() != ".json":
+            raise InputError("is no saved extension", "give two scenes to compare")
         document = json_of(whole(path, MOST_BYTES), "JSON")
         note_read(path)
         return grown_scenes(document)

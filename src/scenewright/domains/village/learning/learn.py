@@ -13,6 +13,7 @@ import numpy as np
 from scenewright.core.atomic_file import atomic_write, check_targets
 from scenewright.core.errors import InputError
 from scenewright.core.plan import Plan
+from scenewright.domains.village.blocks import VillagePlan
 from scenewright.domains.village.learned.more import odds_of_figures
 from scenewright.domains.village.learned.style import (
     SUFFIX,
@@ -144,7 +145,11 @@ def _blocks(
             listed = file.read(200).lstrip().startswith(b"[")
         if listed:
             return read_blocks(path, kinds)
-    return blocks_of_plan(read_plan(path), path.stem)
+    plan = read_plan(path)
+    if not isinstance(plan.detail, VillagePlan):
+        remedy = "tag the outlines of blocks block=yes in a map, or give a list of blocks (.json)"
+        raise InputError("is no village with blocks", remedy, file=str(path))
+    return blocks_of_plan(plan, path.stem)
 
 
 def split_by_place(
