@@ -12,12 +12,13 @@ from benchmarks.rescaled_r2v import rescale
 import scenewright as sw
 from scenewright.building.door_approach import gates
 from scenewright.building.plan import spaces
+from scenewright.catalog.classes import RUN
 from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief, Room
 from scenewright.core.piece_outlines import outline_of
 from scenewright.domains.home.attempt import Missing, RoomAnswer, find_blocked
 from scenewright.domains.home.cases.library import cases
-from scenewright.domains.home.composing.case_faults import RUN, is_hung
+from scenewright.domains.home.composing.case_faults import is_hung
 from scenewright.domains.home.composing.doorways import clear_doorways
 from scenewright.domains.home.composing.forms import cost_of_case, list_further
 from scenewright.domains.home.composing.moving import dress_group, make_unplaced

@@ -17,11 +17,14 @@ from scenewright.domains import check
 from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer
 from scenewright.domains.home.cases.library import SHIPPED, cases
 from scenewright.domains.home.composing.spacing import making_room, move, rules, shifts
-from scenewright.domains.home.composing.spacing.askew import is_askew, square_up
+from scenewright.domains.home.composing.spacing.askew import square_up
 from scenewright.domains.home.composing.spacing.leave_out import leave_out_near, may_leave_out
 from scenewright.domains.home.furnishing.enlarge import without_overlaps
 from scenewright.domains.home.presets import PRESETS
+from scenewright.domains.home.problem import Ground
 from scenewright.domains.home.programme import Wish
+from scenewright.domains.home.rules.living import BEHIND
+from scenewright.domains.home.rules.weigh_home import compile_table, list_faults
 
 
 def group(name, category, x, y, heading, width, depth):
@@ -190,8 +193,9 @@ def test_a_sofa_stands_square_to_some_wall(category, counts):
     assert not rules.list_close([square], (), _ground())
     assert bool(rules.list_close([askew], (), _ground())) == counts
     assert square_up(pi / 3, _ground()) == pytest.approx(pi / 2)
-    slanted = SimpleNamespace(edges=np.array([[0.0, 0.0, 1.0, 3**0.5]]))
-    assert not is_askew(askew.pieces[0], slanted)
+    slanted = _ground()._replace(edges=np.array([[0.0, 0.0, 1.0, 3**0.5]]))
+    found = list_faults(compile_table(rules.LATE), [askew], (), slanted)
+    assert "askew" not in {fault.row.id for fault in found}
 
 
 def test_a_sofa_keeps_off_the_sides_of_a_bed():
@@ -231,9 +235,9 @@ def _task():
 
 def _ground(keep_free=()):
     edges = np.array([[-1, -2, 3, -2], [3, -2, 3, 2], [3, 2, -1, 2], [-1, 2, -1, -2]], float)
-    free, nothing = np.array(keep_free, float).reshape(-1, 5), np.zeros((0, 4))
-    leaves = np.zeros((0, 6))
-    return SimpleNamespace(edges=edges, keep_free=free, area=0.0, paths=nothing, leaves=leaves)
+    free, boxes, lines = np.array(keep_free, float).reshape(-1, 5), np.zeros((0, 5)), edges[:0]
+    panes = np.zeros((0, 6))
+    return Ground(edges, edges, free, boxes, boxes, panes, boxes, lines, np.zeros(4), 0.0)
 
 
 def test_a_chair_with_a_wall_right_behind_it_is_wedged():
@@ -258,8 +262,7 @@ def test_a_chair_nobody_can_sit_on_is_worse_than_two_beside_one_another(category
 def test_a_column_before_a_sofa_is_too_near():
     column = np.array([[1.6, 0.0, 1.4, 0.0], [1.4, 0.0, 1.4, 0.3]])
     column = np.vstack([column, [[1.4, 0.3, 1.6, 0.3], [1.6, 0.3, 1.6, 0.0]]])
-    ground = _ground()
-    ground.edges = np.vstack([ground.edges, column])
+    ground = _ground()._replace(edges=np.vstack([_ground().edges, column]))
     near, far = (group("seating", "sofa", x, 0.0, 0.0, 1.6, 0.9) for x in (0.7, 0.3))
     assert rules.list_close([near], (), ground)
     assert not rules.list_close([far], (), ground)
@@ -286,7 +289,7 @@ def test_a_stool_before_an_open_door_is_wedged():
 def test_an_armchair_does_not_look_at_a_back(x, heading, category, counts):
     armchair = group("reading", "armchair", 0.0, 0.0, 0.0, 0.8, 0.8)
     other = group("other", category, x, 0.0, heading, 0.9, 0.5)
-    assert (rules.measure_closeness([armchair, other]) >= rules.BEHIND) == counts
+    assert (rules.measure_closeness([armchair, other]) >= BEHIND) == counts
 
 
 def test_a_table_is_shifted_and_turned_about_where_it_stands():

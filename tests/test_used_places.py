@@ -19,6 +19,7 @@ from scenewright.domains.home.composing.spacing import cut_off, rules
 from scenewright.domains.home.composing.spacing.leave_out import leave_out_near
 from scenewright.domains.home.ground import ground_of
 from scenewright.domains.home.household import decide_household, share_out
+from scenewright.domains.home.problem import Ground
 from scenewright.domains.home.programme import Wish, programme
 from scenewright.domains.home.wished.places import spots_of
 
@@ -193,13 +194,8 @@ def test_no_second_kitchen_in_a_wet_room(area, functions, cooks):
 def test_nothing_stands_across_the_end_of_an_aisle_beside_a_bed(x, wall, shut):
     """A bed along x, its right side 0.4 m from a wall, or less, and a wardrobe at that wall."""
     edges = np.array([[-1.0, wall, 6, wall], [6, wall, 6, 3], [6, 3, -1, 3], [-1, 3, -1, wall]])
-    ground = SimpleNamespace(
-        edges=edges,
-        keep_free=np.zeros((0, 5)),
-        area=0.0,
-        paths=np.zeros((0, 4)),
-        leaves=np.zeros((0, 6)),
-    )
+    no, lines, panes = np.zeros((0, 5)), np.zeros((0, 4)), np.zeros((0, 6))
+    ground = Ground(edges, edges, no, no, no, panes, no, lines, np.zeros(4), 0.0)
     bed = group("sleeping", "double_bed", 0.0, 0.0, 0.0, 2.0, 2.0)
     wardrobe = group("wardrobe", "wardrobe", x, wall + 0.3, pi / 2, 2.0, 0.6)
     names = {c.other for c in rules.list_close([bed, wardrobe], (), ground) if c.cost >= 4.0}

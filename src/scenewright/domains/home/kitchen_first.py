@@ -12,6 +12,7 @@ from collections.abc import Iterator
 from itertools import chain, islice, pairwise
 from math import cos, sin
 
+from scenewright.catalog.classes import RUN
 from scenewright.domains.home.attempt import (
     FurnishedGroup,
     Missing,
@@ -21,7 +22,7 @@ from scenewright.domains.home.attempt import (
     find_blocked,
 )
 from scenewright.domains.home.bed_first import list_placed, with_narrow_ways
-from scenewright.domains.home.composing.case_faults import RUN, TOUCH
+from scenewright.domains.home.composing.case_faults import TOUCH
 from scenewright.domains.home.composing.judging import Placed
 from scenewright.domains.home.groups.classes import RUNS
 from scenewright.domains.home.groups.mini_kitchens import mini_kitchens

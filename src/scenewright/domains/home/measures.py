@@ -13,6 +13,8 @@ RAISED = 0.3
 filled by it. Lower than any worktop, higher than any plinth."""
 ON_FLOOR = 0.12
 """What begins higher, metres, leaves the floor free: it stands on something, on legs, or hangs."""
+AT_WALL = 0.12
+"""What is nearer, metres, stands at its wall."""
 HEAD_HEIGHT = 2.0
 """What begins above, metres, is in nobody's way: the least headroom of stairs and doors."""
 FLATTEST = 0.05

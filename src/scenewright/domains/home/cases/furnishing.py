@@ -29,7 +29,7 @@ LOOSE: dict[str, tuple[int, int]] = {
 """Sheets, and which two of their sides count."""
 HEIGHT = 0.3  # what a different height counts beside a different footprint
 UNLIKE = 0.4  # what the wrong style or colour counts, as the logarithm of a side's ratio
-RUN = (
+ONE_TOP = (
     "base_cabinet",
     "drawer_cabinet",
     "sink_cabinet",
@@ -219,7 +219,7 @@ def misses(asset: Asset, taste: Taste) -> int:
 def _level_worktops(case: Group, chosen: dict[int, Chosen]) -> dict[int, Chosen]:
     """Units of a worktop beside real ones get their depth and height."""
     units = [
-        chosen[i].size for i, m in enumerate(case.members) if i in chosen and m.category in RUN
+        chosen[i].size for i, m in enumerate(case.members) if i in chosen and m.category in ONE_TOP
     ]
     if not units:
         return chosen
@@ -227,7 +227,7 @@ def _level_worktops(case: Group, chosen: dict[int, Chosen]) -> dict[int, Chosen]
     return chosen | {
         i: Chosen("", Size(m.size.width, *_within(m.category, depth, height)))
         for i, m in enumerate(case.members)
-        if m.category in RUN and i not in chosen
+        if m.category in ONE_TOP and i not in chosen
     }
 
 

@@ -6,15 +6,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.core.catalog import Group, Member
+from scenewright.domains.home.measures import AT_WALL
 from scenewright.domains.home.problem import Ground
+from scenewright.domains.home.rules.bedroom import DEAD
 from scenewright.domains.home.settings import ComposingSettings
 from scenewright.geometry.flanks import measure_flank_gaps
 
 Floats = NDArray[np.float64]
 
 SINGLE = "single_bed"
-AT_WALL = 0.12  # a bed's side nearer than this is at its wall, metres
-DEAD = 0.6  # a gap behind a head counts in full from so many metres on
 
 
 def cost_of_bed_places(

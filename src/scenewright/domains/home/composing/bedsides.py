@@ -33,7 +33,7 @@ SINGLE, BUNK, STAND = "single_bed", "bunk_bed", "nightstand"
 SIZES = ((0.42, 0.4), (0.35, 0.35), (0.3, 0.3))
 """Widths and depths of a nightstand, the preferred first, metres."""
 GAP = 0.02  # between a bed and its nightstand, metres
-AT_WALL = 0.75  # a nightstand farther from the wall behind it stands in nowhere, metres
+NOWHERE = 0.75  # a nightstand farther from the wall behind it stands in nowhere, metres
 LAMP = Size(0.24, 0.24, 0.42)
 NEAR = 0.8  # a nightstand whose middle is nearer to a bed's pillow serves it, metres
 
@@ -114,7 +114,7 @@ def _list_with_stand(task: RoomTask, placed: Placed, at: int) -> Iterator[Furnis
     bed = next(m for m in group.dressed.case.members if m.category in (SINGLE, BUNK))
     for stand in _list_stands(bed):
         there = world((stand,), group.dressed.box, task.catalog)[0][0]
-        if not is_backed(there, task.ground.walls, AT_WALL):
+        if not is_backed(there, task.ground.walls, NOWHERE):
             continue
         case = _with_stand(group.dressed.case, bed, stand)
         dressed = dress_group(task, group, case, group.dressed.box, standing)

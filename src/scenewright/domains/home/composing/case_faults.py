@@ -13,13 +13,12 @@ from itertools import combinations
 from math import cos, hypot, pi, remainder, sin
 
 from scenewright.catalog.assets.cooking import UNDER_WORKTOP
+from scenewright.catalog.classes import RUN, WORKTOP
 from scenewright.core.catalog import Group, Member
 from scenewright.domains.home.measures import HAIR, RAISED, SOFA_OF_THREE
 
 Faults = dict[str, float]
 
-WORKTOP = frozenset(("base_cabinet", "drawer_cabinet", "corner_cabinet", "dishwasher"))
-RUN = WORKTOP | {"sink_cabinet", "hob_cabinet", "fridge"}
 AMPLE, BESIDE = 0.6, 0.3  # worktop in one piece, and beside a hob, metres
 FOUR_RINGS = 0.6  # width of a hob of four rings, metres
 FULL_SINK = 0.6  # width of a sink for a household, metres

@@ -8,11 +8,10 @@ from math import cos, hypot, sin
 from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import FurnishedGroup
 from scenewright.domains.home.measures import ON_FLOOR
+from scenewright.domains.home.rules.classes import MOVED
 from scenewright.geometry.boxes import common_area, make_frame
 
 OPENED = 0.45  # floor that a door of a wardrobe is opened over, metres
-MOVED = frozenset(("rug", "office_chair", "dining_chair", "stool"))
-"""What is pushed aside."""
 SEEN = 0.05  # share of the doors that is not noticed
 
 

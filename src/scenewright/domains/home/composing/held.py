@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from scenewright.catalog.assets.cooking import UNDER_WORKTOP
-from scenewright.catalog.classes import TABLE_SEATS
+from scenewright.catalog.classes import TABLE_SEATS, WORKTOP
 from scenewright.core.scene import Piece
-from scenewright.domains.home.composing.case_faults import WORKTOP, count_seats
+from scenewright.domains.home.composing.case_faults import count_seats
 from scenewright.domains.home.composing.judging import Placed
 from scenewright.domains.home.composing.placed_faults import list_standing
 from scenewright.domains.home.household import STORING

@@ -11,11 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 from shapely import Polygon
 
-from scenewright.catalog.classes import BEDS, SOFT_SEATS
+from scenewright.catalog.classes import BEDS, RUN, SOFT_SEATS
 from scenewright.core.same import Same
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, build_task_problem, floor_of
 from scenewright.domains.home.composing.bed_ways import cost_of_bed_ways
-from scenewright.domains.home.composing.case_faults import RUN
 from scenewright.domains.home.composing.forms import is_mere_kitchen
 from scenewright.domains.home.composing.fronts import cost_of_fronts
 from scenewright.domains.home.composing.kitchen_faults import (

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import cos, hypot, sin
 
-from scenewright.catalog.classes import EATING_TABLES
+from scenewright.catalog.classes import EATING_TABLES, RUN
 from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import FurnishedGroup
-from scenewright.domains.home.composing.case_faults import IN_LINE, RUN
+from scenewright.domains.home.composing.case_faults import IN_LINE
 from scenewright.domains.home.composing.forms import share_in
 from scenewright.domains.home.composing.modest import find_few_places
 from scenewright.domains.home.composing.placed_faults import find_darkness, list_standing

@@ -12,13 +12,11 @@ from collections.abc import Callable
 from functools import lru_cache
 from typing import NamedTuple
 
-from scenewright.catalog.classes import TABLE_SEATS
+from scenewright.catalog.classes import RUN, TABLE_SEATS
 from scenewright.core.catalog import Group
 from scenewright.domains.home.measures import RAISED
 
-RUN = frozenset(
-    ("base_cabinet", "drawer_cabinet", "dishwasher", "sink_cabinet", "hob_cabinet", "fridge")
-)
+STRAIGHT_UNITS = RUN - {"corner_cabinet"}
 CORNER_RUN = 1.4
 """Metres of front that a cabinet round a corner stands for."""
 LOUNGE = 0.8
@@ -44,7 +42,7 @@ def _metres(*categories: str) -> Callable[[Group], float]:
 def _run(case: Group) -> float:
     low = [m for m in case.members if m.z < RAISED]
     corners = sum(m.category == "corner_cabinet" for m in low)
-    return sum(m.size.width for m in low if m.category in RUN) + CORNER_RUN * corners
+    return sum(m.size.width for m in low if m.category in STRAIGHT_UNITS) + CORNER_RUN * corners
 
 
 def _seat(case: Group) -> float:

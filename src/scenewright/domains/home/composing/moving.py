@@ -9,10 +9,10 @@ from itertools import count
 import numpy as np
 from numpy.typing import NDArray
 
+from scenewright.catalog.classes import RUN
 from scenewright.core.catalog import Group
 from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
-from scenewright.domains.home.composing.case_faults import RUN
 from scenewright.domains.home.composing.flush import list_flush
 from scenewright.domains.home.composing.forms import is_mere_kitchen
 from scenewright.domains.home.composing.judging import Placed

@@ -9,7 +9,7 @@ from math import atan2, cos, hypot, sin
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.catalog.classes import BEDS, DESKS, SOFAS, SOFT_SEATS
+from scenewright.catalog.classes import BEDS, DESKS, RUN, SOFAS, SOFT_SEATS
 from scenewright.core.catalog import Group
 from scenewright.core.same import Same
 from scenewright.core.scene import Piece
@@ -20,7 +20,6 @@ from scenewright.domains.home.composing.bed_places import (
     measure_head_gaps,
     place_member,
 )
-from scenewright.domains.home.composing.case_faults import RUN
 from scenewright.domains.home.composing.forms import cost_of_case
 from scenewright.domains.home.furnishing.enlarge import find_widest_screen
 from scenewright.domains.home.groups.classes import TABLES

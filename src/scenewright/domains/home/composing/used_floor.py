@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from math import cos, hypot, sin
 
+from scenewright.catalog.classes import RUN
 from scenewright.core.scene import Piece
-from scenewright.domains.home.composing.case_faults import RUN
-from scenewright.domains.home.composing.fronts import MOVED
 from scenewright.domains.home.measures import ON_FLOOR
+from scenewright.domains.home.rules.classes import MOVED
 from scenewright.geometry.boxes import Frame, common_area, make_frame
 
 BEFORE = {

@@ -24,7 +24,7 @@ from scenewright.domains.home.groups.kitchen import (
     FRIDGE,
     SMALL_SINK,
     UNIT_DEPTH,
-    WORKTOP,
+    WORKTOP_HEIGHT,
     Unit,
     fill,
     hang_above,
@@ -117,7 +117,7 @@ def assemble(kitchen: FittedKitchen) -> tuple[Group, Floats]:
     placed: list[Member] = []
     for line in kitchen.lines:
         placed += _units_of(line)
-    size = Size(CORNER, CORNER, WORKTOP)
+    size = Size(CORNER, CORNER, WORKTOP_HEIGHT)
     for wall in kitchen.corners:
         x, y = point_at(wall, CORNER / 2, CORNER / 2 + BACK / 2)
         placed.append(Member("corner_cabinet", x, y, 0, wall.heading, size))
@@ -227,7 +227,11 @@ def _units_of(line: UnitLine) -> list[Member]:
 
 
 def _size(category: str, wide: float) -> Size:
-    return FRIDGE._replace(width=wide) if category == "fridge" else Size(wide, UNIT_DEPTH, WORKTOP)
+    return (
+        FRIDGE._replace(width=wide)
+        if category == "fridge"
+        else Size(wide, UNIT_DEPTH, WORKTOP_HEIGHT)
+    )
 
 
 def point_at(wall: KitchenWall, along: float, out: float) -> tuple[float, float]:

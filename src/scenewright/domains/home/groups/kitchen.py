@@ -9,7 +9,7 @@ import numpy as np
 from scenewright.core.catalog import Group, Member
 from scenewright.core.scene import Size
 
-UNIT_DEPTH, WORKTOP = 0.6, 0.9
+UNIT_DEPTH, WORKTOP_HEIGHT = 0.6, 0.9
 FRIDGE = Size(0.6, 0.64, 1.9)
 WALL_CABINET_BASE = 1.45
 BEYOND = 0.3  # worktop between a hob and the end of its run, metres
@@ -172,7 +172,7 @@ def _run(
     for category, wide in units:
         at = x + wide / 2
         y = back + UNIT_DEPTH / 2
-        members.append(Member(category, at, y, 0, 0, Size(wide, UNIT_DEPTH, WORKTOP)))
+        members.append(Member(category, at, y, 0, 0, Size(wide, UNIT_DEPTH, WORKTOP_HEIGHT)))
         members += hang_above(category, at, wide, back)
         x += wide
     if mirrored:

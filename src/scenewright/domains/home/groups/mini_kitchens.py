@@ -16,7 +16,7 @@ from scenewright.domains.home.groups.kitchen import (
     SMALL_HOB,
     SMALL_SINK,
     UNIT_DEPTH,
-    WORKTOP,
+    WORKTOP_HEIGHT,
     Unit,
     fill,
     hang_above,
@@ -75,7 +75,7 @@ def _in_row(units: list[Unit], width: float, depth: float) -> Group:
     at, back = -width / 2, -(depth + 0.01) / 2
     for unit, wide in units:
         name, x = ("fridge" if unit == LOW else unit), at + wide / 2
-        members.append(Member(name, x, back + depth / 2, 0, 0, Size(wide, depth, WORKTOP)))
+        members.append(Member(name, x, back + depth / 2, 0, 0, Size(wide, depth, WORKTOP_HEIGHT)))
         members += hang_above(unit, x, wide, back)
         at += wide
     function = "kitchen" if any(unit == LOW for unit, _ in units) else "kitchenette"

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from scenewright.catalog.assets.cooking import UNDER_WORKTOP
+from scenewright.catalog.classes import RUN
 from scenewright.core.scene import Piece
-from scenewright.domains.home.composing.case_faults import RUN
 from scenewright.domains.home.composing.judging import Placed
 from scenewright.domains.home.measures import HAIR, RAISED
 from scenewright.geometry.boxes import common_area, make_frame

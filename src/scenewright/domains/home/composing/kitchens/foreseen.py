@@ -7,6 +7,7 @@ from itertools import chain, combinations, pairwise, takewhile
 from math import hypot, inf
 from typing import NamedTuple
 
+from scenewright.catalog.classes import WORKTOP
 from scenewright.core.same import Same
 from scenewright.domains.home.composing.case_faults import (
     AMPLE,
@@ -15,7 +16,6 @@ from scenewright.domains.home.composing.case_faults import (
     FULL_SINK,
     LEG,
     TOUCH,
-    WORKTOP,
     lie_across,
 )
 from scenewright.domains.home.composing.forms import WHOLE_FROM, share_in

@@ -13,6 +13,7 @@ from itertools import chain, islice
 from math import inf
 from typing import NamedTuple
 
+from scenewright.catalog.classes import RUN
 from scenewright.domains.home.attempt import (
     FurnishedGroup,
     Missing,
@@ -23,7 +24,7 @@ from scenewright.domains.home.attempt import (
     penalty,
 )
 from scenewright.domains.home.cases.library import cases
-from scenewright.domains.home.composing.case_faults import RUN, find_case_faults
+from scenewright.domains.home.composing.case_faults import find_case_faults
 from scenewright.domains.home.composing.forms import list_forms
 from scenewright.domains.home.composing.judging import JudgedRoom, Placed, judge_of, sum_faults
 from scenewright.domains.home.composing.kitchens.reform import list_fitted, may_reform, parts_of

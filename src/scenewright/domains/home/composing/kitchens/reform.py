@@ -37,7 +37,7 @@ from scenewright.domains.home.groups.fitted_kitchen import (
     box_of,
     overlap,
 )
-from scenewright.domains.home.groups.kitchen import FRIDGE, UNIT_DEPTH, WORKTOP
+from scenewright.domains.home.groups.kitchen import FRIDGE, UNIT_DEPTH, WORKTOP_HEIGHT
 
 Likeness = Callable[[FittedKitchen], Hashable]
 Dressed = FurnishedGroup | None
@@ -48,7 +48,7 @@ LISTED, TRIED, KEPT = 900, 250, 4
 """Kitchens of one step that are listed, tried, and kept; of those twice as many in a room of
 :data:`AMPLE` square metres, where what follows tells more than what they cost by themselves."""
 AMPLE = 14.0
-SOUGHT = ((UNIT_DEPTH, WORKTOP, 0.45), (FRIDGE.depth, FRIDGE.height, SLIM_FRIDGE))
+SOUGHT = ((UNIT_DEPTH, WORKTOP_HEIGHT, 0.45), (FRIDGE.depth, FRIDGE.height, SLIM_FRIDGE))
 """Depth, height and least width of what stretches of wall are looked for, metres."""
 
 

@@ -13,16 +13,16 @@ from typing import NamedTuple
 
 import numpy as np
 
-from scenewright.catalog.classes import PLAIN_CABINETS
+from scenewright.catalog.classes import PLAIN_CABINETS, RUN
 from scenewright.core.catalog import Group, Member
 from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask, bars_no_more
-from scenewright.domains.home.composing.case_faults import RUN, find_neighbour
+from scenewright.domains.home.composing.case_faults import find_neighbour
 from scenewright.domains.home.composing.moving import dress_group, with_margin
 from scenewright.domains.home.composing.wall_stretch import find_stretch, list_taken
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.domains.home.groups.classes import RUNS
-from scenewright.domains.home.groups.kitchen import UNIT_DEPTH, WORKTOP
+from scenewright.domains.home.groups.kitchen import UNIT_DEPTH, WORKTOP_HEIGHT
 from scenewright.domains.home.measures import RAISED
 
 SLIT = (0.03, 0.25)  # between these a gap is a slit, metres
@@ -83,7 +83,7 @@ def _measure_gap(task: RoomTask, answer: RoomAnswer, piece: Piece, side: int) ->
     """Metres from a side of a unit to what stands there along its wall; 0 away from walls."""
     others = (q for p in answer.placed for q in p.pieces if q is not piece)
     standing = standing_of((*task.fixed, *task.beside, *others), flat_kinds(task.catalog))
-    taken = list_taken(task.ground, standing, np.empty((0, 5)), WORKTOP)
+    taken = list_taken(task.ground, standing, np.empty((0, 5)), WORKTOP_HEIGHT)
     pose, size = piece.pose, piece.size
     box = np.array([pose.x, pose.y, pose.heading, size.width, size.depth])
     stretch = find_stretch(task.ground, box, UNIT_DEPTH, taken)

@@ -9,10 +9,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from scenewright.catalog.classes import RUN
 from scenewright.core.catalog import Group
 from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import FurnishedGroup, Missing, RoomTask
-from scenewright.domains.home.composing.case_faults import IN_LINE, RUN
+from scenewright.domains.home.composing.case_faults import IN_LINE
 from scenewright.domains.home.composing.flush import AT, list_flush
 from scenewright.domains.home.composing.forms import list_forms
 from scenewright.domains.home.composing.judging import Placed, find_run, judge_of

@@ -1,4 +1,4 @@
-"""What is to stand square to some wall of its room and does not."""
+"""Headings that are square to a wall of a room."""
 
 from __future__ import annotations
 
@@ -7,24 +7,8 @@ from math import pi, remainder
 
 import numpy as np
 
-from scenewright.catalog.classes import BEDS, SOFAS
 from scenewright.core.same import Same
-from scenewright.core.scene import Piece
 from scenewright.domains.home.problem import Ground
-
-SQUARE = frozenset(
-    (*SOFAS, *BEDS, "wardrobe", "chest_of_drawers", "sideboard", "bookcase", "storage_shelf")
-)
-"""What is to stand so; armchairs and what goes with them need not."""
-ASKEW, COST = 0.05, 16.0
-"""By how much more than this something is turned from every wall (radians), and what that costs."""
-
-
-def is_askew(piece: Piece, ground: Ground) -> bool:
-    """Whether a piece of those is askew to all walls of a room."""
-    if piece.category not in SQUARE:
-        return False
-    return abs(piece.pose.heading - square_up(piece.pose.heading, ground)) > ASKEW
 
 
 def square_up(heading: float, ground: Ground) -> float:

@@ -10,8 +10,8 @@ from scenewright.core.piece_outlines import boxes_of
 from scenewright.core.same import Same
 from scenewright.core.scene import Piece
 from scenewright.domains.home.bed_aisles import AISLE, DOUBLE, Box, is_free, list_aisles
-from scenewright.domains.home.composing.fronts import MOVED
 from scenewright.domains.home.problem import Ground
+from scenewright.domains.home.rules.classes import MOVED
 
 COST = 4.0
 """What each such aisle costs."""

@@ -1,0 +1,1 @@
+"""What homes are held to, as tables of rows by room."""

@@ -1,0 +1,100 @@
+"""Rows for rooms one cooks and eats in."""
+
+from __future__ import annotations
+
+from scenewright.arranging.rows import BACK, FLAT, FRONT, Class, Row, apart, beside, clear, keep_off
+from scenewright.catalog.classes import BEDS, EATING_TABLES, RUN
+from scenewright.domains.home.groups.classes import TABLES
+from scenewright.domains.home.measures import ALIKE, RAISED
+from scenewright.domains.home.rules.classes import ANYTHING, BY_DOORS, BY_WALLS, CHAIRS, FED, stand
+from scenewright.domains.home.rules.living import APART
+from scenewright.domains.home.settings import MERE_KITCHEN
+
+NKBA = "NKBA, Kitchen & Bathroom Planning Guidelines (2012)"
+PANERO = "Panero, Zelnik, Human Dimension & Interior Space (1979)"
+SEEN_IN_FLATS = "seen in furnished flats"
+AT_FRIDGE = 0.5  # what a machine beside the fridge costs of one away from all units
+TOGETHER = 0.06  # pieces nearer to one another than this stand together, metres
+IN_LINE = 0.3  # and if one is no farther ahead of the other, metres
+WHOLE_FROM, TIGHT = 9.0, 0.4
+"""From so many square metres on a kitchen is one whole: its fridge is at its units; how much that
+counts in a smaller one."""
+CUPBOARDS = frozenset(
+    (
+        *("bookcase", "chest_of_drawers", "coat_rack", "console_table", "desk", "shelf_unit"),
+        *("shoe_cabinet", "sideboard", "storage_shelf", "tv_stand", "vanity", "wardrobe"),
+    )
+)
+"""What is not to stand across the end of a worktop."""
+
+_BESIDE = beside(IN_LINE, ALIKE)
+_NEAR = "{of} is within {metres} m of {to}"
+_OPENS = "{of} has less than {metres} m before it, for {to}"
+_DRAWN = "{of} cannot be drawn back {metres} m for {to}"
+_WASHER = Class("a washing machine", groups=frozenset(("washer",)), floor=True)
+_TABLE = stand("a table", *EATING_TABLES)
+_BY_TABLE = ("dining_table", "round_table", "dining_chair", "stool")
+
+KITCHEN = (
+    Row(
+        "washer_at_fridge", _WASHER, _BESIDE,
+        Class("a unit of the run", RUN - {"fridge"}, below=RAISED), TOGETHER, "loose",
+        "{of} stands beside no unit but the fridge", SEEN_IN_FLATS, times=AT_FRIDGE,
+    ),
+    Row(
+        "washer_alone", _WASHER, _BESIDE, Class("a unit", RUN, below=RAISED), TOGETHER, "loose",
+        "{of} stands away from the kitchen", SEEN_IN_FLATS, times=1.0 - AT_FRIDGE,
+    ),
+    Row(
+        "fridge_away", Class("a fridge", groups=frozenset(("fridge",)), floor=True), _BESIDE,
+        Class("a unit", RUN, below=RAISED), TOGETHER, "fridge_alone",
+        "{of} stands away from the units one cooks at", NKBA, area=WHOLE_FROM, tight=TIGHT,
+    ),
+    Row(
+        "beside_clothes", Class("a table", groups=TABLES, floor=True), keep_off(0.0, FLAT),
+        Class("a wardrobe", groups=frozenset(("wardrobe",))), APART, "beside_clothes", _NEAR,
+        SEEN_IN_FLATS, only=MERE_KITCHEN,
+    ),
+    Row(
+        "across_run", stand("a unit", *(RUN - {"fridge"})), clear(FRONT, each=True),
+        stand("a cupboard", *CUPBOARDS), 0.4, 6.0, _OPENS, NKBA, late=True,
+    ),
+    Row(
+        "fridge_front", stand("a fridge", "fridge"), clear(FRONT, each=True),
+        stand("a cupboard or low table", *CUPBOARDS, "side_table", "coffee_table"), 0.4, 6.0,
+        _OPENS, NKBA, late=True,
+    ),
+    Row(
+        "table_at_bed", _TABLE, apart(), stand("a bed", *BEDS), 0.3, 5.0, _NEAR, SEEN_IN_FLATS,
+        late=True,
+    ),
+    Row(
+        "table_at_run", _TABLE, apart(), stand("a unit", *RUN), 0.3, 4.0, _NEAR, SEEN_IN_FLATS,
+        late=True,
+    ),
+    Row(
+        "coats_at_table", stand("a coat rack", "coat_rack"), apart(),
+        stand("where one eats", *_BY_TABLE), 0.3, 5.0, _NEAR, SEEN_IN_FLATS, late=True,
+    ),
+    Row(
+        "chair_drawn", stand("a chair", *CHAIRS), clear(BACK, each=True), ANYTHING, 0.5, 5.0,
+        _DRAWN, PANERO, late=True,
+    ),
+    Row(
+        "chair_wedged", stand("a chair", *FED), clear(BACK, each=True), ANYTHING, 0.25, 10.0,
+        _DRAWN, PANERO, late=True,
+    ),
+    Row(
+        "chair_wall", stand("a chair", *CHAIRS), clear(BACK, 0.3), BY_DOORS, 0.4, 5.0, _DRAWN,
+        PANERO, late=True,
+    ),
+    Row(
+        "stool_wall", stand("a stool", "stool"), clear(BACK, 0.3), BY_DOORS, 0.55, 5.0, _DRAWN,
+        PANERO, late=True,
+    ),
+    Row(
+        "chair_at_wall", stand("a chair", *FED), clear(BACK, 0.08), BY_WALLS, 0.25, 10.0, _DRAWN,
+        PANERO, late=True,
+    ),
+)  # fmt: skip
+"""The rows."""

@@ -1,0 +1,85 @@
+"""Rows for rooms one sits in."""
+
+from __future__ import annotations
+
+from scenewright.arranging.rows import (
+    ANY,
+    FLAT,
+    FRONT,
+    WALLS,
+    Class,
+    Row,
+    apart,
+    clear,
+    keep_off,
+    no_back,
+)
+from scenewright.catalog.classes import RUN, SOFAS, SOFT_SEATS
+from scenewright.domains.home.groups.classes import RUNS, TABLES
+from scenewright.domains.home.measures import ON_FLOOR, RAISED
+from scenewright.domains.home.rules.classes import ANYTHING, BY_WALLS, stand
+
+PANERO = "Panero, Zelnik, Human Dimension & Interior Space (1979)"
+SEEN_IN_FLATS = "seen in furnished flats"
+AHEAD, WIDE = 1.2, 0.8
+"""The floor before the middle of a sofa that it looks over, metres: a low table and those who pass
+have room there."""
+FEET, ARM = 0.45, 0.2  # who sits has feet so far before the seats, beside the arms, metres
+SEAT = 0.95  # how deep the seats of a sofa are, the long one of a corner sofa apart, metres
+SEEN, FELT = 0.12, 0.05  # shares of that and of the floor for feet that are not noticed
+BESIDE_TABLE = 0.2  # a seat nearer than this to where one sits at a table crowds it, metres
+BEHIND = 4.0  # what it costs that an armchair looks at a back right before it
+APART = 0.3  # a screen nearer to a run, or a table nearer to a wardrobe, is beside it, metres
+UNSEEN = 0.02  # so much floor is not seen, square metres
+
+_SOFA, _ARMCHAIR = stand("a sofa", *SOFAS), stand("an armchair", "armchair")
+_AT_SIGHT = Class(
+    "something",
+    but=frozenset(("rug",)),
+    outside=frozenset(("seating", "reading", "media", "plant")),
+    below=ON_FLOOR,
+    parts=WALLS,
+)
+_SCREEN = stand("a screen", "tv_stand", "wall_shelf")._replace(hung=frozenset(("wall_shelf",)))
+_LOOKS = "{of} looks at {to} within {metres} m"
+
+LIVING = (
+    Row(
+        "outlook", Class("a sofa", SOFAS), clear(FRONT, SEEN, within=ANY, wide=WIDE, start=SEAT),
+        _AT_SIGHT, AHEAD, "outlook", _LOOKS, PANERO,
+    ),
+    Row(
+        "feet", Class("a sofa", SOFAS), clear(FRONT, FELT, within=ANY, inset=ARM), _AT_SIGHT, FEET,
+        "outlook", _LOOKS, PANERO, joined=True,
+    ),
+    Row(
+        "crowded", Class("a table to eat at", groups=TABLES, floor=True),
+        keep_off(UNSEEN, each=True), Class("a sofa or armchair", SOFT_SEATS), BESIDE_TABLE,
+        "crowded", "{of} has {to} within {metres} m", SEEN_IN_FLATS,
+    ),
+    Row(
+        "beside_run", Class("a screen", groups=frozenset(("media",)), floor=True),
+        keep_off(0.0, FLAT), Class("a unit of the kitchen", groups=RUNS, below=RAISED), APART,
+        "beside_run", "{of} is within {metres} m of {to}", SEEN_IN_FLATS,
+    ),
+    Row(
+        "screen_at_run", _SCREEN, apart(), stand("a unit of the kitchen", *RUN), 0.3, 6.0,
+        "{of} is within {metres} m of {to}", SEEN_IN_FLATS, late=True,
+    ),
+    Row(
+        "armchair_front", _ARMCHAIR, clear(FRONT, each=True), ANYTHING, 0.4, 5.0, _LOOKS, PANERO,
+        late=True,
+    ),
+    Row(
+        "back_before", _ARMCHAIR, no_back(FRONT, 0.5, 0.5, UNSEEN),
+        stand("the back of a seat", *SOFAS, "dining_chair"), 1.6, BEHIND, _LOOKS, PANERO, late=True,
+    ),
+    Row(
+        "sofa_wall", _SOFA, clear(FRONT, 0.03), BY_WALLS, FEET, 5.0, _LOOKS, PANERO, late=True,
+    ),
+    Row(
+        "armchair_wall", _ARMCHAIR, clear(FRONT, 0.3), BY_WALLS, 0.45, 5.0, _LOOKS, PANERO,
+        late=True,
+    ),
+)  # fmt: skip
+"""The rows."""

@@ -1,0 +1,124 @@
+"""The rows of homes weighed for the groups of a room."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scenewright.arranging.degrees import HEADING, KIND, NUMBER, THINGS, RoomParts
+from scenewright.arranging.row_arrays import Table, compile_rows
+from scenewright.arranging.rows import DOORS, OPENINGS, PANES, TURNS, WINDOWS, Row
+from scenewright.arranging.weighing import Broken, weigh
+from scenewright.core.same import Same
+from scenewright.core.scene import Piece
+from scenewright.domains.home.attempt import FurnishedGroup
+from scenewright.domains.home.problem import Ground
+from scenewright.domains.home.rules.bedroom import BEDROOM
+from scenewright.domains.home.rules.every import EVERY
+from scenewright.domains.home.rules.kitchen import KITCHEN
+from scenewright.domains.home.rules.living import LIVING
+from scenewright.domains.home.settings import CompositionCosts
+
+Floats = NDArray[np.float64]
+
+ROWS: tuple[Row, ...] = (*EVERY, *BEDROOM, *LIVING, *KITCHEN)
+"""All rows of homes."""
+UNKNOWN = 2.0
+"""No row is about a group whose floor is not known."""
+FAR = 1e3
+CORNERS = np.array([[-FAR, -FAR], [FAR, -FAR], [FAR, FAR], [-FAR, FAR]])
+ENDLESS = np.column_stack((CORNERS, np.roll(CORNERS, -1, axis=0)))
+"""Edges, metres, of a floor without walls."""
+NOWHERE = RoomParts(ENDLESS, np.zeros((0, 4)), np.zeros((0, 4)), np.zeros((0, 6)), FAR)
+"""A room of which nothing is known."""
+
+
+class Fault(NamedTuple):
+    """A row that does not hold: of which piece, of which group, by which other group (empty: all
+    together, the room or what is there already), its degree in ]0, 1], and what it costs."""
+
+    row: Row
+    group: str
+    piece: str
+    other: str
+    degree: float
+    cost: float
+
+
+@lru_cache(maxsize=16)
+def compile_table(rows: tuple[Row, ...], costs: CompositionCosts | None = None) -> Table:
+    """The rows compiled with the costs of a preset."""
+    return compile_rows(rows, {} if costs is None else costs._asdict())
+
+
+def list_faults(
+    table: Table,
+    groups: Sequence[FurnishedGroup],
+    fixed: Sequence[Piece] = (),
+    ground: Ground | None = None,
+) -> list[Fault]:
+    """The rows of a table that do not hold among groups, what is there already (``fixed``) and the
+    parts of a room, in the order of the table."""
+    each = [read_group(Same(group), Same(table)) for group in groups]
+    sizes = [len(one) for one in each]
+    things = np.concatenate((*each, read_fixed(Same(fixed), Same(table))))
+    things[: sum(sizes), NUMBER] = np.repeat(np.arange(len(groups)), sizes)
+    room = NOWHERE if ground is None else read_room(Same(ground))
+    broken = weigh(table, things, room)
+    if not broken:
+        return []
+    names = [(g.name, p) for g in groups for p in (*(q.id for q in g.pieces), "")]
+    names += [("", p.id) for p in fixed] or [("", "")]
+    return [Fault(b.row, *names[b.thing], _name(b, names), b.degree, b.cost) for b in broken]
+
+
+def _name(broken: Broken, names: Sequence[tuple[str, str]]) -> str:
+    """The name of the group of the other by which a row is broken."""
+    return names[broken.other][0] if broken.other >= 0 else ""
+
+
+@lru_cache(maxsize=512)
+def read_group(known: Same[FurnishedGroup], by: Same[Table]) -> Floats:
+    """The things (n, 10) of a group: its pieces, then its floor as a whole."""
+    group, table = known.value, by.value
+    kinds, other = table.kinds, len(table.kinds) + 1
+    function = table.groups.get(group.wish.group, other)
+    rows = [_read_piece(p, kinds.get(p.category, 0), function) for p in group.pieces]
+    if group.dressed is None:
+        return np.array([*rows, [0.0] * KIND + [0.0, other, 0.0, UNKNOWN]])
+    return np.array([*rows, [*group.dressed.box.tolist(), 0.0, 0.0, function, 0.0, 1.0]])
+
+
+@lru_cache(maxsize=64)
+def read_fixed(known: Same[Sequence[Piece]], by: Same[Table]) -> Floats:
+    """The things (n, 10) of what is there already."""
+    kinds, other = by.value.kinds, len(by.value.kinds) + 1
+    rows = [_read_piece(p, kinds.get(p.category, 0), other) for p in known.value]
+    things = np.array(rows).reshape(len(rows), THINGS)
+    things[:, NUMBER] = -1.0
+    return things
+
+
+def _read_piece(piece: Piece, kind: int, function: int) -> list[float]:
+    (x, y, z, heading), (width, depth, _) = piece.pose, piece.size
+    return [x, y, heading, width, depth, z, kind, function, 0.0, 0.0]
+
+
+@lru_cache(maxsize=64)
+def read_room(known: Same[Ground]) -> RoomParts:
+    """The parts of a room."""
+    ground = known.value
+    panes = ground.windows[:, :5]
+    parts = [(ground.keep_free, DOORS), (panes, PANES)]
+    for part, window in ((WINDOWS, 1.0), (OPENINGS, 0.0)):
+        parts.append((ground.strips[ground.strips[:, 5] == window, :5], part))
+    way = ground.edges[:, 2:4] - ground.edges[:, :2]
+    turns = np.unique(np.remainder(np.arctan2(way[:, 1], way[:, 0]), np.pi / 2).round(4))
+    parts.append((np.eye(1, 5, HEADING) * turns[:, None], TURNS))
+    boxes = np.concatenate([np.pad(b, ((0, 0), (0, 1)), constant_values=p) for b, p in parts])
+    lines = (np.ascontiguousarray(each) for each in (ground.edges, ground.paths, ground.walls))
+    return RoomParts(*lines, boxes, ground.area)
