@@ -2,7 +2,7 @@
 libraries, gates and showrooms of many outlines and sizes.
 
 A hall is one row: what it is called, its corners, its doors and what it is to hold, in words that
-:func:`new_halls` reads. They guard rules that repair layouts (:mod:`.hall_guard`).
+:func:`new_halls` reads. They guard rules that repair layouts (:mod:`.passes`).
 """
 
 from __future__ import annotations

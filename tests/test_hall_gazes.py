@@ -50,8 +50,7 @@ def test_a_row_that_looks_at_a_wall_close_before_it_is_a_fault(
     assert faults(*put_row(off_wall, heading, deep)) == pytest.approx(fault, abs=0.001)
 
 
-def test_such_a_row_is_turned_round() -> None:
+def test_such_a_row_is_turned_round_or_set_off_the_wall() -> None:
     problem, layout = put_row(1.5, 0.5 * np.pi)
     found = retouch_layout(problem, layout)
     assert faults(problem, found) < 0.2
-    assert np.allclose(np.sin(found.boxes[:, 2]), -1.0)

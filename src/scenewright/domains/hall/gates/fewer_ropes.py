@@ -19,10 +19,16 @@ from scenewright.domains.hall.gates.idle_guides import (
     drop_units,
     report_fewer,
 )
-from scenewright.domains.hall.problem import Floats
-from scenewright.domains.hall.retouch.lines import count_objects, find_layers, line_up
+from scenewright.domains.hall.problem import Floats, HallProblem
+from scenewright.domains.hall.retouch.lines import (
+    count_objects,
+    find_layers,
+    forgive_space,
+    line_up,
+)
 from scenewright.domains.hall.retouch.ropes import (
-    forgive_queues,
+    find_ropes,
+    find_served,
     forms_lane,
     measure_ropes,
     propose_ropes,
@@ -32,7 +38,7 @@ from scenewright.domains.hall.solvers.chains import HallChain, begin_chain, layo
 from scenewright.domains.hall.solvers.guided_metropolis import bring_back
 from scenewright.domains.hall.solvers.outcome import MeasuredLayout
 from scenewright.domains.hall.solvers.start import copy_frames
-from scenewright.domains.hall.terms.state import Kept
+from scenewright.domains.hall.terms.state import Kept, PreparedHall, State
 from scenewright.engine.draws import streams
 
 FEWEST = 2
@@ -116,11 +122,19 @@ def _find_places(
             stand = np.zeros((len(chain.p.sizes), 5))
             copy_frames(chain.s, stand)
             fault = measure_ropes(fitted.problem, kept, stand, unit)
-            forgiven = forgive_queues(fitted.problem, kept, stand, chain.p, chain.s)
+            forgiven = _forgive_queues(fitted.problem, kept, chain.p, chain.s)
             guides = not lane or forms_lane(fitted.problem, kept, stand, unit)
             if guides and fault <= ASTRAY and energy - forgiven <= most:
                 found.append((energy - forgiven + WEIGHT * fault, number, kept))
     return [kept for _, _, kept in sorted(found, key=lambda one: one[:2])[:WALKED]]
+
+
+def _forgive_queues(problem: HallProblem, kept: Kept, p: PreparedHall, s: State) -> float:
+    """What of the energy of a measured state comes from free floor that ropes and the desks in
+    their zones share with others: the queue is on both."""
+    ropes = find_ropes(problem, kept)
+    shared = (one for unit in ropes for one in (unit, *find_served(problem, unit)))
+    return sum(forgive_space(p, s, one, float(s.covered[one, ::2].sum())) for one in shared)
 
 
 def _propose(fitted: Fitted, boxes: Floats, unit: int) -> Iterator[Kept]:

@@ -1,32 +1,23 @@
 """Retouching: what a planner sets right once everything stands.
 
-Each touch counts a fault in metres and proposes layouts with less of it. The one of them that costs
-least, its fault included, is kept if the route misses no more and no passage narrows.
+Each touch is a row: it counts a fault in metres and proposes layouts with less of it. One verdict
+weighs the energy and the faults of all rows, one loop (:mod:`.loop`) keeps what is better by it.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from scenewright.core.passes import ALL_PASSES, Pass, PassChange, PassOptions, PassRun, run_passes
+from scenewright.core.passes import ALL_PASSES, Pass, PassChange, PassOptions, PassRun
 from scenewright.domains.hall.problem import HallProblem
 from scenewright.domains.hall.retouch.audience import propose_audiences, sit_aside
 from scenewright.domains.hall.retouch.bands import measure_bands, propose_bands
 from scenewright.domains.hall.retouch.banquets import measure_banquets, propose_banquets
 from scenewright.domains.hall.retouch.bare import find_floor, measure_bare, propose_moves
-from scenewright.domains.hall.retouch.columns import (
-    find_columns,
-    forgive_columns,
-    propose_pitches,
-    stand_in_aisles,
-)
+from scenewright.domains.hall.retouch.columns import find_columns, propose_pitches, stand_in_aisles
 from scenewright.domains.hall.retouch.companies import measure_apart, propose_companies
 from scenewright.domains.hall.retouch.desks import (
     desks_adrift,
     find_desks,
     first_desks,
-    forgive_walls,
-    mind_order,
     other_desks,
     propose_desks,
 )
@@ -45,7 +36,8 @@ from scenewright.domains.hall.retouch.gates import (
 )
 from scenewright.domains.hall.retouch.gazes import measure_gazes, propose_views
 from scenewright.domains.hall.retouch.lecterns import lecterns_adrift, propose_lecterns
-from scenewright.domains.hall.retouch.mending import LEAST, Retouch, SeenTouch, mend
+from scenewright.domains.hall.retouch.loop import list_runs, mend_layout
+from scenewright.domains.hall.retouch.mending import Retouch, SeenTouch
 from scenewright.domains.hall.retouch.nearness import (
     find_company,
     measure_nearness,
@@ -53,16 +45,16 @@ from scenewright.domains.hall.retouch.nearness import (
 )
 from scenewright.domains.hall.retouch.outer_rows import measure_slots, propose_lines
 from scenewright.domains.hall.retouch.queues import measure_queues, propose_queues
-from scenewright.domains.hall.retouch.ropes import forgive_queues, propose_ropes, ropes_adrift
+from scenewright.domains.hall.retouch.ropes import propose_ropes, ropes_adrift
 from scenewright.domains.hall.retouch.runs import measure_runs, propose_runs
 from scenewright.domains.hall.retouch.spread import measure_spread, propose_spread
 from scenewright.domains.hall.retouch.stands import measure_backs, propose_turns
 from scenewright.domains.hall.retouch.tills import find_tills, propose_tills, tills_adrift
 from scenewright.domains.hall.retouch.waiting import forgive_backs, measure_waiting, propose_waiting
+from scenewright.domains.hall.solvers.chains import begin_chain, layout_of
 from scenewright.domains.hall.solvers.outcome import MeasuredLayout
+from scenewright.engine.draws import streams
 
-ROUNDS = 4
-"""How often a touch is made at most: each proposal changes one group."""
 LEFT = "faults left"
 """What is heard last: the metres of fault that no touch has mended, less than 0."""
 
@@ -75,7 +67,7 @@ RETOUCHES: tuple[Pass[Retouch], ...] = (
     Pass(
         "columns",
         "rows",
-        Retouch(find_columns, stand_in_aisles, propose_pitches, forgive_columns),
+        Retouch(find_columns, stand_in_aisles, propose_pitches),
         "columns stand in the lines of rows, not in their aisles",
     ),
     Pass(
@@ -123,13 +115,13 @@ RETOUCHES: tuple[Pass[Retouch], ...] = (
     Pass(
         "desks",
         "service",
-        Retouch(first_desks, desks_adrift, propose_desks, mind_order, find_desks),
+        Retouch(first_desks, desks_adrift, propose_desks, place=find_desks),
         "the first desk stands at a wall beside the way in",
     ),
     Pass(
         "counters",
         "service",
-        Retouch(other_desks, desks_adrift, propose_desks, forgive_walls, find_desks),
+        Retouch(other_desks, desks_adrift, propose_desks, place=find_desks),
         "counters stand at walls with room for who serves",
     ),
     Pass(
@@ -141,7 +133,7 @@ RETOUCHES: tuple[Pass[Retouch], ...] = (
     Pass(
         "tills",
         "service",
-        Retouch(_whole, tills_adrift, propose_tills, mind_order, find_tills),
+        Retouch(_whole, tills_adrift, propose_tills, place=find_tills),
         "tills stand across the flow before a way out",
     ),
     Pass(
@@ -153,7 +145,7 @@ RETOUCHES: tuple[Pass[Retouch], ...] = (
     Pass(
         "ropes",
         "service",
-        Retouch(_whole, ropes_adrift, propose_ropes, forgive_queues),
+        Retouch(_whole, ropes_adrift, propose_ropes),
         "ropes guide to the desk people queue at",
     ),
     Pass(
@@ -199,7 +191,7 @@ RETOUCHES: tuple[Pass[Retouch], ...] = (
         "exhibits and seats keep clear of columns and other groups",
     ),
 )
-"""In the order in which they are made."""
+"""What is heard of them is in this order."""
 _BY_NAME = {each.name: each.run for each in RETOUCHES}
 
 
@@ -216,19 +208,13 @@ def retouch_layout(
     if layout.loose or not len(layout.boxes):
         return layout
     made = [each for each in RETOUCHES if not {each.name, each.group} & passes.off]
-    touches = [SeenTouch(each.run, each.run.look(problem)) for each in made]
-    numbers = {id(each.run): number for number, each in enumerate(made)}
-
-    def apply(touch: Retouch, now: MeasuredLayout) -> MeasuredLayout:
-        return _touch_up(problem, now, touches, numbers[id(touch)])
-
-    def compare(before: MeasuredLayout, after: MeasuredLayout) -> Iterator[PassChange]:
-        if after is not before:
-            old, new = (measure_faults(problem, each) for each in (before, after))
-            yield PassChange(space, before.energy - after.energy, old - new, 0)
-
-    layout = run_passes(made, layout, passes, apply, compare)
+    touches = {each.name: SeenTouch(each.run, each.run.look(problem)) for each in made}
+    mended = mend_layout(problem, layout.kept, touches)
+    if mended.found.steps:
+        layout = layout_of(begin_chain(problem, mended.found.state, streams(0, 1)[0]))
     if passes.hear is not None:
+        for run in list_runs(mended, space):
+            passes.hear(run)
         left = PassChange(space, 0.0, -measure_faults(problem, layout), 0)
         passes.hear(PassRun(LEFT, 0.0, (left,)))
     return layout
@@ -237,17 +223,4 @@ def retouch_layout(
 def measure_faults(problem: HallProblem, layout: MeasuredLayout) -> float:
     """Metres of all faults of a layout, whether their touches are made or not."""
     seen = (SeenTouch(each.run, each.run.look(problem)) for each in RETOUCHES)
-    return sum(one.fault(layout) for one in seen)
-
-
-def _touch_up(
-    problem: HallProblem, layout: MeasuredLayout, touches: list[SeenTouch], number: int
-) -> MeasuredLayout:
-    """The layout with one of the touches made as often as it helps."""
-    for _ in range(ROUNDS):
-        if touches[number].fault(layout) <= LEAST:
-            break
-        before, layout = layout, mend(problem, layout, touches, number)
-        if layout is before:
-            break
-    return layout
+    return sum(one.fault(layout.kept, layout.boxes) for one in seen)

@@ -14,8 +14,8 @@ import numpy as np
 from scenewright.domains.hall.energy import capacity
 from scenewright.domains.hall.patterns import CHAIN, GRID
 from scenewright.domains.hall.problem import Floats, HallProblem
-from scenewright.domains.hall.retouch.lines import count_objects, find_layers, forgive_space
-from scenewright.domains.hall.terms.state import Kept, PreparedHall, State
+from scenewright.domains.hall.retouch.lines import count_objects, find_layers
+from scenewright.domains.hall.terms.state import Kept
 from scenewright.domains.hall.terms.visitors import ALOOF
 
 LARGEST = 1.2
@@ -75,28 +75,6 @@ def stand_in_aisles(columns: Columns, kept: Kept, boxes: Floats) -> float:
         return 0.0
     total = sum(_fault(columns, kept, boxes, unit) for unit in _rows_of(columns.problem, kept))
     return total + IN_SIGHT * _hidden(columns, boxes)
-
-
-def forgive_columns(
-    columns: Columns, kept: Kept, boxes: Floats, p: PreparedHall, s: State
-) -> float:
-    """What of the energy of a measured state comes from columns that stand on the free floor asked
-    for beside objects in rows: a column in a gap is where it belongs."""
-    total, units = 0.0, columns.problem.units
-    for unit in _rows_of(columns.problem, kept):
-        first, last = units.spans[unit]
-        axes, size = _axes(kept.pose[unit, 2]), boxes[first:last, 3:]
-        front, left, back, right = units.clear[first:last].T
-        at = boxes[first:last, :2] @ axes.T
-        low = at - 0.5 * size - np.column_stack([left, back])
-        high = at + 0.5 * size + np.column_stack([right, front])
-        begin, end = columns.reach(axes)
-        common = np.minimum(high[:, None], end) - np.maximum(low[:, None], begin)
-        covered = float(np.maximum(common, 0.0).prod(2).sum())
-        if covered > 0.0:
-            less = max(float(s.covered[unit].sum()) - covered, 0.0)
-            total += forgive_space(p, s, unit, less)
-    return total
 
 
 def propose_pitches(columns: Columns, kept: Kept, boxes: Floats) -> Iterator[Kept]:

@@ -15,9 +15,8 @@ from scenewright.domains.hall.desks.unserved import find_staff_floor
 from scenewright.domains.hall.patterns import CHAIN, SINGLE
 from scenewright.domains.hall.problem import Floats, HallProblem, Ints
 from scenewright.domains.hall.retouch.arrivals import box_round, find_met
-from scenewright.domains.hall.retouch.lines import forgive_space, line_up
-from scenewright.domains.hall.terms.state import Kept, PreparedHall, State
-from scenewright.domains.hall.terms.table import ORDER
+from scenewright.domains.hall.retouch.lines import line_up
+from scenewright.domains.hall.terms.state import Kept
 from scenewright.domains.hall.terms.visitors import FIRST, LANE, LOUNGE, MACHINE, RECEPTION, TILL
 
 STEP, PROPOSED, APART = 0.4, 120, 0.9
@@ -41,8 +40,6 @@ BACK_TO = 6.0
 """What a back turned to who comes in counts, in metres."""
 CRAMPED = 2.0
 """What a desk counts behind which a wall leaves nobody room to stand, in metres."""
-FIRST_OF_ALL = 12.0
-"""What it costs beside the energy that others lie a metre nearer to the entrance."""
 LONGEST, LINES, SHORT = 4.0, 24, 6.5
 """Metres off a wall beyond which more count no more, how many lines through other objects are
 tried, and the longest row that may stand with its side at a wall, in metres."""
@@ -237,31 +234,6 @@ def far_from(edges: Floats, points: Floats) -> Floats:
     along = (off * way).sum(2) / np.maximum((way**2).sum(1), 1e-12)
     off = off - np.clip(along, 0.0, 1.0)[..., None] * way
     return np.hypot(off[..., 0], off[..., 1]).min(1)
-
-
-def mind_order(
-    seen: object,  # noqa: ARG001
-    kept: Kept,  # noqa: ARG001
-    boxes: Floats,  # noqa: ARG001
-    p: PreparedHall,  # noqa: ARG001
-    s: State,
-) -> float:
-    """What is taken off the energy of a measured state: nothing, but more for every metre by which
-    others lie nearer to the entrance than desks; no desk leaves its turn for a wall."""
-    return -FIRST_OF_ALL * float(s.costs[ORDER, 0])
-
-
-def forgive_walls(
-    desks: Desks,
-    kept: Kept,
-    boxes: Floats,  # noqa: ARG001
-    p: PreparedHall,
-    s: State,
-) -> float:
-    """What of the energy of a measured state comes from free floor of counters that lies at walls
-    and doors: their back stands at a wall."""
-    covered = ((unit, float(s.covered[unit, :2].sum())) for unit in find_desks(desks, kept))
-    return sum(forgive_space(p, s, unit, area) for unit, area in covered)
 
 
 def propose_desks(desks: Desks, kept: Kept, boxes: Floats) -> Iterator[Kept]:

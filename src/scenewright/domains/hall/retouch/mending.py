@@ -1,4 +1,4 @@
-"""How a touch is made: its proposals are weighed, and the best that harms no other is taken."""
+"""What a touch proposes, weighed by the energy and its own fault, the likeliest first."""
 
 from __future__ import annotations
 
@@ -9,16 +9,14 @@ import numpy as np
 
 from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.retouch.make_room import find_yielding, make_room
-from scenewright.domains.hall.solvers.chains import HallChain, begin_chain, layout_of
+from scenewright.domains.hall.solvers.chains import HallChain
 from scenewright.domains.hall.solvers.guided_metropolis import bring_back
-from scenewright.domains.hall.solvers.outcome import MeasuredLayout
 from scenewright.domains.hall.solvers.start import copy_frames
 from scenewright.domains.hall.terms.state import Kept, PreparedHall, State
-from scenewright.engine.draws import streams
 
-WEIGHT, LEAST, LOOKED, WALKED = 6.0, 0.05, 24, 16
-"""What a metre of fault costs beside the energy, metres not worth a change, how many proposals are
-held against the other touches at most, and how many are walked through."""
+WEIGHT, LEAST, LOOKED = 6.0, 0.05, 12
+"""What a metre of fault costs beside the energy, metres not worth a change, and how many proposals
+of a touch are judged at most."""
 ALIKE = 0.02
 """By how much the cost of two proposals differs at least that are both looked at."""
 BARRED, WORTH, APART = 6, 0.4, 0.9
@@ -27,8 +25,8 @@ has to be less than that of the best that gains, and how far they lie from one a
 
 
 class Retouch(NamedTuple):
-    """One touch: what it has to know of a problem (``look``), its ``fault`` of boxes (n, 5) in
-    metres, the layouts it proposes, what of the energy of a measured state it does not count
+    """One row of faults: what it has to know of a problem (``look``), the ``fault`` of boxes (n, 5)
+    in metres, the layouts it proposes, what of the energy of a measured state it does not count
     (``forgive``), the units it has put in their ``place``, which make no room for others, and
     whether others ``make_room`` for what it moves."""
 
@@ -46,9 +44,14 @@ class SeenTouch(NamedTuple):
     touch: Retouch
     seen: Any
 
-    def fault(self, layout: MeasuredLayout) -> float:
-        """The fault of a layout, in metres."""
-        return self.touch.fault(self.seen, layout.kept, layout.boxes)
+    def fault(self, kept: Kept, boxes: Floats) -> float:
+        """The fault of a layout and its boxes (n, 5), in metres."""
+        return self.touch.fault(self.seen, kept, boxes)
+
+    def forgiven(self, kept: Kept, boxes: Floats, p: PreparedHall, s: State) -> float:
+        """What of the energy of a measured state does not count."""
+        forgive = self.touch.forgive
+        return 0.0 if forgive is None else forgive(self.seen, kept, boxes, p, s)
 
 
 class Proposal(NamedTuple):
@@ -59,39 +62,35 @@ class Proposal(NamedTuple):
     fault: float
 
 
-def mend(
-    problem: HallProblem, layout: MeasuredLayout, touches: list[SeenTouch], number: int
-) -> MeasuredLayout:
-    """The layout with one of the touches, or as it is. Those before it keep what they placed."""
-    chain = begin_chain(problem, layout.kept, streams(0, 1)[0])
-    mine, upto = touches[number : number + 1], touches[: number + 1]
-    now = weigh_layout(chain, mine, layout.kept)
-    found = weigh_proposals(chain, touches[number], layout, _placed(touches[:number], layout.kept))
-    better = sorted((p for p in found if p.cost < now.cost - LEAST), key=lambda p: p.cost)
-    whole = weigh_layout(chain, upto, layout.kept).cost if better else 0.0
-    looked = _differing(better)[:LOOKED]
-    gaining = (p for p in looked if weigh_layout(chain, upto, p.kept).cost < whole - LEAST)
-    for _, proposal in zip(range(WALKED), gaining, strict=False):
-        tried = layout_of(chain._replace(best=proposal.kept))
-        if tried.missed <= layout.missed and tried.lacking <= layout.lacking + 1e-9:
-            return tried
-    return layout
+def list_likely(chain: HallChain, one: SeenTouch, kept: Kept, firm: list[int]) -> list[Kept]:
+    """What a touch proposes that costs less by its own fault, the cheapest first."""
+    now = weigh_layout(chain, one, kept)
+    found = weigh_proposals(chain, one, now, firm, now.cost - LEAST)
+    return [p.kept for p in _differing(sorted(found, key=lambda p: p.cost))[:LOOKED]]
 
 
 def weigh_proposals(
-    chain: HallChain, one: SeenTouch, layout: MeasuredLayout, firm: list[int]
+    chain: HallChain, one: SeenTouch, now: Proposal, firm: list[int], most: float = np.inf
 ) -> list[Proposal]:
     """What a touch proposes for a layout, and the same with room made for what runs into others but
-    the ``firm`` ones."""
-    now = weigh_layout(chain, [one], layout.kept)
-    proposed = one.touch.propose(one.seen, layout.kept, layout.boxes)
-    found = [weigh_layout(chain, [one], kept) for kept in proposed]
-    least = min((p.fault for p in found if p.cost < now.cost), default=now.fault)
-    if one.touch.make_room:
-        for barred, yielding in _barred(chain, found, layout.kept, least - WORTH, firm):
-            made = make_room(chain, layout.kept, barred.kept, yielding)
-            found += [weigh_layout(chain, [one], kept) for kept in made]
-    return found
+    the ``firm`` ones: those that cost less than ``most``."""
+    bring_back(chain.p, chain.s, chain.work, now.kept)
+    proposed = list(one.touch.propose(one.seen, now.kept, stand(chain)))
+    found, barred = list[Proposal](), list[tuple[Kept, Floats]]()
+    for kept in proposed:
+        energy = bring_back(chain.p, chain.s, chain.work, kept)
+        other = _weigh(chain, one, kept, energy, most)
+        if other.cost < most:
+            found.append(other)
+        else:
+            barred.append((kept, stand(chain)))
+    least = min((p.fault for p in found if p.cost < now.cost), default=now.fault) - WORTH
+    if one.touch.make_room and least > 0.0:
+        faults = [Proposal(kept, np.inf, one.fault(kept, boxes)) for kept, boxes in barred]
+        for other, yielding in _barred(chain, faults, now.kept, least, firm):
+            made = make_room(chain, now.kept, other.kept, yielding)
+            found += [weigh_layout(chain, one, kept) for kept in made]
+    return [other for other in found if other.cost < most]
 
 
 def _differing(proposals: list[Proposal]) -> list[Proposal]:
@@ -100,24 +99,28 @@ def _differing(proposals: list[Proposal]) -> list[Proposal]:
     return [one for one, more in zip(proposals, np.diff(costs), strict=True) if more > ALIKE]
 
 
-def weigh_layout(chain: HallChain, touches: list[SeenTouch], kept: Kept) -> Proposal:
-    """What a layout costs with the faults that some touches mend; only the last of them may charge
-    more than the energy."""
-    energy, total = bring_back(chain.p, chain.s, chain.work, kept), 0.0
+def weigh_layout(chain: HallChain, one: SeenTouch, kept: Kept) -> Proposal:
+    """What a layout costs with the fault that a touch mends."""
+    return _weigh(chain, one, kept, bring_back(chain.p, chain.s, chain.work, kept), np.inf)
+
+
+def _weigh(chain: HallChain, one: SeenTouch, kept: Kept, energy: float, most: float) -> Proposal:
+    """What the layout of an ``energy`` that stands in a chain costs, without its fault if that is
+    more than the ``most`` already."""
+    boxes = stand(chain)
+    if np.isfinite(energy):
+        energy -= one.forgiven(kept, boxes, chain.p, chain.s)
+    if energy >= most:
+        return Proposal(kept, energy, np.inf)
+    fault = one.fault(kept, boxes)
+    return Proposal(kept, energy + WEIGHT * fault, fault)
+
+
+def stand(chain: HallChain) -> Floats:
+    """The boxes (n, 5) of the layout that stands in a chain."""
     boxes = np.zeros((len(chain.p.sizes), 5))
     copy_frames(chain.s, boxes)
-    for touch, seen in touches:
-        total += touch.fault(seen, kept, boxes)
-        if touch.forgive is not None and np.isfinite(energy):
-            forgiven = touch.forgive(seen, kept, boxes, chain.p, chain.s)
-            energy -= forgiven if touch is touches[-1].touch else max(forgiven, 0.0)
-    return Proposal(kept, energy + WEIGHT * total, total)
-
-
-def _placed(touches: list[SeenTouch], kept: Kept) -> list[int]:
-    """The units that some touches have put in their place."""
-    rows = (touch.place(seen, kept) for touch, seen in touches if touch.place is not None)
-    return [unit for row in rows for unit in row]
+    return boxes
 
 
 def _barred(

@@ -8,8 +8,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from scenewright.arranging.verdict import better
 from scenewright.domains.hall.fit import Fitted
 from scenewright.domains.hall.retouch import retouch_named
+from scenewright.domains.hall.retouch.loop import judge_layout
 from scenewright.domains.hall.retouch.mending import LEAST, SeenTouch, weigh_layout, weigh_proposals
 from scenewright.domains.hall.search import HallSearch, weigh_wrong
 from scenewright.domains.hall.solvers.chains import begin_chain, cooled_hall, layout_of
@@ -28,20 +30,20 @@ def place_exhibit(search: HallSearch, fitted: Fitted, layout: MeasuredLayout) ->
     leaves nothing out of reach."""
     problem, touch = fitted.problem, retouch_named("exhibit")
     one = SeenTouch(touch, touch.look(problem))
-    if layout.loose or not len(layout.boxes) or one.fault(layout) <= ASIDE:
+    if layout.loose or not len(layout.boxes) or one.fault(layout.kept, layout.boxes) <= ASIDE:
         return layout
     chain = begin_chain(problem, layout.kept, streams(0, 1)[0])
-    most = BETTER * one.fault(layout)
-    every = weigh_proposals(chain, one, layout, [])
+    now = weigh_layout(chain, one, layout.kept)
+    every = weigh_proposals(chain, one, now, [])
+    most = BETTER * now.fault
     near = sorted(
         (p for p in every if np.isfinite(p.cost) and p.fault <= most), key=lambda p: p.cost
     )
     heavy, budget = weigh_wrong(problem), Budget(steps=STEPS, threads=search.budget.threads)
-    least = weigh_layout(chain, [one], layout.kept).cost - LEAST
+    touches = {"exhibit": one}
+    verdict = judge_layout(chain, touches, layout.kept)
     for proposal in near[:SETTLED]:
         cooled = cooled_hall(heavy, proposal.kept, budget, search.seed).layouts[0]
-        found = layout_of(begin_chain(problem, cooled.kept, streams(0, 1)[0]))
-        reached = found.missed <= layout.missed and found.lacking <= layout.lacking + 1e-9
-        if reached and weigh_layout(chain, [one], found.kept).cost < least:
-            return found
+        if better(judge_layout(chain, touches, cooled.kept), verdict, LEAST):
+            return layout_of(begin_chain(problem, cooled.kept, streams(0, 1)[0]))
     return layout

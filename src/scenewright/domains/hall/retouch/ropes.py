@@ -13,13 +13,8 @@ from scenewright.domains.hall.patterns import CHAIN, SINGLE, WALL
 from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.retouch.arrivals import box_round, find_met
 from scenewright.domains.hall.retouch.desks import BACK
-from scenewright.domains.hall.retouch.lines import (
-    count_objects,
-    find_layers,
-    forgive_space,
-    line_up,
-)
-from scenewright.domains.hall.terms.state import Kept, PreparedHall, State
+from scenewright.domains.hall.retouch.lines import count_objects, find_layers, line_up
+from scenewright.domains.hall.terms.state import Kept
 from scenewright.domains.hall.terms.visitors import FIRST, GUIDE, LANE, MAIN, TILL
 
 MOST, LINES, LONGEST = 24, 5, 4
@@ -68,22 +63,6 @@ def find_served(problem: HallProblem, unit: int) -> list[int]:
         and not roles[u] & LANE
         and not units.access[units.spans[u, 0], BACK]
     ]
-
-
-def forgive_queues(
-    problem: HallProblem,
-    kept: Kept,
-    boxes: Floats,  # noqa: ARG001
-    p: PreparedHall,
-    s: State,
-) -> float:
-    """What of the energy of a measured state comes from free floor that ropes and the desks in
-    their zones share with others: the queue is on both."""
-    total = 0.0
-    for unit in find_ropes(problem, kept):
-        for one in (unit, *find_served(problem, unit)):
-            total += forgive_space(p, s, one, float(s.covered[one, ::2].sum()))
-    return total
 
 
 def find_anchors(problem: HallProblem, kept: Kept, boxes: Floats, unit: int) -> list[Anchor]:

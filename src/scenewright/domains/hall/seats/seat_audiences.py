@@ -11,6 +11,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from scenewright.arranging.verdict import better
 from scenewright.core.solution import LeftOut
 from scenewright.domains.hall.build_problem import HallContext, build_problem
 from scenewright.domains.hall.classes import AUDIENCE_SEATS, TABLE_CHAIRS
@@ -18,15 +19,15 @@ from scenewright.domains.hall.demands.holdings import HallDemand
 from scenewright.domains.hall.energy import capacity
 from scenewright.domains.hall.fit import Fitted
 from scenewright.domains.hall.gates.idle_guides import drop_units
-from scenewright.domains.hall.problem import Floats, HallProblem
+from scenewright.domains.hall.problem import HallProblem
 from scenewright.domains.hall.retouch import retouch_named
 from scenewright.domains.hall.retouch.audience import FEWEST
 from scenewright.domains.hall.retouch.lines import count_objects, line_up
-from scenewright.domains.hall.retouch.mending import SeenTouch, weigh_proposals
+from scenewright.domains.hall.retouch.mending import SeenTouch, weigh_layout, weigh_proposals
 from scenewright.domains.hall.search import HallSearch, weigh_wrong
 from scenewright.domains.hall.seats.turns import SHARE, count_away
 from scenewright.domains.hall.solvers.chains import HallChain, begin_chain, cooled_hall, layout_of
-from scenewright.domains.hall.solvers.outcome import HallFound, MeasuredLayout
+from scenewright.domains.hall.solvers.outcome import HallFound, MeasuredLayout, verdict_on
 from scenewright.domains.hall.terms.state import Kept
 from scenewright.engine.draws import streams
 from scenewright.engine.solve import Budget
@@ -100,30 +101,21 @@ def _seat(
     """The layout with as many seats of some units as find room in rows before their stage, joined
     in one; None if no more do than look at it already."""
     whole = int(count_objects(fitted.problem)[mine].sum())
-    least = max(whole - _count_away(fitted.problem, layout, mine), FEWEST)
+    away = _count_away(fitted.problem, layout, mine)
+    least, now = max(whole - away, FEWEST), verdict_on(layout, groups=len(mine), away=away)
     for count in dict.fromkeys(int(share * whole) for share in SHARES):
         if count < least:
             break
         joined = join_units(search, fitted, layout.kept, mine, count)
         chain = begin_chain(joined.problem, joined.start, streams(0, 1)[0])
-        start = layout._replace(kept=joined.start, boxes=_join_boxes(fitted, layout, mine, count))
         touch = SeenTouch(retouch_named("audience"), joined.problem)
-        every = weigh_proposals(chain, touch, start, [])
+        every = weigh_proposals(chain, touch, weigh_layout(chain, touch, joined.start), [])
         rows = sorted((p for p in every if np.isfinite(p.cost)), key=lambda p: p.cost)
         for found in _walk_through(search, chain, [p.kept for p in rows]):
-            reached = found.missed <= layout.missed and found.lacking <= layout.lacking + 1e-9
-            if reached and not _count_away(joined.problem, found, mine[:1]):
+            away = _count_away(joined.problem, found, mine[:1])
+            if not away and better(verdict_on(found, groups=1.0), now):
                 return joined._replace(start=found.kept), found
     return None
-
-
-def _join_boxes(fitted: Fitted, layout: MeasuredLayout, mine: list[int], count: int) -> Floats:
-    """The boxes (n, 5) of a layout with ``count`` of those of some units in the place of the first
-    of these."""
-    spans = fitted.problem.units.spans
-    rows = [layout.boxes[slice(*span)] for span in spans]
-    rows[mine[0]] = np.concatenate([rows[unit] for unit in mine])[:count]
-    return np.concatenate([row for unit, row in enumerate(rows) if unit not in mine[1:]])
 
 
 def _walk_through(

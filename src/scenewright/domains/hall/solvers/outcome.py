@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from scenewright.arranging.verdict import Verdict
 from scenewright.domains.hall.energy import make_state, parts_of, prepare, route_grid
 from scenewright.domains.hall.patterns import SINGLE
 from scenewright.domains.hall.problem import Floats, HallProblem
@@ -29,6 +30,16 @@ class MeasuredLayout(NamedTuple):
     missed: float
     lacking: float
     loose: bool = False
+
+
+ENERGY, PASSAGE = "energy", "passage"
+"""Rows of a verdict: the energy, and metres that passages lack."""
+
+
+def verdict_on(layout: MeasuredLayout, **cost: float) -> Verdict:
+    """What a measured layout amounts to: what the route misses is lost, metres that passages lack
+    are a finding; it costs its energy, or what is given by name."""
+    return Verdict(layout.missed, 0, {PASSAGE: layout.lacking}, cost or {ENERGY: layout.energy})
 
 
 class StartedHall(NamedTuple):
