@@ -42,7 +42,7 @@ def designed(path: Path) -> Iterator[tuple[Case, Floats]]:
         area = float(shapely.Polygon(space.outline, list(space.holes)).area)
         ground = ground_of(space, (), area)
         problem = build_problem(ground, wishes, PAPER, True, full.route_width, area)
-        problem = as_in_paper(problem, wishes)
+        problem = as_in_paper(problem, wishes, space)
         boxes = np.array([(*one.box, one.case.width, one.case.depth) for one in found])
         problem = problem._replace(items=widen_sizes(problem.items, boxes[:, 3:]))
         yield Case(f"{path.stem}/{space.id}", problem, problem), boxes

@@ -80,4 +80,4 @@ def case_of(room: Drawn) -> Case:
     problem = build_problem(ground, wishes, PAPER, True, ROUTE, area)
     parts = tuple(parts_of(wish, area, shipped()) for wish in wishes)
     pieces = posed_pieces(ground, parts, shipped(), PAPER, True, ROUTE)
-    return Case(room.name, as_in_paper(problem, wishes), pieces, parts)
+    return Case(room.name, as_in_paper(problem, wishes, space), pieces, parts)

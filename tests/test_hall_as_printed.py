@@ -66,13 +66,13 @@ def test_eq_1_space(alpha):
     assert space_cost(alpha, 2.5) == pytest.approx(repaired)
 
 
-def test_eq_1_is_divided_by_the_clearance_demanded_in_the_repaired_preset_alone():
+def test_eq_1_is_divided_by_the_clearance_demanded():
     demanded = 2 * (2.2 * 1.6 - 1.2 * 0.6)
-    assert chain_of("paper").p.divisor.tolist() == [1.0]
-    assert chain_of("paper-repaired").p.divisor.tolist() == pytest.approx([demanded])
+    for preset in ("paper", "paper-repaired"):
+        assert chain_of(preset).p.divisor.tolist() == pytest.approx([demanded])
     close = chain_of("paper", gap=0.4)  # 0.6 of the 1.0 m between them is shared, 1.6 m deep
     assert close.s.covered[0, 0] == pytest.approx(0.6 * 1.6, rel=1e-6)
-    assert close.s.costs[SPACE, 0] == pytest.approx(space_cost(close.s.covered[0].sum(), 1.0))
+    assert close.s.costs[SPACE, 0] == pytest.approx(space_cost(close.s.covered[0].sum(), demanded))
 
 
 @pytest.mark.parametrize("x", [-1.0, 0.0, 0.03, 2.0])

@@ -6,14 +6,16 @@ import math
 
 import numpy as np
 import pytest
+import shapely
 
-from scenewright.building.plan import plan_rooms
+from scenewright.building.plan import plan_rooms, spaces
 from scenewright.catalog.loading import catalog_of
+from scenewright.core.brief import Brief
 from scenewright.domains.home.attempt import build_task_problem
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.encodings.boxes import gene_bounds
 from scenewright.domains.home.energy import evaluate, explain
-from scenewright.domains.home.paper_problem import PAIRS
+from scenewright.domains.home.paper_problem import PAIRS, door_areas
 from scenewright.domains.home.presets import PAPER, PRESETS
 from scenewright.domains.home.problem import Ground, Problem, empty_items
 from scenewright.domains.home.solvers import paper_annealing
@@ -190,7 +192,8 @@ def test_the_genetic_algorithm_has_the_printed_parameters():
 def test_late_mutation_keeps_its_sigma(age):
     ga, rng, low = PaperGenetic(), np.random.default_rng(0), np.full(5, -50.0)
     state = ga.init(rng, low, -low)._replace(age=age)
-    moved = ga.mutate(np.zeros((20_000, 5)), state, rng)
+    mutated = rng.random(20_000) < ga.mutation
+    moved = ga.mutate(np.zeros((20_000, 5)), mutated, state, rng)
     steps = moved[moved != 0.0]
     assert steps.std() == pytest.approx(0.3, rel=0.03)
     assert len(steps) / 20_000 == pytest.approx(0.85, abs=0.01)
@@ -199,21 +202,44 @@ def test_late_mutation_keeps_its_sigma(age):
 def test_early_mutation_draws_from_the_whole_range():
     ga, rng, low = PaperGenetic(), np.random.default_rng(0), np.full(5, -50.0)
     state = ga.init(rng, low, -low)._replace(age=3)
-    moved = ga.mutate(np.zeros((20_000, 5)), state, rng)
+    moved = ga.mutate(np.zeros((20_000, 5)), np.ones(20_000, bool), state, rng)
     assert ((moved != 0.0).sum(axis=1) <= 1).all()
     drawn = moved[moved != 0.0]
     assert np.quantile(drawn, [0.25, 0.5, 0.75]) == pytest.approx([-25, 0, 25], abs=1.5)
 
 
-def test_the_best_of_a_generation_survives():
-    ga, rng, low = PaperGenetic(), np.random.default_rng(0), np.full(3, -1.0)
-    state = ga.init(rng, low, -low)
-    for _ in range(12):
-        asked, state = ga.ask(state, rng)
-        least = min(state.energies, default=math.inf)
-        state = ga.tell(state, asked, (asked**2).sum(axis=1))
-        assert len(state.genes) == 40
-        assert state.energies.min() <= least
+def test_the_best_is_selected_and_not_shielded_from_crossover_and_mutation():
+    rng, low = np.random.default_rng(0), np.full(3, -1.0)
+    kept = dict.fromkeys((0.0, 0.85), 0)
+    for rate in kept:
+        ga = PaperGenetic(mutation=rate, crossover=rate)
+        state = ga.init(rng, low, -low)
+        for _ in range(30):
+            asked, state = ga.ask(state, rng)
+            best = state.genes[state.energies.argmin()] if len(state.genes) else None
+            state = ga.tell(state, asked, (asked**2).sum(axis=1))
+            assert len(state.genes) == 40
+            kept[rate] += best is not None and (state.genes == best).all(axis=1).any()
+    assert kept[0.0] == 29
+    assert 0 < kept[0.85] < 29
+
+
+@pytest.mark.parametrize("width", [0.7, 0.9])
+def test_c3_charges_one_area_a_door(width):
+    door = {"at": [2.5, 0.0], "width": width, "swing": "in", "hinge": "left"}
+    outline = [[0, 0], [5, 0], [5, 5], [0, 5]]
+    room = {"id": "r", "function": "living", "outline": outline, "doors": [door]}
+    (space,) = spaces(Brief.model_validate({"rooms": [room]}))
+    found = door_areas(space)
+    assert found[:, 3:].prod(axis=1).sum() == pytest.approx(math.pi / 4 * width**2)
+    boxes = shapely.union_all(
+        [shapely.box(x - w / 2, y - d / 2, x + w / 2, y + d / 2) for x, y, _, w, d in found]
+    )
+    assert boxes.area == pytest.approx(math.pi / 4 * width**2)
+    doorway = shapely.box(2.5 - width / 2, 0, 2.5 + width / 2, 5)
+    discs = [shapely.Point(2.5 + k * width / 2, 0.0).buffer(width, 64) for k in (-1, 1)]
+    swept = max(boxes.intersection(disc).intersection(doorway).area for disc in discs)
+    assert swept > 0.96 * math.pi / 4 * width**2
 
 
 def test_roulette_draws_by_fitness():

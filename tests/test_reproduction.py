@@ -14,6 +14,7 @@ DEFAULTS = {
     HALL: "test_hall_as_printed",
     HOME: "test_home_as_printed",
     SITE: "test_site_as_printed",
+    "village": "test_traces",
     "extend": "test_extend_printed",
 }
 PACKAGES = {"extension": "extend"}

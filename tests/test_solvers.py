@@ -146,7 +146,7 @@ def test_roulette_prefers_the_fit_and_never_draws_the_worst():
 
 def test_crossover_keeps_the_sum_of_both_parents():
     genes = np.random.default_rng(0).normal(size=(6, 5))
-    children = cross(genes, 0.9, np.random.default_rng(1))
+    children = cross(genes, np.array([True, False, True]), np.random.default_rng(1))
     assert children[0::2] + children[1::2] == pytest.approx(genes[0::2] + genes[1::2])
     assert not np.allclose(children, genes)
 

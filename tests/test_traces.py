@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import json
 from itertools import pairwise
 from pathlib import Path
@@ -14,7 +15,10 @@ from scenewright.core.errors import InputError
 from scenewright.domains.extend.printed import PlotGrid
 from scenewright.domains.extend.solvers.ants import run_ants
 from scenewright.domains.extend.solvers.colony import breed
+from scenewright.domains.hall.solving import solve as solve_hall
+from scenewright.domains.home.solving import solve as solve_home
 from scenewright.domains.site.solving import solve as solve_site
+from scenewright.domains.village.solving import solve as solve_village
 from scenewright.engine.trace import Step
 from scenewright.workflow.arrange import arrange
 
@@ -143,3 +147,79 @@ def test_a_trace_of_a_solver_that_tells_nothing_is_refused(tmp_path: Path) -> No
     with pytest.raises(InputError, match="the solver 'anneal' tells no steps") as fault:
         arrange("sample:home-room", trace=tmp_path / "trace.jsonl")
     assert "paper-ga" in str(fault.value)
+
+
+def test_homes_are_bred_forty_by_a_hundred() -> None:
+    heard = list[Step]()
+    solve_home(sw.read("sample:home-room"), preset="paper", hear=heard.append)
+    bred = of_kind(heard, "generation")
+    assert [step.number for step in bred] == list(range(1, 101))
+    assert {len(step.facts["energies"]) for step in bred} == {40}
+    later = bred[1:]
+    crossed = sum(step.facts["crossed"] for step in later) / (20 * len(later))
+    mutated = sum(step.facts["mutated"] for step in later) / (40 * len(later))
+    assert crossed == pytest.approx(0.9, abs=0.03)
+    assert mutated == pytest.approx(0.85, abs=0.03)
+    assert [step.facts["mutation"] for step in bred].count("normal") == 49
+    assert any(min(b.facts["energies"]) > min(a.facts["energies"]) for a, b in pairwise(bred))
+    assert all(b.facts["best"] <= a.facts["best"] for a, b in pairwise(bred))
+
+
+def test_halls_make_a_thousand_iterations_with_their_energies_told() -> None:
+    heard = list[Step]()
+    solve_hall(sw.read("sample:hall-shop"), preset="paper", hear=heard.append)
+    begun, blocks, stop = heard[0], heard[1:-1], heard[-1]
+    assert begun.facts["settings"]["rate"] == 0.1
+    assert set(begun.facts["weights"]) == {"space", "fill", "access", "proportion"}
+    assert [step.facts["iterations"] for step in blocks] == list(range(50, 1001, 50))
+    assert stop.facts == {"reason": "the last iteration", "iterations": 1000}
+    accepted = [step.facts["accepted"] for step in blocks]
+    assert 0 < accepted[0] <= accepted[-1] < 1000
+    assert accepted == sorted(accepted)
+    assert blocks[-1].facts["step"] == 0.5 < blocks[0].facts["step"]
+
+
+def test_continue_is_asked_before_every_house() -> None:
+    heard = list[Step]()
+    village = sw.read("sample:village-hamlet")
+    solution = solve_village(village, preset="paper", hear=heard.append)
+    built, last = of_kind(heard, "house"), of_kind(heard, "continue")
+    assert [step.number for step in built] == list(range(1, len(built) + 1))
+    assert all(step.facts["odds"] >= 0.5 for step in built)
+    assert len(built) > 5
+    assert last[0].facts["odds"] < 0.5
+    assert heard[-1].facts["reason"] == "continue says stop"
+    houses = [piece for piece in solution.pieces if piece.group == "hamlet/houses"]
+    assert len(houses) <= len(built)
+
+
+def fields_of(tree: ast.Module) -> list[tuple[str, str]]:
+    """Fields of the classes of settings that a module defines."""
+    classes = [node for node in tree.body if isinstance(node, ast.ClassDef)]
+    return [
+        (one.name, line.target.id)
+        for one in classes
+        if one.name.endswith("Settings") or one.name == "PaperGenetic"
+        for line in one.body
+        if isinstance(line, ast.AnnAssign) and isinstance(line.target, ast.Name)
+    ]
+
+
+@pytest.mark.parametrize("domain", ["home", "hall", "site", "extend", "village"])
+def test_every_parameter_of_a_preset_is_read(domain: str, root: Path) -> None:
+    package = root / "src" / "scenewright"
+    shared = [package / "engine" / "genetic.py"] if domain == "home" else []
+    files = [*(package / "domains" / domain).rglob("*.py"), *shared]
+    trees = [ast.parse(file.read_text("utf-8")) for file in files]
+    read = {
+        node.attr
+        for tree in trees
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Attribute) and isinstance(node.ctx, ast.Load)
+    }
+    text = "".join(file.read_text("utf-8") for file in files)
+    fields = [field for tree in trees for field in fields_of(tree)]
+    moves = [name for owner, name in fields if owner == "BuildingMoveSettings"]
+    read |= {name for k, name in enumerate(moves) if f"drawn[{k}]" in text}  # by compiled code
+    assert len(fields) >= 5
+    assert not [f"{owner}.{name}" for owner, name in fields if name not in read]

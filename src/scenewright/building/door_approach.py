@@ -23,6 +23,7 @@ PASSAGE, SHARE = 0.9, 0.6  # kept free of a wide opening at least: metres, share
 LEAF = 0.04  # how thick a leaf is, metres
 WIDE = 1.2  # openings without a leaf wider than this need not stay free in full, metres
 HAIR = 0.001  # what an opening reaches into a room by rounding, metres
+STRIPS = 8  # boxes that stand for a quarter disc
 QUARTER = 0.71  # a little over the cosine of 45 degrees
 
 
@@ -100,6 +101,24 @@ def _beyond_face(gate: DoorApproach) -> float:
     x, y = opening.x - gate.face[0], opening.y - gate.face[1]
     off = float(x * gate.inward[0] + y * gate.inward[1]) + opening.thickness / 2
     return off if off > HAIR else 0.0
+
+
+def sweep_strips(gate: DoorApproach) -> list[list[float]]:
+    """Boxes side by side, as large together as the quarter disc that a leaf sweeps: each as wide as
+    the disc is in the mean over its depth."""
+    width = gate.opening.width
+    along = np.array([gate.opening.ux, gate.opening.uy]) * gate.opening.hinge
+    edges = np.linspace(0.0, 1.0, STRIPS + 1)
+    under = 0.5 * (edges * np.sqrt(1.0 - edges**2) + np.arcsin(edges))
+    wide, deep = width * STRIPS * np.diff(under), width / STRIPS
+    return [
+        before(
+            gate._replace(face=gate.face + along * (width - one) / 2 + gate.inward * deep * k),
+            float(one),
+            deep,
+        )
+        for k, one in enumerate(wide)
+    ]
 
 
 def _sweep(gate: DoorApproach) -> list[list[float]]:

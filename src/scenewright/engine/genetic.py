@@ -1,8 +1,9 @@
 """The paper's genetic algorithm (Liu et al. 2017), as ask / tell over a compiled energy.
 
 Real coding, 40 layouts, 100 generations; arithmetic crossover with probability 0.9; mutation
-with probability 0.85, of one gene, uniform in its range in the first half, then by a normal step;
-the best survives, the others are drawn by roulette on fitness C_max - C.
+with probability 0.85, of one gene, uniform in its range in the first half, then by a normal step.
+The best is selected, the others are drawn by roulette on fitness C_max - C; then all are crossed
+and mutated, the best too, as algorithm 1 prints it. The answer is the best that ever was.
 
 The paper leaves open what a generation of 40 is made of, and where early ends and late begins;
 here parents are paired as drawn, children replace them, and half the generations are early. σ = 0.3
@@ -19,13 +20,15 @@ from numpy.typing import NDArray
 from scenewright.engine.asked import Asked, join, lead_with
 
 Floats = NDArray[np.float64]
+Flags = NDArray[np.bool_]
 POPULATION = 40
 GENERATIONS = 100
 
 
 class Generation(NamedTuple):
     """Genes (P, m) with their energies (P,), their bounds (m,), the number of generations, all that
-    was asked, and the generation that waits to be rated."""
+    was asked, the generation that waits to be rated, and how many of its pairs were ``crossed`` and
+    of its layouts ``mutated``."""
 
     genes: Floats
     energies: Floats
@@ -34,6 +37,8 @@ class Generation(NamedTuple):
     age: int
     asked: Asked
     waiting: Floats
+    crossed: int = 0
+    mutated: int = 0
 
 
 def roulette(energies: Floats, count: int, rng: np.random.Generator) -> NDArray[np.int64]:
@@ -52,15 +57,16 @@ def roulette(energies: Floats, count: int, rng: np.random.Generator) -> NDArray[
     return wheel.searchsorted(rng.random(count) * wheel[-1], side="right")
 
 
-def cross(genes: Floats, rate: float, rng: np.random.Generator) -> Floats:
-    """Arithmetic crossover of rows 0 and 1, 2 and 3 …: αA + (1 - α)B and αB + (1 - α)A.
+def cross(genes: Floats, crossed: Flags, rng: np.random.Generator) -> Floats:
+    """Arithmetic crossover of rows 0 and 1, 2 and 3 …: αA + (1 - α)B and αB + (1 - α)A, of the
+    pairs that are ``crossed`` (n // 2,).
 
     ``genes`` (n, k).
     """
     half = len(genes) // 2
     a, b = genes[0 : 2 * half : 2], genes[1 : 2 * half : 2]
     share = rng.random((half, 1))
-    share[rng.random(half) >= rate] = 1.0
+    share[~crossed] = 1.0
     shift = (1.0 - share) * (b - a)
     children = genes.copy()
     children[0 : 2 * half : 2] += shift
@@ -85,22 +91,28 @@ class PaperGenetic(NamedTuple):
         return Generation(none, np.empty(0), low, high, 0, Asked(), none)
 
     def ask(self, state: Generation, rng: np.random.Generator) -> tuple[Floats, Generation]:
-        """The first generation at random but for given parents, each later one bred from the last;
-        the best stays. Those asked before are known, and not asked again."""
+        """The first generation at random but for given parents, each later one bred from the best
+        and others of the last. Those asked before are known, and not asked again."""
         if state.age == 0:
             drawn = rng.uniform(state.low, state.high, (self.population, len(state.low)))
             children = lead_with(self.parents, drawn, state.low, state.high)
         else:
-            parents = state.genes[roulette(state.energies, self.population, rng)]
-            children = self.mutate(cross(parents, self.crossover, rng), state, rng)
-            children[0] = state.genes[state.energies.argmin()]
+            drawn = roulette(state.energies, self.population - 1, rng)
+            parents = state.genes[[int(state.energies.argmin()), *drawn.tolist()]]
+            crossed = rng.random(len(parents) // 2) < self.crossover
+            mutated = rng.random(len(parents)) < self.mutation
+            children = self.mutate(cross(parents, crossed, rng), mutated, state, rng)
+            state = state._replace(crossed=int(crossed.sum()), mutated=int(mutated.sum()))
         if state.asked.is_known(children).all():
             children[-1] = rng.uniform(state.low, state.high)
         return state.asked.new_among(children), state._replace(waiting=children)
 
-    def mutate(self, genes: Floats, state: Generation, rng: np.random.Generator) -> Floats:
-        """One gene of each mutated row: drawn anew early, moved by a normal step later."""
-        rows = (rng.random(len(genes)) < self.mutation).nonzero()[0]
+    def mutate(
+        self, genes: Floats, mutated: Flags, state: Generation, rng: np.random.Generator
+    ) -> Floats:
+        """One gene of each row that is ``mutated``: drawn anew early, moved by a normal step
+        later."""
+        rows = mutated.nonzero()[0]
         columns = rng.integers(0, genes.shape[1], len(rows))
         low, high = state.low[columns], state.high[columns]
         if state.age <= self.generations // 2:

@@ -38,6 +38,7 @@ class Report(NamedTuple):
 Progress = Callable[[Report], None]
 Cancel = Callable[[], bool]
 Objective = Callable[[Floats], Floats]
+OnRound = Callable[[Any, int, float], None]
 
 
 class Budget(NamedTuple):
@@ -135,11 +136,13 @@ def run_population(
     watch: BudgetWatch,
     layout_of: Callable[[Floats], Any],
     rounds: int | None = None,
+    on_round: OnRound | None = None,
 ) -> tuple[Floats, Floats, int]:
     """Ask and tell until the budget (or ``rounds``) is spent.
 
     ``objective`` may leave genes unrated, as infinity or NaN, when the run is cancelled; they never
-    win. ``layout_of`` makes the layout that genes (m,) stand for, for the listener. Returns the
+    win. ``layout_of`` makes the layout that genes (m,) stand for, for the listener; ``on_round``
+    gets the state after each round, the evaluations made and the least energy. Returns the
     last population and every best on the way, as genes (k, m) best first, with their energies
     (k,), and the evaluations made.
     """
@@ -159,6 +162,8 @@ def run_population(
         if energies[first] < least[-1] or not records:
             records.append(genes[first].copy())
             least.append(float(energies[first]))
+        if on_round is not None:
+            on_round(state, done, least[-1])
         if watch.over(done, least[-1], lambda: layout_of(records[-1])) or count == rounds:
             seen = np.concatenate([np.array(records).reshape(-1, len(low)), genes])
             rated = np.concatenate([least[1:], energies])

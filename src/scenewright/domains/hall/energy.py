@@ -1,7 +1,7 @@
 """Energy of halls: from a problem to arrays for kernels, one layout's energy and its parts.
 
-As printed, eq. 1 takes square metres of covered clearance without the divisor β, and δ of eq. 3
-sums footprints and clearances, which stay the same wherever a group stands.
+Eq. 1 divides covered clearance by β, the clearance demanded, which the paper defines below it. As
+printed, δ of eq. 3 sums footprints and clearances, which stay the same wherever a group stands.
 """
 
 from __future__ import annotations
@@ -209,7 +209,7 @@ def _unit_arrays(units: Units, printed: bool) -> dict[str, Any]:
         "choices": choices,
         "wall_bound": (choices[:, WALL] * (choices.sum(axis=1) == 1)).astype(np.int64),
         "beta": np.maximum(beta, 1e-9),
-        "divisor": np.ones(len(spans)) if printed else np.maximum(beta, 1e-9),
+        "divisor": np.maximum(beta, 1e-9),
         "constant": constant,
         "iota": clear.max(1, initial=0.0),
         "largest": largest,

@@ -33,7 +33,7 @@ PRESETS: dict[str, HallPreset] = {
         HallSettings(whole=True, printed=True),
     ),
     "paper-repaired": Preset(
-        "the same with the divisor of eq. 1 and the extents of eq. 3 repaired",
+        "the same with the extents of eq. 3 repaired",
         "gd-mh",
         1000,
         PAPER,

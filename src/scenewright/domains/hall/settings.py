@@ -144,7 +144,7 @@ class OtherPlansSettings(NamedTuple):
 
 
 class HallSettings(NamedTuple):
-    """Whether groups stay ``whole``, whether eqs. 1 and 3 stand as ``printed``, and whether
+    """Whether groups stay ``whole``, whether eq. 3 stands as ``printed``, and whether
     counters stand ``lined`` up at walls where the brief leaves that open; how demands are made to
     fit, chains anneal and move, the paper's chain runs, attempts follow one another, borders move,
     zones are proposed and plans differ."""

@@ -172,7 +172,7 @@ def _build_task_problem(
     )
     problem = problem._replace(settings=preset.settings)
     if preset.settings.paper:
-        return as_in_paper(problem, wishes, task.library)
+        return as_in_paper(problem, wishes, task.space, task.library)
     items = raise_tall_items(problem.items, wishes, ground)
     items = at_places(items, wishes, task.space, task.fixed, task.library)
     weights = scale_area_weights(preset.weights, items)

@@ -22,15 +22,18 @@ from scenewright.domains.hall.solvers.printed_metropolis import run_printed
 from scenewright.domains.hall.solvers.start import copy_frames, leave_refused_walls, place_units
 from scenewright.domains.hall.terms.place import build
 from scenewright.domains.hall.terms.state import Kept, PreparedHall, Scratch, State, make_scratch
-from scenewright.domains.hall.terms.table import REACH
+from scenewright.domains.hall.terms.table import HALL_TERMS, PRINTED, REACH
 from scenewright.domains.hall.terms.whole import measure_all
 from scenewright.engine.draws import Stream, streams
 from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Found, Progress
+from scenewright.engine.trace import tell
 from scenewright.geometry.flood import Bits
 from scenewright.geometry.paths import RouteGrid
 
 SLICE, MOST = 256, 512
 """Steps of a chain between two reports: at first, and at most where the steps are stated."""
+TOLD = 50
+"""Iterations of the paper's chain told at once."""
 BREATH = 0.05
 """Seconds between two reports at most."""
 
@@ -171,12 +174,39 @@ def gd_mh(
     chain = begin_chain(problem, start, streams(seed, 1)[0])
     rate = problem.settings.guided.rate
     schedule = np.array([rate, rate, float(steps), 0.0])
-    made, stuck = 0, np.zeros(len(chain.p.spans), np.int64)
+    made, stuck, block = 0, np.zeros(len(chain.p.spans), np.int64), 0
+    weights = {row.name: float(chain.p.weights[row.number]) for row in HALL_TERMS}
+    named = {name: weight for name, weight in weights.items() if weight}
+    tell(budget.hear, "begin", 0, settings=problem.settings.guided, weights=named, budget=steps)
     while made < steps and not _is_over(watch, [chain], made):
-        length = min(SLICE, steps - made)
+        length = min(TOLD, steps - made)
         _advance_printed(chain, schedule, stuck, made, length)
-        made += length
+        made, block = made + length, block + 1
+        tell_chain(budget, chain, block, made, steps)
+    reason = "the last iteration" if made >= steps else "cancelled, or out of time"
+    tell(budget.hear, "stop", block, reason=reason, iterations=made)
     return Found((layout_of(chain),), max(made, 1))
+
+
+def tell_chain(budget: Budget, chain: HallChain, block: int, made: int, steps: int) -> None:
+    """Tell a block of iterations of the paper's chain: iterations and acceptances so far, the
+    energy of its layout now and of its best, the four energies now as measured, the greatest step
+    in metres, and the partitions that stand."""
+    if budget.hear is None:
+        return
+    measured = {row.name: chain.s.costs[row.number] for row in HALL_TERMS if row.name in PRINTED}
+    tell(
+        budget.hear,
+        "iterations",
+        block,
+        iterations=made,
+        accepted=int(chain.tally[3]),
+        energy=chain.tally[0],
+        best=chain.tally[2],
+        step=max(1.0 - (made - 1) / steps, 0.5),
+        walls=int((chain.s.partitions[:, 1] > chain.s.partitions[:, 0]).sum()),
+        **{name: float(costs[np.isfinite(costs)].sum()) for name, costs in measured.items()},
+    )
 
 
 def anneal_hall(

@@ -33,8 +33,8 @@ class PreparedHall(NamedTuple):
     ``stretches`` (s, 7): x0, y0, unit direction, length, zone and what to leave free at its start
     in corners (1 or 0); the last 2 p rows are the two sides of the p hosts, without length.
     ``loops`` lists the stretches of zone z at rows ``loop_spans[z]``. ``unit_of`` (n,);
-    ``beta`` (g,) clearance demanded, ``divisor`` (g,) what covered clearance is divided by (1 as
-    printed), ``constant`` (g,) floor a unit uses wherever it stands (as printed; negative: its
+    ``beta`` (g,) clearance demanded, ``divisor`` (g,) what covered clearance is divided by (β),
+    ``constant`` (g,) floor a unit uses wherever it stands (as printed; negative: its
     extent), ``iota`` (n,) greatest clear depth, ``largest`` (g, 2)
     width and depth of the largest object, ``gaps`` (g, 2) along and across that keep
     clearances apart, ``near`` (g,) least radius of a fan, ``targets`` (g,) units looked at;

@@ -14,6 +14,7 @@ from scenewright.engine.solve import (
     Cancel,
     Floats,
     Found,
+    OnRound,
     PopulationSolver,
     Progress,
     distinct,
@@ -29,8 +30,10 @@ def over_genes(
     progress: Progress | None,
     cancel: Cancel | None,
     rounds: int | None,
+    on_round: OnRound | None = None,
 ) -> Found[Layout]:
-    """Ask and tell over genes (P, 5 n) with the compiled energy, ``rounds`` times at most."""
+    """Ask and tell over genes (P, 5 n) with the compiled energy, ``rounds`` times at most;
+    ``on_round`` as of :func:`scenewright.engine.solve.run_population`."""
     n = len(problem.items.low)
     low, high = gene_bounds(problem)
     p, grid = prepare(problem), route_grid(problem, 0.1)
@@ -50,5 +53,6 @@ def over_genes(
         BudgetWatch(budget, progress, cancel),
         layout_of,
         rounds,
+        on_round,
     )
     return Found(distinct(to_boxes(genes.reshape(-1, n, 5)), energies), done)

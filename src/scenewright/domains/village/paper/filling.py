@@ -36,9 +36,12 @@ from scenewright.domains.village.paper.views import (
 )
 from scenewright.domains.village.problem import VillageProblem
 from scenewright.domains.village.standing import Floats, StandingHouses
+from scenewright.engine.trace import Hear, tell
 
 MOST, TRIES, SEEN = 150, 12, 160
 """Houses of a block at most, places tried for one, candidates looked at."""
+LIKELY = 0.5
+"""Odds of *continue* from which on another house follows."""
 DOOR = 2.5
 """Metres that a side must have for a door, if any has them."""
 
@@ -60,37 +63,46 @@ def fill_as_paper(
     problem: VillageProblem,
     rng: np.random.Generator,
     goes_on: Callable[[PaperFilling], bool] | None = None,
+    hear: Hear | None = None,
 ) -> PaperFilling:
-    """The houses put on a block until *continue* says stop, or as many as are asked for;
-    ``goes_on`` gets what stands and may end it."""
+    """The houses put on a block until *continue* says stop, at most as many as are asked for;
+    ``goes_on`` gets what stands and may end it, ``hear`` every step (*continue*'s odds, the classes
+    drawn, what was retrieved)."""
     frame, free = frame_of(problem.floor, PIXELS), problem.floor.difference(problem.kept_free)
     shapely.prepare(free)
     candidates = list_candidates(problem.houses)
     houses = tell_standing(problem.fixed, problem.streets)
-    found = PaperFilling((), ())
-    while len(found.houses) < MOST and (goes_on is None or goes_on(found)):
-        view = paint(frame, problem.floor, houses)
-        if not _is_another(nets, problem, houses, view):
+    found, reason = PaperFilling((), ()), f"{MOST} houses stand"
+    tell(hear, "begin", 0, pixels=PIXELS, candidates=len(candidates), standing=len(houses.bases))
+    while len(found.houses) < MOST:
+        if goes_on is not None and not goes_on(found):
+            reason = "cancelled"
+            break
+        view, number = paint(frame, problem.floor, houses), len(found.houses) + 1
+        odds = odds_of_another(nets, view)
+        if odds < LIKELY or _is_enough(problem, houses):
+            reason = "continue says stop" if odds < LIKELY else "as much stands as is asked for"
+            tell(hear, "continue", number, odds=odds, another=False)
             break
         placed = _place(nets, problem.floor, free, frame, houses, view, candidates, rng)
         if placed is None:
+            reason = f"no place found in {TRIES} tries"
             break
         chosen, at = placed
+        house = {"house": chosen.number, "classes": chosen.house.classes, "pose": at.pose}
+        tell(hear, "house", number, odds=odds, another=True, **house)
         found = PaperFilling((*found.houses, chosen.number), (*found.poses, at.pose))
         houses = _with(houses, at, chosen.house.classes)
+    tell(hear, "stop", len(found.houses), reason=reason)
     return found
 
 
-def _is_another(
-    nets: PaperWeights, problem: VillageProblem, houses: PaperHouses, view: np.ndarray
-) -> bool:
-    """Whether another house follows: by what is asked for, else by *continue*."""
+def _is_enough(problem: VillageProblem, houses: PaperHouses) -> bool:
+    """Whether as much stands as is asked for, where a brief says how much."""
     if problem.asked is not None:
-        return len(houses.footprints) < problem.asked
-    if problem.coverage is not None:
-        covered = float(shapely.area(houses.footprints).sum())
-        return covered < problem.coverage * problem.floor.area
-    return odds_of_another(nets, view) >= 0.5
+        return len(houses.footprints) >= problem.asked
+    covered = float(shapely.area(houses.footprints).sum())
+    return problem.coverage is not None and covered >= problem.coverage * problem.floor.area
 
 
 def list_candidates(houses: Sequence[House]) -> list[_Candidate]:

@@ -13,6 +13,7 @@ from scenewright.domains.village.problem import VillageFound, VillageLayout, Vil
 from scenewright.domains.village.solvers.growing import grow_several
 from scenewright.engine.growing import OnGrowth
 from scenewright.engine.solve import Budget, Cancel, Progress
+from scenewright.engine.trace import Hear
 
 
 def fill_by_paper(
@@ -24,16 +25,20 @@ def fill_by_paper(
 ) -> VillageFound:
     """Houses by *continue*, *category*, *location*, *orientation* and retrieval, one by one; those
     that no way leads to are taken away. One step is one layout."""
-    make = partial(_fill, problem, read_paper_nets())
+    make = partial(_fill, problem, read_paper_nets(), budget.hear)
     return grow_several(problem, make, budget, seed, progress, cancel)
 
 
 def _fill(
-    problem: VillageProblem, nets: PaperWeights, rng: np.random.Generator, on_growth: OnGrowth
+    problem: VillageProblem,
+    nets: PaperWeights,
+    hear: Hear | None,
+    rng: np.random.Generator,
+    on_growth: OnGrowth,
 ) -> VillageLayout:
     def goes_on(filled: PaperFilling) -> bool:
         share = len(filled.houses) / max(problem.asked or MOST, 1)
         return not on_growth(share, partial(layout_of, problem, filled.houses, filled.poses))
 
-    found = fill_as_paper(nets, problem, rng, goes_on)
+    found = fill_as_paper(nets, problem, rng, goes_on, hear)
     return layout_of(problem, found.houses, found.poses)
