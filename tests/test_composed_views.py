@@ -18,9 +18,7 @@ from scenewright.domains.home import drafts
 from scenewright.domains.home.attempt import FurnishedGroup
 from scenewright.domains.home.composing.case_faults import find_case_faults
 from scenewright.domains.home.composing.forms import cost_of_case
-from scenewright.domains.home.composing.fronts import measure_share
 from scenewright.domains.home.composing.modest import find_shortage
-from scenewright.domains.home.composing.placed_faults import cost_of_crowding
 from scenewright.domains.home.composing.views import cost_of_view, is_unseen, measure_turn
 from scenewright.domains.home.furnishing.furnish import FurnishedPatch
 from scenewright.domains.home.groups.dining import dining_wall, tables_with_stools
@@ -28,6 +26,12 @@ from scenewright.domains.home.groups.living import shelf
 from scenewright.domains.home.groups.sleeping import narrow_sides
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.programme import Wish
+from scenewright.domains.home.rules.weigh_home import (
+    compile_table,
+    find_rows,
+    list_faults,
+    sum_rows,
+)
 from scenewright.domains.home.solving import solve
 from scenewright.formats import read
 
@@ -57,9 +61,15 @@ def test_what_stands_before_a_wardrobe_counts_by_the_doors_it_shuts():
     wardrobe = piece("wardrobe", 0.0, 0.0, 2.0, 0.6)
     half = piece("chest_of_drawers", 0.525, 0.5, 1.0, 0.45)
     beside = piece("chest_of_drawers", 0.0, 1.6, 1.0, 0.45)
-    assert measure_share(wardrobe, [wardrobe, half]) == pytest.approx(0.5)
-    assert measure_share(wardrobe, [wardrobe, beside]) == 0.0
-    assert measure_share(wardrobe, [piece("office_chair", 0.525, 0.0, 0.6, 0.6)]) == 0.0
+    chair = piece("office_chair", 0.525, 0.5, 0.6, 0.6)
+
+    def measure_share(other: Piece) -> float:
+        rows = compile_table(find_rows("doors"))
+        faults = list_faults(rows, (_group("chest", other),), (wardrobe,))
+        return sum(fault.degree for fault in faults)
+
+    assert measure_share(half) == pytest.approx(0.5)
+    assert measure_share(beside) == measure_share(chair) == 0.0
 
 
 def _floor(case: Group, member: Member) -> shapely.Polygon:
@@ -212,7 +222,9 @@ def test_a_sofa_at_the_chairs_of_a_table_crowds_it():
     table = _group("dining", piece("dining_table", 0.0, 0.0, 0.8, 1.2), box=(0, 0, 0, 1.8, 1.2))
 
     def cost(x: float, category: str) -> float:
-        return cost_of_crowding((table, _group("seating", piece(category, x, 0, 2.0, 0.9))), 10.0)
+        return 10.0 * sum_rows(
+            ("crowded",), (table, _group("seating", piece(category, x, 0, 2.0, 0.9)))
+        )
 
     assert cost(1.0, "sofa") > cost(1.15, "sofa") > 5.0
     assert cost(1.3, "sofa") == cost(1.0, "tv_stand") == 0.0

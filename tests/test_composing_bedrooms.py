@@ -18,15 +18,15 @@ from scenewright.domains.home.closets import has_closet
 from scenewright.domains.home.composing.bed_places import are_adrift
 from scenewright.domains.home.composing.case_faults import find_case_faults
 from scenewright.domains.home.composing.forms import cost_of_case, list_further
-from scenewright.domains.home.composing.fronts import cost_of_fronts
 from scenewright.domains.home.composing.judging import judge_of
-from scenewright.domains.home.composing.placed_faults import cost_of_group, find_darkness
+from scenewright.domains.home.composing.placed_faults import cost_of_group
 from scenewright.domains.home.composing.wardrobes import trim_wardrobe
 from scenewright.domains.home.furnishing.furnish import FurnishedPatch
 from scenewright.domains.home.furnishing.window_dressing import dress_windows
 from scenewright.domains.home.ground import ground_of
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.programme import Wish
+from scenewright.domains.home.rules.weigh_home import sum_rows
 from scenewright.domains.home.solving import prepare_rooms, solve
 from scenewright.geometry.flanks import measure_flank_gaps
 
@@ -134,8 +134,8 @@ def test_what_stands_before_the_doors_of_a_built_in_wardrobe_counts():
     before, beside = (Piece("b", "bed", "", "a", Pose(x, 0, 0, 0), Size(1, 1, 0.5)) for x in (1, 3))
     for bed, cost in ((before, True), (beside, False)):
         group = _bed_at(0.0)._replace(pieces=(bed,))
-        assert (cost_of_fronts((group,), 8.0, (wardrobe,)) > 0.0) == cost
-        assert cost_of_fronts((group,), 8.0) == 0.0
+        assert (sum_rows(("doors",), (group,), None, (wardrobe,)) > 0.0) == cost
+        assert sum_rows(("doors",), (group,)) == 0.0
 
 
 def _bed_at(y):
@@ -145,6 +145,10 @@ def _bed_at(y):
     return FurnishedGroup(
         Wish("single", 0), "single", FurnishedPatch(CASE, box, (True,), 0), (piece,)
     )
+
+
+def find_darkness(desk, ground):
+    return sum_rows(("dark",), (_bed_at(0.0)._replace(pieces=(desk,)),), ground)
 
 
 def test_a_desk_away_from_the_window_costs_the_more_the_farther_it_is():

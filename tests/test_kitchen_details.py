@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -9,30 +10,28 @@ import pytest
 
 from scenewright.core.scene import Pose
 from scenewright.domains import check
+from scenewright.domains.home.attempt import FurnishedGroup
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.case_faults import find_case_faults
 from scenewright.domains.home.composing.forms import cost_of_case, list_forms, list_further
-from scenewright.domains.home.composing.kitchen_faults import (
-    cost_of_stand,
-    cost_of_table,
-    cost_of_washer,
-)
+from scenewright.domains.home.composing.kitchen_faults import cost_of_places
 from scenewright.domains.home.composing.kitchens.corners import list_round_corners
 from scenewright.domains.home.composing.kitchens.fitted import FreeWalls, list_steps
 from scenewright.domains.home.composing.kitchens.free_walls import list_stretches
 from scenewright.domains.home.composing.kitchens.slits import SLIT, Slit, close_slits, widen_end
 from scenewright.domains.home.composing.modest import find_few_places
 from scenewright.domains.home.composing.moving import dress_group, make_unplaced
-from scenewright.domains.home.composing.placed_faults import NEAR_DOOR, find_darkness
 from scenewright.domains.home.composing.wet_rooms import _list_forms, _pick_forms
 from scenewright.domains.home.composing.widening import widen_groups
 from scenewright.domains.home.furnishing.furnish import FurnishedPatch
 from scenewright.domains.home.groups.fitted_kitchen import width_of
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.programme import Wish
+from scenewright.domains.home.rules.every import NEAR_DOOR
+from scenewright.domains.home.rules.weigh_home import sum_rows
 from scenewright.domains.home.settings import MERE_KITCHEN, fit_settings
 from scenewright.domains.home.solving import solve
-from test_kitchen_rooms import NOTHING, Stood, held, kitchen, task_of
+from test_kitchen_rooms import NOTHING, WASHER, Stood, held, kitchen, task_of
 from test_wet_rooms import run, stood
 from test_wet_rooms import task_of as task_of_room
 
@@ -49,7 +48,8 @@ def test_the_table_of_a_large_kitchen_seats_six_in_daylight(large):
     assert len(held(large, "dining_chair", "stool")) >= 6
     (table,) = held(large, "dining_table", "round_table")
     ground = task_of(kitchen(wide=4.0, deep=4.5)).ground
-    assert find_darkness(table, ground) < 0.5
+    group = FurnishedGroup(Wish("dining", 0), "dining", None, (table,))
+    assert sum_rows(("dim_table",), (group,), ground) < 0.5
     assert check(large).valid
 
 
@@ -100,9 +100,14 @@ def with_table(x, y, *others):
     box = np.array([x, y, -np.pi / 2, case.width, case.depth])
     dressed = FurnishedPatch(case, box, tuple(True for _ in case.members), 0)
     piece = Stood("dining_wall", "dining_table", x, 1.2).pieces[0]
-    table = SimpleNamespace(wish=Wish("dining_wall", 1), dressed=dressed, pieces=(piece,))
-    table.pieces = (SimpleNamespace(category="dining_table", pose=Pose(x, y, 0, 0)),)
-    return (table, *others)
+    piece = replace(piece, pose=Pose(x, y, 0, 0))
+    return (FurnishedGroup(Wish("dining_wall", 1), "dining_wall", dressed, (piece,)), *others)
+
+
+def cost_of_table(groups, ground, costs):
+    rows = ("beside_clothes", "dim_table")
+    places = cost_of_places(groups, ground, costs.few_places)
+    return places + sum_rows(rows, groups, ground, (), costs)
 
 
 def test_tables_off_the_window_and_beside_a_wardrobe_cost():
@@ -134,15 +139,16 @@ def test_a_washing_machine_beside_the_fridge_costs_half():
     run = Stood("kitchen", "sink_cabinet", 0.3, 0.6)
     fridge = Stood("kitchen", "fridge", 0.9, 0.6)
     run.pieces += fridge.pieces
-    assert cost_of_washer((run, Stood("washer", "washing_machine", 1.5, 0.6)), 14.0) == 7.0
-    assert cost_of_washer((run, Stood("washer", "washing_machine", -0.3, 0.6)), 14.0) == 0.0
+    assert sum_rows(WASHER, (run, Stood("washer", "washing_machine", 1.5, 0.6))) == 0.5
+    assert sum_rows(WASHER, (run, Stood("washer", "washing_machine", -0.3, 0.6))) == 0.0
 
 
 @pytest.mark.parametrize(("x", "cost"), [(1.2, 6.0), (2.0, 0.0)])
 def test_a_stand_beside_a_run_costs(x, cost):
     media = Stood("media", "tv_stand", x, 0.9)
     media.dressed = SimpleNamespace(box=np.array([x, 0.3, np.pi / 2, 0.9, 0.4]))
-    assert cost_of_stand((Stood("kitchen", "sink_cabinet", 0.3, 0.6), media), 6.0) == cost
+    groups = (Stood("kitchen", "sink_cabinet", 0.3, 0.6), media)
+    assert 6.0 * sum_rows(("beside_run",), groups) == cost
 
 
 def test_arms_leave_a_machine_its_place():

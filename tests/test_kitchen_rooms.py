@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
@@ -11,13 +13,13 @@ from scenewright.core.brief import Ask, Brief, Room
 from scenewright.core.layout import NamedBox
 from scenewright.domains import check, solution_of
 from scenewright.domains.home.composing.flush import list_flush
-from scenewright.domains.home.composing.kitchen_faults import cost_of_fridge, cost_of_washer
 from scenewright.domains.home.composing.kitchens.fitted import list_round_corners
 from scenewright.domains.home.composing.kitchens.free_walls import list_stretches
 from scenewright.domains.home.composing.kitchens.ways import is_walked, ways_of
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles, standing_of
 from scenewright.domains.home.groups.kitchen import sequence
 from scenewright.domains.home.presets import PRESETS
+from scenewright.domains.home.rules.weigh_home import sum_rows
 from scenewright.domains.home.solving import prepare_rooms, solve
 from scenewright.domains.home.wall_places import read_walls
 
@@ -121,6 +123,9 @@ def test_a_run_has_as_many_rings_as_leave_it_its_worktop(length, hob):
     assert max(wide for name, wide in units if name in UNITS[:2]) >= 0.6 - 1e-9
 
 
+WASHER = ("washer_alone", "washer_at_fridge")
+
+
 class Stood:
     """A group of one piece at a place."""
 
@@ -128,7 +133,8 @@ class Stood:
         from scenewright.core.scene import Piece, Pose, Size
         from scenewright.domains.home.programme import Wish
 
-        self.wish, size = Wish(name, 0), Size(wide, 0.6, 0.85)
+        self.name, self.wish, size = name, Wish(name, 0), Size(wide, 0.6, 0.85)
+        self.dressed = SimpleNamespace(box=np.array([x, 0.3, np.pi / 2, wide, 0.6]))
         pose = Pose(x, 0.3, 0.0, np.pi / 2)
         self.pieces = (Piece(name, category, "", "kitchen", pose, size),)
 
@@ -139,8 +145,8 @@ def test_a_washing_machine_away_from_the_run_costs(x, cost):
         Stood("kitchen", "sink_cabinet", 0.3, 0.6),
         Stood("washer", "washing_machine", x, 0.6),
     )
-    assert cost_of_washer(groups, 14.0) == cost
-    assert cost_of_washer(groups[1:], 14.0) == 0.0
+    assert 14.0 * sum_rows(WASHER, groups) == cost
+    assert sum_rows(WASHER, groups[1:]) == 0.0
 
 
 @pytest.mark.parametrize(
@@ -149,9 +155,10 @@ def test_a_washing_machine_away_from_the_run_costs(x, cost):
 def test_a_fridge_of_its_own_away_from_the_units_costs(x, wide, cost):
     groups = Stood("kitchenette", "sink_cabinet", 0.3, 0.6), Stood("fridge", "fridge", x, 0.6)
     task = task_of(kitchen(wide=wide))
-    rule = task.preset.settings.composing
-    assert cost_of_fridge(groups, task.ground, rule) == pytest.approx(cost)
-    assert cost_of_fridge(groups[1:], task.ground, rule) == 0.0
+    costs = task.preset.settings.composing.costs
+    away = sum_rows(("fridge_away",), groups, task.ground, (), costs)
+    assert away == pytest.approx(cost)
+    assert sum_rows(("fridge_away",), groups[1:], task.ground) == 0.0
 
 
 def test_arms_round_a_corner_hold_sinks_as_wide_as_they_are():

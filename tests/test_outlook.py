@@ -10,10 +10,11 @@ import pytest
 from scenewright.core.catalog import Group
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains.home.attempt import FurnishedGroup
-from scenewright.domains.home.composing.outlook import AHEAD, cost_of_outlook
 from scenewright.domains.home.furnishing.furnish import FurnishedPatch
 from scenewright.domains.home.problem import Ground
 from scenewright.domains.home.programme import Wish
+from scenewright.domains.home.rules.living import AHEAD
+from scenewright.domains.home.rules.weigh_home import sum_rows
 
 NONE = np.zeros((0, 5))
 
@@ -38,6 +39,10 @@ CORNER = _group("seating", "corner_sofa", Pose(0.4, 0.0, 0.0, 0.0), Size(2.4, 1.
 
 def _bed_at(x: float, y: float = 0.0) -> FurnishedGroup:
     return _group("sleeping", "double_bed", Pose(x, y, 0.0, pi), Size(1.6, 2.0, 0.5))
+
+
+def cost_of_outlook(groups, ground, cost, fixed=()):
+    return cost * sum_rows(("outlook", "feet"), groups, ground, fixed)
 
 
 def test_a_bed_before_a_sofa_costs_the_more_the_nearer_it_is():

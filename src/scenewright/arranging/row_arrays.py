@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.arranging.rows import Class, Row
+from scenewright.arranging.rows import Class, Row, is_lone
 
 Floats = NDArray[np.float64]
 Marks = NDArray[np.int8]
@@ -43,7 +43,7 @@ class Table(NamedTuple):
 
 
 def compile_rows(rows: Sequence[Row], costs: Mapping[str, float]) -> Table:
-    """A table of rows whose costs are numbers or names of ``costs``."""
+    """A table of rows whose costs are numbers or names of ``costs``; one that is not there is 1."""
     classes = [each for row in rows for each in (row.of, row.to)]
     kinds = _number(k for c in classes for k in (*c.kinds, *(c.but or ()), *c.hung))
     groups = _number((g for c in classes for g in (*c.groups, *c.outside)), len(kinds) + 1)
@@ -63,10 +63,10 @@ def _number(names: Iterable[str], first: int = 0) -> dict[str, int]:
 def _read_numbers(row: Row, costs: Mapping[str, float]) -> list[float]:
     """The columns of a row."""
     of, to, r = row.of, row.to, row.relation
-    cost = costs[row.cost] if isinstance(row.cost, str) else row.cost
-    pieces = to.but is not None or bool(to.kinds or to.groups)
+    cost = costs.get(row.cost, 1.0) if isinstance(row.cost, str) else row.cost
+    code, pieces = CODES.get(r.name, ZONE), not is_lone(row)
     return [
-        *(CODES.get(r.name, ZONE), r.side, row.metres, cost * row.times, r.per, r.grade, r.unseen),
+        *(code, r.side, row.metres, cost * row.times, r.per, r.grade, r.unseen),
         *(r.each, r.within, r.wide, r.inset, r.start, r.turned, r.full, to.parts, row.area),
         *(row.tight, row.fixed, row.joined, of.below, of.floor, to.below, to.floor, pieces),
     ]

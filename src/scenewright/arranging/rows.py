@@ -8,7 +8,6 @@ sentence what is wrong.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from math import inf
 from typing import NamedTuple
 
@@ -67,7 +66,8 @@ class Row(NamedTuple):
     ``times``; in rooms of less than ``area`` square metres ``tight`` times that. ``only`` in rooms
     of just these functions. ``fixed``: what stands already is held to it too. ``late``: it is
     weighed once a home is furnished, not while a room is composed. A row that is ``joined`` has one
-    degree with the row before it, the larger of both. ``says`` is what is wrong where it does not
+    degree with the row before it, the larger of both. ``moves``: its group is placed anew for it.
+    ``says`` is what is wrong where it does not
     hold, with ``{of}``, ``{to}`` and ``{metres}``."""
 
     id: str
@@ -82,10 +82,11 @@ class Row(NamedTuple):
     times: float = 1.0
     area: float = 0.0
     tight: float = 0.0
-    only: frozenset[str] = frozenset()
+    only: tuple[str, ...] = ()
     fixed: bool = False
     late: bool = False
     joined: bool = False
+    moves: bool = True
 
 
 def clear(
@@ -164,6 +165,6 @@ def say(row: Row, of: str = "", to: str = "") -> str:
     return row.says.format(of=of or row.of.words, to=to or row.to.words, metres=metres)
 
 
-def list_late(rows: Iterable[Row], late: bool) -> tuple[Row, ...]:
-    """The rows that are weighed late, or those that are not."""
-    return tuple(row for row in rows if row.late == late)
+def is_lone(row: Row) -> bool:
+    """Whether a row is about pieces and their room alone, whatever else is there."""
+    return row.to.but is None and not (row.to.kinds or row.to.groups)

@@ -26,7 +26,6 @@ from scenewright.domains.home.composing.judging import (
     judge_of,
     sum_faults,
 )
-from scenewright.domains.home.composing.kitchen_faults import cost_of_fridge
 from scenewright.domains.home.composing.kitchens.reform import (
     AMPLE,
     as_whole,
@@ -41,6 +40,7 @@ from scenewright.domains.home.composing.pairs import find_pair, list_pair_starts
 from scenewright.domains.home.composing.placed_faults import list_standing
 from scenewright.domains.home.composing.trials import take_best, try_forms
 from scenewright.domains.home.groups.classes import TABLES
+from scenewright.domains.home.rules.weigh_home import sum_rows
 
 COMPACT = 2.5  # of front, of a kitchen that leaves its wall to others, metres
 MACHINE = 0.64  # of wall for a washing machine beside a run, metres
@@ -137,15 +137,16 @@ def _list_kitchens(
         steps += bool(better)
         if steps == 2:
             break
-    if not is_mere_kitchen(task) and cost_of_fridge(placed, task.ground, rule) + _is_lone(run):
+    if not is_mere_kitchen(task) and _has_far_fridge(task, placed, run):
         for step in islice(list_fitted(task, (), run, frozenset(), longest=COMPACT), 1):
             better = [j for j in step(inf) if sum_faults(task, j.placed) < faults]
             yield from better[: rule.starts]
 
 
-def _is_lone(run: FurnishedGroup) -> bool:
+def _has_far_fridge(task: RoomTask, placed: Placed, run: FurnishedGroup) -> bool:
     """Whether the fridge of a kitchen stands by itself."""
-    return any(name == "fridge_alone" for name, _ in find_case_faults(list_standing(run)))
+    away = sum_rows(("fridge_away",), placed, task.ground) > 0.0
+    return away or any(name == "fridge_alone" for name, _ in find_case_faults(list_standing(run)))
 
 
 def _lay_out_pair(

@@ -17,13 +17,13 @@ from numpy.typing import NDArray
 from scenewright.core.catalog import Group, Member
 from scenewright.core.scene import Piece, Size
 from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask
-from scenewright.domains.home.composing.fronts import cost_of_fronts
 from scenewright.domains.home.composing.judging import Placed
 from scenewright.domains.home.composing.moving import dress_group
 from scenewright.domains.home.composing.placed_faults import measure_before_doors
 from scenewright.domains.home.furnishing.furnish import world
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.domains.home.furnishing.whole import Gone
+from scenewright.domains.home.rules.weigh_home import sum_rows
 from scenewright.domains.home.second_try import Opened
 from scenewright.geometry.fit import is_backed
 
@@ -99,7 +99,7 @@ def _stands_in_front(task: RoomTask, placed: Placed) -> float:
     """What stands before doors of wardrobes, and metres of wide doors with something before
     them."""
     doors = sum(measure_before_doors(group, task.ground) for group in placed)
-    return cost_of_fronts(placed, 1.0, task.fixed) + doors
+    return sum_rows(("doors",), placed, None, task.fixed) + doors
 
 
 def _count_lost(answers: Sequence[RoomAnswer]) -> int:

@@ -21,6 +21,7 @@ from scenewright.domains.home.groups.kitchen import long_kitchenettes
 from scenewright.domains.home.groups.living import further_seats, hung_screens
 from scenewright.domains.home.groups.outdoor import folding_chair
 from scenewright.domains.home.groups.sleeping import along_wall, fitted_wardrobes, narrow_sides
+from scenewright.domains.home.rules.kitchen import IN_SMALL, WHOLE_FROM
 from scenewright.domains.home.settings import MERE_KITCHEN, ComposingSettings
 
 FURTHER: dict[str, Callable[[], Iterator[Group]]] = {
@@ -47,8 +48,6 @@ ROOMY = 14.0
 """From so many square metres on a living room has seats for more than two."""
 
 
-WHOLE_FROM = 9.0
-"""From so many square metres on a kitchen is one whole: its parts within reach and not apart."""
 RINGS_FROM = 8.0
 """From so many square metres on a kitchen has a hob of four rings."""
 TALL_FROM = 8.0
@@ -71,7 +70,7 @@ FROM = {
 """Faults that only rooms from so many square metres on have."""
 TIGHT = {
     "fridge_at_sink": 0.25,
-    "fridge_alone": 0.4,
+    "fridge_alone": IN_SMALL,
     "low_fridge": 0.25,
     "across": 0.4,
     "split": 0.6,

@@ -8,12 +8,12 @@ stays if it costs less, counting energy and faults (:mod:`.placed_faults`), and 
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 
 from scenewright.domains.home.attempt import RoomTask
 from scenewright.domains.home.composing.bed_ways import list_closing
 from scenewright.domains.home.composing.forms import list_forms
-from scenewright.domains.home.composing.fronts import cost_of_fronts
 from scenewright.domains.home.composing.judging import (
     JudgedRoom,
     Placed,
@@ -21,13 +21,7 @@ from scenewright.domains.home.composing.judging import (
     count_unmet,
     judge_of,
 )
-from scenewright.domains.home.composing.kitchen_faults import (
-    cost_of_fridge,
-    cost_of_stand,
-    cost_of_washer,
-)
 from scenewright.domains.home.composing.placed_faults import (
-    cost_of_crowding,
     cost_of_group,
     cost_of_hearth,
     cost_of_screen,
@@ -35,7 +29,7 @@ from scenewright.domains.home.composing.placed_faults import (
 )
 from scenewright.domains.home.composing.trials import take_first, try_forms
 from scenewright.domains.home.composing.views import cost_of_view, list_between
-from scenewright.domains.home.groups.classes import TABLES
+from scenewright.domains.home.rules.weigh_home import compile_table, list_faults, list_together
 
 IN_SIGHT = 100.0  # by so much what stands between seats and screen is tried before them
 
@@ -59,22 +53,21 @@ def list_worst_first(task: RoomTask, placed: Placed) -> list[str]:
     rule = task.preset.settings.composing
     view = 0.0 if len(task.ground.hearths) else cost_of_view(placed, rule.costs, task.ground.edges)
     whole = {
-        "washer": cost_of_washer(placed, rule.costs.loose),
-        "fridge": cost_of_fridge(placed, task.ground, rule),
-        "wardrobe": cost_of_fronts(placed, rule.costs.doors),
         "storage": cost_of_shelves(placed, task.ground, rule.costs.shelves),
-        "media": cost_of_screen(placed, task.ground, rule.costs.screen)
-        + cost_of_stand(placed, rule.costs.beside_run)
-        + view,
+        "media": cost_of_screen(placed, task.ground, rule.costs.screen) + view,
         "seating": cost_of_hearth(placed, task.ground, rule.costs.screen) + view,
     }
-    whole |= dict.fromkeys(TABLES, cost_of_crowding(placed, rule.costs.crowded))
+    table = compile_table(list_together(task.space.functions), rule.costs)
+    together = Counter[str]()
+    for fault in list_faults(table, placed, (), task.ground):
+        together[fault.group] += fault.cost * fault.row.moves
     unmet = float(count_unmet(task, placed) > 0)
     between = list_between(placed) if view > 0.0 else frozenset()
     closing = list_closing(placed, task.ground)
     costs = {
         p.name: cost_of_group(p, task.ground, rule)
         + whole.get(p.wish.group, 0.0)
+        + together[p.name]
         + unmet
         + IN_SIGHT * (p.name in between)
         + rule.costs.bed_way * (p.name in closing)

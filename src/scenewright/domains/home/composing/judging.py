@@ -11,21 +11,13 @@ import numpy as np
 from numpy.typing import NDArray
 from shapely import Polygon
 
-from scenewright.catalog.classes import BEDS, RUN, SOFT_SEATS
+from scenewright.catalog.classes import BEDS
 from scenewright.core.same import Same
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, build_task_problem, floor_of
 from scenewright.domains.home.composing.bed_ways import cost_of_bed_ways
 from scenewright.domains.home.composing.forms import is_mere_kitchen
-from scenewright.domains.home.composing.fronts import cost_of_fronts
-from scenewright.domains.home.composing.kitchen_faults import (
-    cost_of_fridge,
-    cost_of_stand,
-    cost_of_table,
-    cost_of_washer,
-)
-from scenewright.domains.home.composing.outlook import cost_of_outlook
+from scenewright.domains.home.composing.kitchen_faults import cost_of_places
 from scenewright.domains.home.composing.placed_faults import (
-    cost_of_crowding,
     cost_of_group,
     cost_of_hearth,
     cost_of_screen,
@@ -41,6 +33,7 @@ from scenewright.domains.home.learned.rows import SIDES
 from scenewright.domains.home.learned.space import footprint, measure_coverage
 from scenewright.domains.home.learned.targets import free_before, side_of, stands_on_floor
 from scenewright.domains.home.programme import Wish
+from scenewright.domains.home.rules.weigh_home import compile_table, list_faults, list_together
 from scenewright.domains.home.terms.assemble import PreparedHome
 from scenewright.domains.home.wished.unmet import count_unmet_wishes
 from scenewright.geometry.paths import RouteGrid
@@ -121,7 +114,8 @@ def sum_faults(task: RoomTask, placed: Placed, known: tuple[float, ...] = ()) ->
     rule = task.preset.settings.composing
     pairs = zip(placed, known or (nan,) * len(placed), strict=True)
     each = sum(cost_of_group(p, task.ground, rule) if isnan(c) else c for p, c in pairs)
-    each += cost_of_table(placed, task.ground, rule.costs) if is_mere_kitchen(task) else 0.0
+    if is_mere_kitchen(task):
+        each += cost_of_places(placed, task.ground, rule.costs.few_places)
     return each + _sum_together(task, placed)
 
 
@@ -131,14 +125,8 @@ def _sum_together(task: RoomTask, placed: Placed) -> float:
     rule, ground = task.preset.settings.composing, task.ground
     kinds, costs = {p.category for g in placed for p in g.pieces}, rule.costs
     cost = cost_of_shelves(placed, ground, costs.shelves)
-    if "wardrobe" in kinds or task.fixed:
-        cost += cost_of_fronts(placed, costs.doors, task.fixed)
-    if not kinds.isdisjoint(RUN):
-        cost += cost_of_washer(placed, costs.loose) + cost_of_fridge(placed, ground, rule)
-        cost += cost_of_stand(placed, costs.beside_run)
-    if not kinds.isdisjoint(SOFT_SEATS):
-        cost += cost_of_crowding(placed, costs.crowded)
-        cost += cost_of_outlook(placed, ground, costs.outlook, task.fixed)
+    table = compile_table(list_together(task.space.functions), costs)
+    cost += sum(fault.cost for fault in list_faults(table, placed, task.fixed, ground))
     if not kinds.isdisjoint(BEDS):
         cost += cost_of_bed_ways(placed, ground, costs.bed_way)
     if len(ground.hearths):

@@ -36,7 +36,6 @@ from scenewright.domains.home.composing.moving import (
     stand_at,
 )
 from scenewright.domains.home.composing.placed_faults import (
-    cost_of_crowding,
     cost_of_group,
     list_standing,
     measure_before_doors,
@@ -48,6 +47,7 @@ from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_o
 from scenewright.domains.home.groups.classes import WET_ROOMS
 from scenewright.domains.home.measures import ROUNDING
 from scenewright.domains.home.programme import Wish
+from scenewright.domains.home.rules.weigh_home import sum_rows
 from scenewright.domains.home.second_try import Opened
 from scenewright.domains.home.wished.wishes import list_barred_groups
 
@@ -149,7 +149,7 @@ def _measure_harm(task: RoomTask, placed: Placed, rest: Placed) -> tuple[float, 
         stands,
         measure_taken(pieces, others),
         sum(measure_before_doors(group, task.ground) for group in new),
-        cost_of_crowding(placed, 1.0),
+        sum_rows(("crowded",), placed),
         cost_of_view(placed, rule.costs, task.ground.edges),
         float(count_unmet(task, placed)),
     )

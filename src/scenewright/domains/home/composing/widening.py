@@ -21,10 +21,10 @@ from scenewright.domains.home.composing.beside_others import (
     take_first_place,
 )
 from scenewright.domains.home.composing.moving import stand_at
-from scenewright.domains.home.composing.placed_faults import ROOMY
 from scenewright.domains.home.composing.wall_stretch import FreeStretch, find_deeper, measure_front
 from scenewright.domains.home.composing.widths import Growth, bound_width, list_depths, list_growing
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles
+from scenewright.domains.home.rules.every import ROOMY
 
 Floats = NDArray[np.float64]
 

@@ -9,11 +9,11 @@ from typing import NamedTuple
 
 from scenewright.core.catalog import Group
 from scenewright.domains.home.composing.beside_others import WORTH
-from scenewright.domains.home.composing.placed_faults import NEAR_DOOR
 from scenewright.domains.home.groups.bath import fitted_basins, fitted_baths, fitted_showers
 from scenewright.domains.home.groups.entry import fitted_consoles, fitted_shelving, fitted_shoes
 from scenewright.domains.home.groups.living import deep_bookcases, fitted_bookcases
 from scenewright.domains.home.groups.sleeping import chest
+from scenewright.domains.home.rules.every import NEAR_DOOR
 
 SHELVED = 5.0  # what a store may cost more for a wall of shelves
 
@@ -23,7 +23,7 @@ class Growth(NamedTuple):
     square metres on it is ``usual`` metres wide, and up to ``most`` where it then fills its stretch
     of wall; whether a way stays free before it (``walked``); what the room may cost more for it
     (``worth``), and how far it keeps off where doors open in rooms of
-    :data:`~.placed_faults.ROOMY` square metres (``off``), metres."""
+    :data:`~.every.ROOMY` square metres (``off``), metres."""
 
     forms: Callable[[], Iterator[Group]]
     rows: tuple[tuple[float, float, float], ...]

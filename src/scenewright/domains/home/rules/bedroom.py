@@ -6,8 +6,8 @@ from scenewright.arranging.rows import BACK, FRONT, LEFT, Class, Row, against, a
 from scenewright.catalog.classes import BEDS, RUN, SOFAS
 from scenewright.domains.home.measures import AT_WALL
 from scenewright.domains.home.rules.classes import stand
+from scenewright.domains.home.rules.sources import FLATS
 
-SEEN_IN_FLATS = "seen in furnished flats"
 DEAD = 0.6  # a gap behind a head counts in full from so many metres on
 
 _NEAR = "{of} is within {metres} m of {to}"
@@ -16,27 +16,27 @@ _UNIT = stand("a unit of the kitchen", *RUN)
 BEDROOM = (
     Row(
         "adrift", stand("a single bed", "single_bed"), against(LEFT), Class("a wall"), AT_WALL,
-        "adrift", "{of} has no long side at {to}", SEEN_IN_FLATS,
+        "adrift", "{of} has no long side at {to}", FLATS,
     ),
     Row(
         "head_off", stand("a single bed", "single_bed"), against(BACK, DEAD), Class("the wall"),
-        AT_WALL, "head_off", "the head of {of} is off {to}", SEEN_IN_FLATS,
+        AT_WALL, "head_off", "the head of {of} is off {to}", FLATS,
     ),
     Row(
         "rest_at_run", stand("a bed or a seat", *BEDS, *SOFAS, "armchair"), apart(), _UNIT, 0.3,
-        10.0, _NEAR, SEEN_IN_FLATS, late=True,
+        10.0, _NEAR, FLATS, late=True,
     ),
     Row(
         "nightstand_at_run", stand("a nightstand", "nightstand"), apart(), _UNIT, 0.25, 6.0, _NEAR,
-        SEEN_IN_FLATS, late=True,
+        FLATS, late=True,
     ),
     Row(
         "sofa_at_foot", stand("a bed", *BEDS), clear(FRONT, each=True), stand("a sofa", *SOFAS),
-        0.4, 4.0, _NEAR, SEEN_IN_FLATS, late=True,
+        0.4, 4.0, _NEAR, FLATS, late=True,
     ),
     Row(
         "sofa_at_bed", stand("a bed", *BEDS), apart(), stand("a sofa", *SOFAS), 0.3, 5.0, _NEAR,
-        SEEN_IN_FLATS, late=True,
+        FLATS, late=True,
     ),
 )  # fmt: skip
 """The rows."""

@@ -30,14 +30,14 @@ from scenewright.domains.home.rules.classes import (
     TO_WALLS,
     stand,
 )
+from scenewright.domains.home.rules.sources import DAYLIGHT, FLATS, NEUFERT
 
-DAY, NEUFERT = "ASHRAE 90.1 (2019), 3.2", "Neufert, Architects' Data (2012), storage"
-TEST = "seen in furnished flats"
-"""Sources."""
 CHESTS = ("chest_of_drawers", "sideboard")
 FIRM, TALL = 1.9, 2.6
 """How much more it costs that what is built in stands before a wide door, or what is as tall."""
 TALL_KINDS = frozenset(("bookcase", "fridge", "wardrobe"))
+FIRMNESS = dict.fromkeys(RUN, FIRM) | dict.fromkeys(TALL_KINDS, TALL)
+"""The same, by kind."""
 SHADES = frozenset(
     (
         *(*SOFT_SEATS, *BEDS, "chest_of_drawers", "sideboard", "tv_stand", "bookcase", "wardrobe"),
@@ -62,29 +62,33 @@ _COVERED = "{of} stands before {to}"
 EVERY = (
     Row(
         "doors", stand("a wardrobe", "wardrobe"), clear(FRONT, 0.05, within=PIECE),
-        Class("something", but=MOVED, below=ON_FLOOR), 0.45, "doors", _OPENS, NEUFERT, fixed=True,
+        Class("something", but=MOVED, below=ON_FLOOR), 0.45, "doors", _OPENS, NEUFERT,
+        fixed=True,
     ),
-    Row("window", stand("furniture", *SHADES), _BEFORE, AT_WINDOWS, 0.0, "window", _COVERED, DAY),
+    Row(
+        "window", stand("furniture", *SHADES), _BEFORE, AT_WINDOWS, 0.0, "window", _COVERED,
+        DAYLIGHT,
+    ),
     Row(
         "opening", Class("something", but=RUN | TALL_KINDS | {"rug"}, below=ON_FLOOR), _BEFORE,
-        AT_OPENINGS, 0.0, "opening", _COVERED, TEST,
+        AT_OPENINGS, 0.0, "opening", _COVERED, FLATS,
     ),
     Row(
         "opening_firm", stand("a kitchen unit", *(RUN - TALL_KINDS)), _BEFORE, AT_OPENINGS, 0.0,
-        "opening", _COVERED, TEST, times=FIRM,
+        "opening", _COVERED, FLATS, times=FIRM,
     ),
     Row(
         "opening_tall", stand("a tall piece", *TALL_KINDS), _BEFORE, AT_OPENINGS, 0.0, "opening",
-        _COVERED, TEST, times=TALL,
+        _COVERED, FLATS, times=TALL,
     ),
     Row(
         "at_door", stand("a bed or an armchair", *BEDS, "armchair"),
         off(SEEN / NEAR_DOOR, METRES, each=True), AT_DOORS, NEAR_DOOR, "at_door",
-        "{of} is within {metres} m of {to}", TEST, area=ROOMY,
+        "{of} is within {metres} m of {to}", FLATS, area=ROOMY,
     ),
     Row(
         "dark", stand("a desk", *DESKS), lit(DAYLIT), BY_GLASS, BRIGHT, "dark",
-        "{of} is more than {metres} m from {to}", DAY,
+        "{of} is more than {metres} m from {to}", DAYLIGHT,
     ),
     Row(
         "wardrobe_front", stand("a wardrobe", "wardrobe"), clear(FRONT, each=True), ANYTHING, 0.5,
@@ -117,11 +121,11 @@ EVERY = (
     ),
     Row(
         "on_way", stand("a plant or lamp", "potted_tree", "floor_lamp"), off(0.3, grade=FLAT),
-        ON_WAYS, 0.0, 5.0, "{of} stands on {to}", TEST, late=True,
+        ON_WAYS, 0.0, 5.0, "{of} stands on {to}", FLATS, late=True,
     ),
     Row(
         "askew", stand("furniture", *_SQUARE), square_to(), TO_WALLS, ASKEW, 16.0,
-        "{of} is askew to {to}", TEST, late=True,
+        "{of} is askew to {to}", FLATS, late=True,
     ),
 )  # fmt: skip
 """The rows."""

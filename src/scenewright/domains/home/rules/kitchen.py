@@ -2,21 +2,39 @@
 
 from __future__ import annotations
 
-from scenewright.arranging.rows import BACK, FLAT, FRONT, Class, Row, apart, beside, clear, keep_off
+from scenewright.arranging.rows import (
+    BACK,
+    FLAT,
+    FRONT,
+    Class,
+    Row,
+    apart,
+    beside,
+    clear,
+    keep_off,
+    lit,
+)
 from scenewright.catalog.classes import BEDS, EATING_TABLES, RUN
 from scenewright.domains.home.groups.classes import TABLES
 from scenewright.domains.home.measures import ALIKE, RAISED
-from scenewright.domains.home.rules.classes import ANYTHING, BY_DOORS, BY_WALLS, CHAIRS, FED, stand
+from scenewright.domains.home.rules.classes import (
+    ANYTHING,
+    BY_DOORS,
+    BY_GLASS,
+    BY_WALLS,
+    CHAIRS,
+    FED,
+    stand,
+)
+from scenewright.domains.home.rules.every import BRIGHT, DAYLIT
 from scenewright.domains.home.rules.living import APART
+from scenewright.domains.home.rules.sources import DAYLIGHT, FLATS, NKBA, PANERO
 from scenewright.domains.home.settings import MERE_KITCHEN
 
-NKBA = "NKBA, Kitchen & Bathroom Planning Guidelines (2012)"
-PANERO = "Panero, Zelnik, Human Dimension & Interior Space (1979)"
-SEEN_IN_FLATS = "seen in furnished flats"
 AT_FRIDGE = 0.5  # what a machine beside the fridge costs of one away from all units
 TOGETHER = 0.06  # pieces nearer to one another than this stand together, metres
 IN_LINE = 0.3  # and if one is no farther ahead of the other, metres
-WHOLE_FROM, TIGHT = 9.0, 0.4
+WHOLE_FROM, IN_SMALL = 9.0, 0.4
 """From so many square metres on a kitchen is one whole: its fridge is at its units; how much that
 counts in a smaller one."""
 CUPBOARDS = frozenset(
@@ -39,21 +57,25 @@ KITCHEN = (
     Row(
         "washer_at_fridge", _WASHER, _BESIDE,
         Class("a unit of the run", RUN - {"fridge"}, below=RAISED), TOGETHER, "loose",
-        "{of} stands beside no unit but the fridge", SEEN_IN_FLATS, times=AT_FRIDGE,
+        "{of} stands beside no unit but the fridge", FLATS, times=AT_FRIDGE,
     ),
     Row(
         "washer_alone", _WASHER, _BESIDE, Class("a unit", RUN, below=RAISED), TOGETHER, "loose",
-        "{of} stands away from the kitchen", SEEN_IN_FLATS, times=1.0 - AT_FRIDGE,
+        "{of} stands away from the kitchen", FLATS, times=1.0 - AT_FRIDGE,
     ),
     Row(
         "fridge_away", Class("a fridge", groups=frozenset(("fridge",)), floor=True), _BESIDE,
         Class("a unit", RUN, below=RAISED), TOGETHER, "fridge_alone",
-        "{of} stands away from the units one cooks at", NKBA, area=WHOLE_FROM, tight=TIGHT,
+        "{of} stands away from the units one cooks at", NKBA, area=WHOLE_FROM, tight=IN_SMALL,
     ),
     Row(
         "beside_clothes", Class("a table", groups=TABLES, floor=True), keep_off(0.0, FLAT),
         Class("a wardrobe", groups=frozenset(("wardrobe",))), APART, "beside_clothes", _NEAR,
-        SEEN_IN_FLATS, only=MERE_KITCHEN,
+        FLATS, only=MERE_KITCHEN, moves=False,
+    ),
+    Row(
+        "dim_table", Class("a table", EATING_TABLES), lit(DAYLIT), BY_GLASS, BRIGHT, "dim_table",
+        "{of} is more than {metres} m from {to}", DAYLIGHT, only=MERE_KITCHEN, moves=False,
     ),
     Row(
         "across_run", stand("a unit", *(RUN - {"fridge"})), clear(FRONT, each=True),
@@ -65,16 +87,16 @@ KITCHEN = (
         _OPENS, NKBA, late=True,
     ),
     Row(
-        "table_at_bed", _TABLE, apart(), stand("a bed", *BEDS), 0.3, 5.0, _NEAR, SEEN_IN_FLATS,
+        "table_at_bed", _TABLE, apart(), stand("a bed", *BEDS), 0.3, 5.0, _NEAR, FLATS,
         late=True,
     ),
     Row(
-        "table_at_run", _TABLE, apart(), stand("a unit", *RUN), 0.3, 4.0, _NEAR, SEEN_IN_FLATS,
+        "table_at_run", _TABLE, apart(), stand("a unit", *RUN), 0.3, 4.0, _NEAR, FLATS,
         late=True,
     ),
     Row(
         "coats_at_table", stand("a coat rack", "coat_rack"), apart(),
-        stand("where one eats", *_BY_TABLE), 0.3, 5.0, _NEAR, SEEN_IN_FLATS, late=True,
+        stand("where one eats", *_BY_TABLE), 0.3, 5.0, _NEAR, FLATS, late=True,
     ),
     Row(
         "chair_drawn", stand("a chair", *CHAIRS), clear(BACK, each=True), ANYTHING, 0.5, 5.0,
@@ -98,3 +120,10 @@ KITCHEN = (
     ),
 )  # fmt: skip
 """The rows."""
+SECOND_AWAY = (
+    Row(
+        "second_away", Class("a second run", groups=frozenset(("counter",)), floor=True), _BESIDE,
+        Class("a unit", RUN, below=RAISED), TOGETHER, 1.0, "{of} stands away from the first", FLATS,
+    ),
+)  # fmt: skip
+"""What is asked before a second run is joined to the first."""

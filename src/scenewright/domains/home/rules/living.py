@@ -18,9 +18,8 @@ from scenewright.catalog.classes import RUN, SOFAS, SOFT_SEATS
 from scenewright.domains.home.groups.classes import RUNS, TABLES
 from scenewright.domains.home.measures import ON_FLOOR, RAISED
 from scenewright.domains.home.rules.classes import ANYTHING, BY_WALLS, stand
+from scenewright.domains.home.rules.sources import FLATS, PANERO
 
-PANERO = "Panero, Zelnik, Human Dimension & Interior Space (1979)"
-SEEN_IN_FLATS = "seen in furnished flats"
 AHEAD, WIDE = 1.2, 0.8
 """The floor before the middle of a sofa that it looks over, metres: a low table and those who pass
 have room there."""
@@ -46,25 +45,25 @@ _LOOKS = "{of} looks at {to} within {metres} m"
 LIVING = (
     Row(
         "outlook", Class("a sofa", SOFAS), clear(FRONT, SEEN, within=ANY, wide=WIDE, start=SEAT),
-        _AT_SIGHT, AHEAD, "outlook", _LOOKS, PANERO,
+        _AT_SIGHT, AHEAD, "outlook", _LOOKS, PANERO, moves=False,
     ),
     Row(
         "feet", Class("a sofa", SOFAS), clear(FRONT, FELT, within=ANY, inset=ARM), _AT_SIGHT, FEET,
-        "outlook", _LOOKS, PANERO, joined=True,
+        "outlook", _LOOKS, PANERO, joined=True, moves=False,
     ),
     Row(
         "crowded", Class("a table to eat at", groups=TABLES, floor=True),
         keep_off(UNSEEN, each=True), Class("a sofa or armchair", SOFT_SEATS), BESIDE_TABLE,
-        "crowded", "{of} has {to} within {metres} m", SEEN_IN_FLATS,
+        "crowded", "{of} has {to} within {metres} m", FLATS,
     ),
     Row(
         "beside_run", Class("a screen", groups=frozenset(("media",)), floor=True),
         keep_off(0.0, FLAT), Class("a unit of the kitchen", groups=RUNS, below=RAISED), APART,
-        "beside_run", "{of} is within {metres} m of {to}", SEEN_IN_FLATS,
+        "beside_run", "{of} is within {metres} m of {to}", FLATS,
     ),
     Row(
         "screen_at_run", _SCREEN, apart(), stand("a unit of the kitchen", *RUN), 0.3, 6.0,
-        "{of} is within {metres} m of {to}", SEEN_IN_FLATS, late=True,
+        "{of} is within {metres} m of {to}", FLATS, late=True,
     ),
     Row(
         "armchair_front", _ARMCHAIR, clear(FRONT, each=True), ANYTHING, 0.4, 5.0, _LOOKS, PANERO,

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from scenewright.arranging.degrees import HEADING, KIND, NUMBER, THINGS, RoomParts
 from scenewright.arranging.row_arrays import Table, compile_rows
-from scenewright.arranging.rows import DOORS, OPENINGS, PANES, TURNS, WINDOWS, Row
+from scenewright.arranging.rows import DOORS, OPENINGS, PANES, TURNS, WINDOWS, Row, is_lone
 from scenewright.arranging.weighing import Broken, weigh
 from scenewright.core.same import Same
 from scenewright.core.scene import Piece
@@ -27,6 +27,10 @@ Floats = NDArray[np.float64]
 
 ROWS: tuple[Row, ...] = (*EVERY, *BEDROOM, *LIVING, *KITCHEN)
 """All rows of homes."""
+LATE = tuple(row for row in ROWS if row.late)
+"""Those weighed once a home is furnished."""
+LONE = tuple(row for row in ROWS if is_lone(row) and not (row.late or row.only))
+"""Those weighed while rooms are composed, of pieces whatever else is there."""
 UNKNOWN = 2.0
 """No row is about a group whose floor is not known."""
 FAR = 1e3
@@ -49,10 +53,45 @@ class Fault(NamedTuple):
     cost: float
 
 
-@lru_cache(maxsize=16)
 def compile_table(rows: tuple[Row, ...], costs: CompositionCosts | None = None) -> Table:
-    """The rows compiled with the costs of a preset."""
-    return compile_rows(rows, {} if costs is None else costs._asdict())
+    """The rows compiled with the costs of a preset, of the same rows once; without costs those
+    that have a name are 1."""
+    return _compile(Same(rows), costs)
+
+
+@lru_cache(maxsize=64)
+def _compile(known: Same[tuple[Row, ...]], costs: CompositionCosts | None) -> Table:
+    return compile_rows(known.value, {} if costs is None else costs._asdict())
+
+
+@lru_cache(maxsize=8)
+def list_together(functions: tuple[str, ...]) -> tuple[Row, ...]:
+    """The rows that are weighed while a room of these functions is composed, of pieces beside one
+    another and those that only such rooms have."""
+    return tuple(
+        row
+        for row in ROWS
+        if not row.late and (row.only == functions if row.only else not is_lone(row))
+    )
+
+
+@lru_cache(maxsize=32)
+def find_rows(*ids: str) -> tuple[Row, ...]:
+    """The rows with these ids, in their order in :data:`ROWS`."""
+    return tuple(row for row in ROWS if row.id in ids)
+
+
+def sum_rows(
+    ids: tuple[str, ...],
+    groups: Sequence[FurnishedGroup],
+    ground: Ground | None = None,
+    fixed: Sequence[Piece] = (),
+    costs: CompositionCosts | None = None,
+) -> float:
+    """What rows cost that do not hold, by their ids; as :func:`compile_table` and
+    :func:`list_faults`."""
+    table = compile_table(find_rows(*ids), costs)
+    return sum(fault.cost for fault in list_faults(table, groups, fixed, ground))
 
 
 def list_faults(

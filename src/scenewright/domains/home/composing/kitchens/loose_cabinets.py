@@ -15,7 +15,6 @@ from scenewright.domains.home.attempt import FurnishedGroup, Missing, RoomAnswer
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.case_faults import find_case_faults
 from scenewright.domains.home.composing.judging import Placed, find_run, judge_of
-from scenewright.domains.home.composing.kitchen_faults import is_away
 from scenewright.domains.home.composing.kitchens.second_runs import SECOND, is_spare
 from scenewright.domains.home.composing.kitchens.trades import list_at_run, list_traded
 from scenewright.domains.home.composing.no_worse import is_no_worse
@@ -23,6 +22,8 @@ from scenewright.domains.home.composing.placed_faults import list_standing
 from scenewright.domains.home.composing.settling import try_in_home
 from scenewright.domains.home.groups.kitchen import short_counters
 from scenewright.domains.home.measures import RAISED
+from scenewright.domains.home.rules.kitchen import SECOND_AWAY
+from scenewright.domains.home.rules.weigh_home import compile_table, list_faults
 from scenewright.domains.home.second_try import Opened
 
 SHORT = 1.45  # a second run no longer than this belongs to the first, metres
@@ -47,7 +48,7 @@ def join_cabinets(
 
 def _list_loose(placed: Placed) -> Placed:
     """Short second runs that nobody asked for and that stand at no side of the first."""
-    if not find_run(placed) or not is_away(placed, SECOND):
+    if not find_run(placed) or not list_faults(compile_table(SECOND_AWAY), placed):
         return ()
     return tuple(p for p in placed if is_spare(p) and _measure(p) <= SHORT)
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
 from scenewright.domains.home.composing.forms import is_mere_kitchen
-from scenewright.domains.home.composing.kitchen_faults import cost_of_fridge
 from scenewright.domains.home.composing.placed_faults import cost_of_group
+from scenewright.domains.home.rules.weigh_home import sum_rows
 
 SHORT = 0.2
 """The share by which a sound kitchen may be shorter than its room asks."""
@@ -18,5 +18,6 @@ def is_sound(task: RoomTask, run: FurnishedGroup, placed: tuple[FurnishedGroup, 
     rule = task.preset.settings.composing
     if not is_mere_kitchen(task):
         rule = rule._replace(costs=rule.costs._replace(triangle=0.0))
-    faults = cost_of_group(run, task.ground, rule) + cost_of_fridge(placed, task.ground, rule)
+    faults = cost_of_group(run, task.ground, rule)
+    faults += sum_rows(("fridge_away",), placed, task.ground, (), rule.costs)
     return faults <= SHORT * rule.costs.short_run

@@ -12,7 +12,6 @@ from collections.abc import Iterator, Sequence
 from functools import lru_cache
 from typing import NamedTuple
 
-from scenewright.arranging.rows import list_late
 from scenewright.core.same import Same
 from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import FurnishedGroup
@@ -21,10 +20,7 @@ from scenewright.domains.home.composing.spacing.shut_in import list_shut_in
 from scenewright.domains.home.measures import ON_FLOOR
 from scenewright.domains.home.problem import Ground
 from scenewright.domains.home.rules.classes import MOVED
-from scenewright.domains.home.rules.weigh_home import ROWS, compile_table, list_faults
-
-LATE = list_late(ROWS, late=True)
-"""The rows that are weighed once a home is furnished."""
+from scenewright.domains.home.rules.weigh_home import LATE, compile_table, list_faults
 
 
 class Close(NamedTuple):

@@ -1,0 +1,9 @@
+"""Where the numbers of rows come from."""
+
+from __future__ import annotations
+
+DAYLIGHT = "ASHRAE 90.1 (2019), 3.2: sidelighted area"
+NEUFERT = "Neufert, Architects' Data (2012)"
+NKBA = "NKBA, Kitchen & Bathroom Planning Guidelines (2012)"
+PANERO = "Panero, Zelnik, Human Dimension & Interior Space (1979)"
+FLATS = "seen in furnished flats"
