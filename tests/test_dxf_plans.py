@@ -115,6 +115,77 @@ def test_elevations_beside_a_plan_are_no_storeys(tmp_path: Path) -> None:
     assert areas(read(tmp_path / "plan.dxf")) == [12.0, 9.0]
 
 
+def add_lines(path: Path, *lines: tuple[tuple[float, float], ...]) -> None:
+    """Add lines to the drawing of :func:`draw` in metres, in its coordinates."""
+    document = ezdxf.readfile(path)
+    for points in lines:
+        moved = [(x + 14_000, y - 14_000) for x, y in points]
+        document.modelspace().add_lwpolyline(moved)
+    document.saveas(path)
+
+
+def broken(*corners: tuple[float, float]) -> list[tuple[tuple[float, float], ...]]:
+    """A ring of walls as strokes 1 m long with as much between them, none in line with another."""
+    strokes = []
+    for (x, y), (u, v) in pairwise((*corners, corners[0])):
+        length = int(max(abs(u - x), abs(v - y)))
+        dx, dy = (u - x) / length, (v - y) / length
+        for k in range(0, length - 1, 2):
+            a = (x + k * dx - 0.3 * dy, y + k * dy + 0.3 * dx)
+            strokes.append((a, (x + (k + 1) * dx, y + (k + 1) * dy)))
+    return strokes
+
+
+def test_floor_that_no_room_has_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A third room whose walls are full of gaps: it is named as not read, exit code 1."""
+    draw(tmp_path / "plan.dxf", 6, 1.0)
+    add_lines(tmp_path / "plan.dxf", *broken((8.0, -0.2), (12.0, -0.2), (12.0, 3.2), (8.0, 3.2)))
+    assert run(["plan", str(tmp_path / "plan.dxf")]) == 1
+    assert "m² of drawn floor were read" in capsys.readouterr().err
+    brief = read(tmp_path / "plan.dxf")
+    assert areas(brief) == [12.0, 9.0]
+    assert brief.input_report is not None
+    assert brief.input_report.drawn_floor == pytest.approx(21.0 + 4.2 * 3.2, rel=0.1)
+
+
+def test_rooms_that_cover_little_of_what_the_walls_span_are_no_plan(tmp_path: Path) -> None:
+    """A hall of broken walls around two closets with doors: the closets are not the plan."""
+    draw(tmp_path / "plan.dxf", 6, 1.0)
+    corners = ((-8.0, -10.0), (16.0, -10.0), (16.0, 14.0), (-8.0, 14.0))
+    add_lines(tmp_path / "plan.dxf", *broken(*corners))
+    with pytest.raises(
+        InputError, match=r"close rooms of 21.0 m² of the \d+\.\d m² that they span"
+    ):
+        read(tmp_path / "plan.dxf")
+
+
+def test_rooms_without_doors_are_no_plan(tmp_path: Path) -> None:
+    """A page of boxes, of which one has a gap: strips between dimensions, a table of words."""
+    draw(tmp_path / "plan.dxf", 6, 1.0)
+    boxes = [
+        ((x, y), (x + 3.0, y), (x + 3.0, y + 2.0), (x, y + 2.0), (x, y))
+        for x in (7.4, 10.4, 13.4, 16.4)
+        for y in (-0.2, 1.8, 3.8)
+    ]
+    add_lines(tmp_path / "plan.dxf", *boxes)
+    with pytest.raises(InputError, match=r"2 of 1\d rooms have doors"):
+        read(tmp_path / "plan.dxf")
+
+
+def test_a_corridor_around_rooms_is_a_room(tmp_path: Path) -> None:
+    """Four cells with a door each on the walk around them, all within one outer line."""
+    document = ezdxf.new("R2010")
+    document.header["$INSUNITS"] = 6
+    model = document.modelspace()
+    model.add_lwpolyline([(-1, -1), (13, -1), (13, 5), (-1, 5)], close=True)
+    for k in range(4):
+        x = 3.0 * k
+        cell = [(x + 1.8, 0), (x + 2.8, 0), (x + 2.8, 4), (x, 4), (x, 0), (x + 1, 0)]
+        model.add_lwpolyline(cell)
+    document.saveas(tmp_path / "plan.dxf")
+    assert areas(read(tmp_path / "plan.dxf")) == [39.2, 11.2, 11.2, 11.2, 11.2]
+
+
 def test_our_own_plans_read_back(tmp_path: Path) -> None:
     solution = flat_solution()
     for name in ("flat.dxf", "flat.mm.dxf"):
@@ -208,7 +279,7 @@ def test_rooms_of_real_drawings(real_data: Path) -> None:
     }
     for name, listed in by_corners.items():
         assert areas(read(folder / f"{name}.dxf")) == pytest.approx(listed, rel=0.03)
-    counts = {"ship_deck_jupedsim": 6, "house_double_wall_gama": 9, "iso_office_jupedsim": 12}
+    counts = {"ship_deck_jupedsim": 6, "house_double_wall_gama": 9, "iso_office_jupedsim": 13}
     counts["barcelona_pavilion_sheet_autocad"] = 4
     for name, count in counts.items():
         assert len(read(folder / f"{name}.dxf").rooms) == count

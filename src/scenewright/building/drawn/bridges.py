@@ -24,6 +24,9 @@ JUST, MISSED = 0.25, 0.03
 """Metres by which a line ends before the one it was meant to reach: ahead of it, and beside it."""
 NEAR_DOOR, TOUCH = 0.2, 0.15
 """Metres around a gap in which its door is drawn, and from a door's line to the wall it meets."""
+MOST_JAMBS = 1500
+"""The most ends of walls: where there are more, lines of letters and hatches are among them, and
+those that end the longest lines are taken."""
 Vector = NDArray[np.float64]
 
 
@@ -67,7 +70,7 @@ def find_gaps(lines: shapely.Geometry, drawn: Drawn) -> list[Gap]:
     gaps += _drawn_across(drawn, tree, parts)
     for number, jamb in enumerate(jambs):
         if number not in used:
-            gap = _to_wall(jamb, tree, parts, doors)
+            gap = _to_wall(jamb, tree, doors)
             if gap is not None:
                 gaps.append(gap)
     return gaps
@@ -103,19 +106,19 @@ def extend_loose_ends(parts: list[LineString]) -> list[LineString]:
     parts = [part for part in parts if part.length > 0.005]
     graph = _graph(parts)
     tree = STRtree(parts)
+    loose = [point for point, others in enumerate(graph.beside) if len(others) == 1]
+    if not loose:
+        return []
+    starts = graph.points[loose]
+    ways = starts - graph.points[[graph.beside[point][0] for point in loose]]
+    feet = _hits(starts, ways / np.hypot(*ways.T)[:, None], JUST, tree, 1e-4)
     found = []
-    for point, others in enumerate(graph.beside):
-        if len(others) != 1:
-            continue
-        here = graph.points[point]
-        way = here - graph.points[others[0]]
-        foot = _hit(here, way / np.hypot(*way), JUST, tree, parts, 1e-4)
-        if foot is None:
+    for here, foot in zip(starts, feet, strict=True):
+        if np.isnan(foot).any():
             near = tree.query(Point(here), predicate="dwithin", distance=MISSED).tolist()
             lines = [parts[k] for k in near if Point(here).distance(parts[k]) > 1e-6]
-            foot = _onto(here, lines) if lines else None
-        if foot is not None:
-            found.append(LineString([here, foot]))
+            foot = _onto(here, lines) if lines else here
+        found.append(LineString([here, foot]))
     return [line for line in found if line.length > 1e-6]
 
 
@@ -124,17 +127,21 @@ def _jambs(parts: list[LineString]) -> list[Jamb]:
     to the same side with nothing on the other; and loose ends."""
     graph = _graph(parts)
     found: list[Jamb] = []
+    lengths: list[float] = []
     seen: set[tuple[int, int]] = set()
     for a, others in enumerate(graph.beside):
         if len(others) == 1:
             way = graph.points[a] - graph.points[others[0]]
-            found.append(Jamb(graph.points[a], graph.points[a], way / np.hypot(*way)))
+            lengths.append(float(np.hypot(*way)))
+            found.append(Jamb(graph.points[a], graph.points[a], way / lengths[-1]))
         for b in others:
             jamb = _capped(graph, a, b)
             if jamb is not None and (jamb[0], jamb[1]) not in seen:
                 seen |= {(jamb[0], jamb[1]), (jamb[1], jamb[0])}
+                lengths.append(np.inf)
                 found.append(jamb[2])
-    return found
+    kept = sorted(np.argsort(-np.array(lengths), kind="stable")[:MOST_JAMBS].tolist())
+    return [found[k] for k in kept]
 
 
 def _capped(graph: Graph, a: int, b: int) -> tuple[int, int, Jamb] | None:
@@ -191,19 +198,9 @@ def _between_jambs(
 ) -> tuple[list[Gap], set[int]]:
     """Gaps between ends of walls that face each other with nothing between them, nearest first;
     wide ones only where a door or window is ``marked``, or none is in the whole drawing."""
-    pairs = []
-    for i, one in enumerate(jambs):
-        for j in range(i + 1, len(jambs)):
-            other = jambs[j]
-            way = other.middle - one.middle
-            far = float(np.hypot(*way))
-            if not NARROW <= far <= GLAZED or one.out @ other.out > -AHEAD:
-                continue
-            if one.out @ way > AHEAD * far and other.out @ way < -AHEAD * far:
-                pairs.append((far, i, j))
     gaps: list[Gap] = []
     used: set[int] = set()
-    for _far, i, j in sorted(pairs):
+    for i, j in _facing(jambs):
         if i in used or j in used:
             continue
         one, other = jambs[i], jambs[j]
@@ -214,6 +211,24 @@ def _between_jambs(
             gaps.append(_gap(corners))
             used |= {i, j}
     return gaps, used
+
+
+def _facing(jambs: list[Jamb]) -> list[tuple[int, int]]:
+    """Pairs of ends that face each other, no farther apart than gaps are wide, nearest first."""
+    if not jambs:
+        return []
+    places = np.array([jamb.middle for jamb in jambs])
+    outs = np.array([jamb.out for jamb in jambs])
+    points = shapely.points(places)
+    i, j = STRtree(points).query(points, predicate="dwithin", distance=GLAZED)
+    keep = (i < j) & ((outs[i] * outs[j]).sum(1) <= -AHEAD)
+    i, j = i[keep], j[keep]
+    ways = places[j] - places[i]
+    far = np.hypot(*ways.T)
+    ahead = ((outs[i] * ways).sum(1) > AHEAD * far) & ((outs[j] * ways).sum(1) < -AHEAD * far)
+    keep = ahead & (far >= NARROW)
+    order = np.lexsort((j[keep], i[keep], far[keep]))
+    return list(zip(i[keep][order].tolist(), j[keep][order].tolist(), strict=True))
 
 
 def _is_meant(a: Vector, b: Vector, marked: shapely.Geometry) -> bool:
@@ -267,12 +282,10 @@ def _onto(point: Vector, lines: list[LineString]) -> Vector:
     return np.array(foot.coords[0])[:2]
 
 
-def _to_wall(
-    jamb: Jamb, tree: STRtree, parts: list[LineString], doors: shapely.Geometry
-) -> Gap | None:
+def _to_wall(jamb: Jamb, tree: STRtree, doors: shapely.Geometry) -> Gap | None:
     """The gap from a jamb to the wall ahead, where a door is drawn between them."""
     most = ALONE if doors.is_empty else WIDE
-    feet = [_hit(corner, jamb.out, most, tree, parts) for corner in (jamb.left, jamb.right)]
+    feet = [_hit(corner, jamb.out, most, tree) for corner in (jamb.left, jamb.right)]
     if feet[0] is None or feet[1] is None:
         return None
     gap = _gap(np.array([jamb.left, jamb.right, feet[1], feet[0]]))
@@ -283,23 +296,48 @@ def _to_wall(
     return gap if doors.is_empty or drawn >= 0.3 * gap.width else None
 
 
-def _hit(
-    start: Vector,
-    way: Vector,
-    most: float,
-    tree: STRtree,
-    parts: list[LineString],
-    away: float = 0.02,
-) -> Vector | None:
+def _hit(start: Vector, way: Vector, most: float, tree: STRtree) -> Vector | None:
     """Where a ray first meets a line, from a little ahead of its start."""
-    ray = LineString([start + away * way, start + most * way])
-    hits = [shapely.intersection(ray, parts[k]) for k in tree.query(ray, predicate="intersects")]
-    points = [shapely.get_coordinates(hit) for hit in hits if not hit.is_empty]
-    if not points:
-        return None
-    found = np.vstack(points)
-    nearest: Vector = found[np.argmin((found - start) @ way)]
-    return nearest
+    foot = _hits(start[None], way[None], most, tree, 0.02)[0]
+    return None if np.isnan(foot).any() else foot
+
+
+def _hits(starts: Vector, ways: Vector, most: float, tree: STRtree, away: float) -> Vector:
+    """Where rays (n, 2) first meet lines, no nearer than ``away`` and no farther than ``most``
+    along their unit vectors; not numbers where they meet none."""
+    rays = shapely.linestrings(np.stack([starts + away * ways, starts + most * ways], 1))
+    ray, part = tree.query(rays)
+    ends = shapely.get_coordinates(tree.geometries[part]).reshape(-1, 2, 2)
+    far = _crossing(starts[ray], ways[ray], ends)
+    met = (far >= away) & (far <= most)
+    owner, far = ray[met], far[met]
+    order = np.lexsort((far, owner))
+    owners, first = np.unique(owner[order], return_index=True)
+    found: Vector = np.full(starts.shape, np.nan)
+    found[owners] = starts[owners] + far[order[first], None] * ways[owners]
+    return found
+
+
+def _crossing(starts: Vector, ways: Vector, lines: Vector) -> Vector:
+    """How far along rays (n, 2) each crosses its line (n, 2, 2), at the nearer end of one that lies
+    along it; infinite where it does not."""
+    along = lines[:, 1] - lines[:, 0]
+    to = lines[:, 0] - starts
+    turn = _cross(ways, along)
+    length = np.hypot(*along.T)
+    flat = np.abs(turn) <= 1e-9 * length
+    safe = np.where(flat, 1.0, turn)
+    share = _cross(to, ways) / safe
+    slack = 1e-6 / np.maximum(length, 1e-9)
+    crossed = ~flat & (share >= -slack) & (share <= 1 + slack)
+    beside = flat & (np.abs(_cross(to, ways)) < 1e-6)
+    nearer = ((lines - starts[:, None]) * ways[:, None]).sum(-1).min(1)
+    return np.where(crossed, _cross(to, along) / safe, np.where(beside, nearer, np.inf))
+
+
+def _cross(a: Vector, b: Vector) -> Vector:
+    product: Vector = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
+    return product
 
 
 def bridge_lines(gaps: list[Gap]) -> list[LineString]:

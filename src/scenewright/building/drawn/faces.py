@@ -19,6 +19,8 @@ THIN, LEAST_AREA, SLIT = 0.27, 0.7, 0.03
 half the width of a slit that is no opening."""
 AROUND = 0.5
 """A face whose holes take this share of it lies around a building: a frame, a plot, a terrace."""
+LEAST_LED, BESIDE = 6, 0.2
+"""Twice the fewest rooms along a corridor; metres beside a wall at which it is looked for rooms."""
 WAY_IN = 0.5
 """Metres from a room to what leads into it."""
 MOST_ROOMS, LEAST_FLOOR, USUAL_ROOM = 600, 6.0, (1.5, 600.0)
@@ -45,7 +47,32 @@ def find_faces(drawn: Drawn) -> Faces:
     for face in faces:
         _sort(face, found)
     rooms, closed = cut_niches(found.rooms, found.walls)
-    return found._replace(rooms=rooms, gaps=gaps + closed)
+    return _take_corridors(found._replace(rooms=rooms, gaps=gaps + closed))
+
+
+def _take_corridors(found: Faces) -> Faces:
+    """The faces around a building as rooms where half of the rooms lead into them: corridors."""
+    corridors = [
+        face
+        for face in found.around
+        if 2 * len(_leading_into(face, found)) >= max(len(found.rooms), LEAST_LED)
+    ]
+    around = [face for face in found.around if not any(face is one for one in corridors)]
+    tidied = [part for face in corridors for part in _tidy(face)]
+    return found._replace(rooms=found.rooms + tidied, around=around)
+
+
+def _leading_into(face: Polygon, found: Faces) -> set[int]:
+    """The rooms by number that a gap joins to a face."""
+    rooms: set[int] = set()
+    prepare(face)
+    for gap in found.gaps:
+        aside = (gap.thickness / 2 + BESIDE) * np.array([-gap.along[1], gap.along[0]])
+        sides = [shapely.Point(gap.middle + sign * aside) for sign in (1, -1)]
+        for here, beyond in (sides, sides[::-1]):
+            if face.contains(here):
+                rooms |= {k for k, room in enumerate(found.rooms) if room.contains(beyond)}
+    return rooms
 
 
 def without_solid(found: Faces, solid: Geometry) -> Faces:

@@ -89,8 +89,9 @@ def _layer_name(shape: Shape) -> str:
 def _add_shape(layers: dict[str, Layer], name: str, shape: Shape) -> None:
     layer = layers.setdefault(name, Layer())
     layer.count("PATH")
+    lettered = shape.pen is None and shape.fill is not None and shape.fill < DARK
     for run in (run for subpath in shape.subpaths for run in subpath):
-        arc = arc_of(run)
+        arc = None if lettered else arc_of(run)
         if arc is not None:
             layer.add_arc(arc)
         elif shape.pen is not None:

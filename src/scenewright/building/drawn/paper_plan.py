@@ -34,7 +34,8 @@ def plan_page(paper: Paper, scale: float = 1.0) -> dict[str, Any]:
     """The plan of a page (:func:`scenewright.building.drawn.plan.plan_sheet`): walls are what is
     dark, else what lies on layers named so, else what the widest pens draw.
 
-    Raises :class:`InputError` where none of these makes a plan.
+    Raises :class:`InputError` where none of these makes a plan, as the last of them is refused: it
+    has the most lines.
     """
     sheet, pens = sheet_of(paper)
     refusal: InputError | None = None
@@ -44,7 +45,7 @@ def plan_page(paper: Paper, scale: float = 1.0) -> dict[str, Any]:
             chosen = sheet if filled else sheet._replace(solid=None)
             return plan_layers(chosen, kinds, lambda drawn: list_scales(drawn, paper, scale))
         except InputError as error:
-            refusal = refusal or error
+            refusal = error
     raise refusal or InputError("holds no lines that may be walls", "give the plan of a storey")
 
 
