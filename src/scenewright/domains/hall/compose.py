@@ -5,7 +5,6 @@ from __future__ import annotations
 from scenewright.core.solution import LeftOut
 from scenewright.domains.hall.fit import Fitted
 from scenewright.domains.hall.retouch import retouch_layout
-from scenewright.domains.hall.retouch.fronts import turn_fronts
 from scenewright.domains.hall.retouch.place_exhibit import place_exhibit
 from scenewright.domains.hall.search import HallSearch
 from scenewright.domains.hall.seats.seat_audiences import seat_audiences
@@ -20,5 +19,4 @@ def compose(
     fitted, layout, unseated = seat_audiences(search, fitted, layout)
     layout = place_exhibit(search, fitted, layout)
     layout = retouch_layout(fitted.problem, layout, search.passes, search.hall.space.id)
-    layout = turn_fronts(search.wishes, fitted.units, fitted.problem, layout)
     return fitted, layout, (*missing, *unseated)

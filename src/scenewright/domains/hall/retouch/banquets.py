@@ -16,6 +16,7 @@ from scenewright.domains.hall.patterns import CHAIN, GRID
 from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.retouch.audience import BEFORE, OFF_AXIS, SIDE, VIEW
 from scenewright.domains.hall.retouch.lines import count_objects, find_layers, set_rows
+from scenewright.domains.hall.retouch.places import EDGES, share_room
 from scenewright.domains.hall.retouch.stages import measure_stage, propose_stages
 from scenewright.domains.hall.terms.state import Kept
 from scenewright.domains.hall.terms.visitors import STAGE, TABLE
@@ -25,10 +26,6 @@ FEWEST, MOST = 4, 12.0
 NARROW, BARE = 1.0, 1.0
 """What each metre counts by which gaps lack the passage wished for, and by which the floor beside
 and behind the tables is wider than their gaps."""
-WIDEST, LEAST = 2.6, 0.3
-"""How wide gaps are made, and what is left between walls and tables with their chairs; metres."""
-EDGES = (0.9, 0.7, 0.5)
-"""Widths of the strips round the tables, in those of their gaps."""
 
 
 class Banquet(NamedTuple):
@@ -133,15 +130,6 @@ def _fill_floor(
             continue
         many, room = np.array([columns, rows]), np.diff(bounds, axis=1)[:, 0]
         for edge, other in product(EDGES, repeat=2):
-            gaps = _share(room, many, size, np.array([edge, other]))
+            gaps = share_room(room, many, size, np.array([edge, other]))
             if gaps.min() > 0.0:
                 yield set_rows(kept, tables, row, number, many, gaps, (*middle, stage[2] + np.pi))
-
-
-def _share(room: Floats, many: Floats, size: Floats, edges: Floats) -> Floats:
-    """Gaps (2,) that leave strips of so many ``edges`` of them beside tables, or the least."""
-    left = room - many * size
-    even = left / (many - 1 + 2.0 * edges)
-    tight = (left - 2.0 * LEAST) / np.maximum(many - 1, 1)
-    gaps: Floats = np.minimum(np.where(even * edges < LEAST, tight, even), WIDEST)
-    return gaps

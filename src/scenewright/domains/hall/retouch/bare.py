@@ -8,9 +8,9 @@ from typing import NamedTuple
 import numpy as np
 import shapely
 
-from scenewright.domains.hall.patterns import ACROSS, ALONG, CHAIN, GRID, WALL
+from scenewright.domains.hall.patterns import WALL
 from scenewright.domains.hall.problem import Floats, HallProblem, Ints
-from scenewright.domains.hall.retouch.lines import find_layers
+from scenewright.domains.hall.retouch.places import shift, widen
 from scenewright.domains.hall.terms.state import Kept
 from scenewright.domains.hall.terms.visitors import FIRST, GUIDE, MAIN, SPEAKER, TILL
 from scenewright.geometry.boxes import frames_of
@@ -109,24 +109,7 @@ def propose_moves(floor: BareFloor, kept: Kept, boxes: Floats) -> Iterator[Kept]
             continue
         way = np.array([x, y]) - kept.pose[unit, :2]
         left = np.array([-way[1], way[0]]) / max(float(np.hypot(*way)), 1e-9)
-        for form in (kept, *_spread(problem, kept, unit)):
+        for form in (kept, *widen(problem, kept, unit, WIDER)):
             for part in PART if form is kept else (0.25, 0.5):
                 for aside in NEAR if form is kept else (0.0,):
-                    pose = form.pose.copy()
-                    pose[unit, :2] += part * way + aside * left
-                    yield form._replace(pose=pose)
-
-
-def _spread(problem: HallProblem, kept: Kept, unit: int) -> Iterator[Kept]:
-    """Layouts with wider gaps between the rows of a unit, and between its objects where they have
-    gaps."""
-    if int(kept.rows[unit, 0]) not in (CHAIN, GRID):
-        return
-    first = find_layers(problem, unit)[0]
-    mine = slice(first, first + int(kept.rows[unit, 1]))
-    gaps = kept.layers[mine, ALONG] > 0.1
-    for more in WIDER:
-        layers = kept.layers.copy()
-        layers[mine, ACROSS] += more
-        layers[mine, ALONG] += more * gaps
-        yield kept._replace(layers=layers)
+                    yield shift(form, unit, part * way + aside * left)

@@ -8,7 +8,6 @@ pattern.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import product
 
 import numpy as np
 
@@ -16,14 +15,13 @@ from scenewright.domains.hall.patterns import AROUND, CHAIN, GRID, RADIATION
 from scenewright.domains.hall.patterns.around import BETWEEN, COMPANY, CORNERS, KNEES
 from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.retouch.lines import count_objects, find_layers
+from scenewright.domains.hall.retouch.places import all_over, stand_at
 from scenewright.domains.hall.terms.state import Kept
 from scenewright.domains.hall.terms.visitors import LOUNGE
 
 FEWEST, MOST, EACH = 3, 6, 1.5
 """Seats that are set round tables at least, those of one company at most, and what each more than
 two counts, up to so many, in metres."""
-STEPS = 9
-"""Places along each side of the zone that are tried."""
 
 
 def measure_apart(problem: HallProblem, kept: Kept, boxes: Floats) -> float:  # noqa: ARG001
@@ -52,15 +50,12 @@ def propose_companies(problem: HallProblem, kept: Kept, boxes: Floats) -> Iterat
     """Layouts with the seats of one unit among ``boxes`` (n, 5) in companies round tables, all over
     its zone, along or across it."""
     for unit in _find_apart(problem, kept):
-        low, high = problem.ground.zone_bounds[int(problem.units.zones[unit])].reshape(2, 2)
-        mine = boxes[slice(*problem.units.spans[unit])]
-        parts = (np.arange(STEPS) + 0.5) / STEPS
-        spots = [low + np.array(part) * (high - low) for part in product(parts, repeat=2)]
+        middle = boxes[slice(*problem.units.spans[unit]), :2].mean(0)
+        heading = float(kept.pose[unit, 2])
+        here = (np.array([*middle, heading + 0.5 * np.pi * turn]) for turn in range(4))
+        places = [np.append(one, 0.0) for one in (*here, *all_over(problem, unit, heading))]
         for form in _forms(problem, kept, unit):
-            for spot, turn in product((mine[:, :2].mean(0), *spots), range(4)):
-                pose = form.pose.copy()
-                pose[unit] = (*spot, kept.pose[unit, 2] + 0.5 * np.pi * turn, 0.0)
-                yield form._replace(pose=pose)
+            yield from stand_at(form, unit, places)
 
 
 def _forms(problem: HallProblem, kept: Kept, unit: int) -> Iterator[Kept]:

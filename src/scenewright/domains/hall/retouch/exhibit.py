@@ -12,6 +12,7 @@ from scenewright.domains.hall.patterns import RADIATION, SINGLE
 from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.retouch.banquets import FEWEST as BANQUET
 from scenewright.domains.hall.retouch.lines import count_objects
+from scenewright.domains.hall.retouch.places import stand_at
 from scenewright.domains.hall.retouch.rings import FEWEST, propose_rings
 from scenewright.domains.hall.terms.state import Kept, PreparedHall, State
 from scenewright.domains.hall.terms.visitors import MAIN, RAYS, STAGE, TABLE
@@ -143,11 +144,9 @@ def propose_places(exhibit: MainExhibit | None, kept: Kept, boxes: Floats) -> It
     here = kept.pose[exhibit.unit, :2]
     spots = [exhibit.place + np.array([dx, dy]) for dx in SHIFTS for dy in SHIFTS]
     spots += [here + part * (exhibit.place - here) for part in PARTS]
-    for spot in spots:
-        for turned in (0.0, 0.5 * np.pi):
-            pose = kept.pose.copy()
-            pose[exhibit.unit, :3] = (*spot, pose[exhibit.unit, 2] + turned)
-            yield kept._replace(pose=pose)
+    turns = kept.pose[exhibit.unit, 2] + np.array([0.0, 0.5 * np.pi])
+    places = (np.append(spot, turn) for spot in spots for turn in turns)
+    yield from stand_at(kept, exhibit.unit, places)
     ringed = _set_in_rings(exhibit, kept)
     yield from propose_rings(exhibit.problem, ringed, boxes) if ringed is not kept else ()
 

@@ -14,6 +14,7 @@ from scenewright.domains.hall.patterns import CHAIN, SINGLE
 from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.retouch.arrivals import box_round, find_met
 from scenewright.domains.hall.retouch.lines import forgive_space, line_up
+from scenewright.domains.hall.retouch.places import before, shift
 from scenewright.domains.hall.terms.state import Kept, PreparedHall, State
 from scenewright.domains.hall.terms.visitors import FIRST
 
@@ -140,18 +141,11 @@ def propose_gates(problem: HallProblem, kept: Kept, boxes: Floats) -> Iterator[K
         left = np.array([-way[1], way[0]])
         steps = [s for s in list_steps(problem, boxes, unit, units) if abs(s) > FREE]
         for step, aside in product(steps, (0.0, *NUDGES)):
-            yield _shift(kept, unit, step * way + aside * left)
+            yield shift(kept, unit, step * way + aside * left)
         if faults[unit] <= FREE:
             continue
-        for ahead, aside in product(STEPS, SHIFTS if len(units) == 1 else FEWER):
-            at = start + ahead * way + aside * left
-            yield line_up(problem, kept, unit, (*at, np.arctan2(-way[1], -way[0])))
+        frame = np.array([*start, np.arctan2(way[1], way[0])])
+        for pose in before(frame, STEPS, SHIFTS if len(units) == 1 else FEWER, np.pi):
+            yield line_up(problem, kept, unit, pose)
         for aside in NUDGES:
-            yield _shift(kept, unit, aside * left)
-
-
-def _shift(kept: Kept, unit: int, by: Floats) -> Kept:
-    """The layout with a unit moved by some metres (2,)."""
-    pose = kept.pose.copy()
-    pose[unit, :2] += by
-    return kept._replace(pose=pose)
+            yield shift(kept, unit, aside * left)

@@ -9,6 +9,7 @@ import numpy as np
 
 from scenewright.domains.hall.patterns import SINGLE
 from scenewright.domains.hall.problem import Floats, HallProblem
+from scenewright.domains.hall.retouch.places import before, stand_at
 from scenewright.domains.hall.terms.state import Kept
 from scenewright.domains.hall.terms.visitors import SPEAKER
 
@@ -47,17 +48,12 @@ def propose_lecterns(problem: HallProblem, kept: Kept, boxes: Floats) -> Iterato
     """Layouts with one lectern at the side of the screen of its zone, looking as that does."""
     for unit, target in find_lecterns(problem, kept):
         box = boxes[int(problem.units.spans[unit, 0])]
-        for side, beside, ahead in product((-1.0, 1.0), BESIDE, AHEAD):
-            pose = kept.pose.copy()
-            pose[unit, :3] = _place(box, boxes[target], side, beside, ahead)
-            yield kept._replace(pose=pose)
+        places = product((-1.0, 1.0), BESIDE, AHEAD)
+        yield from stand_at(kept, unit, (_place(box, boxes[target], *place) for place in places))
 
 
 def _place(box: Floats, screen: Floats, side: float, beside: float, ahead: float) -> Floats:
     """The pose (3,) of a lectern at one ``side`` (-1 or 1) of a screen, so many metres beside it
     and before it."""
-    front = np.array([np.cos(screen[2]), np.sin(screen[2])])
-    right = np.array([front[1], -front[0]])
-    off = side * (0.5 * (screen[3] + box[3]) + beside) * right
-    x, y = screen[:2] + off + (0.5 * (screen[4] + box[4]) + ahead) * front
-    return np.array([x, y, screen[2]])
+    off = side * (0.5 * (screen[3] + box[3]) + beside)
+    return before(screen, [0.5 * (screen[4] + box[4]) + ahead], [off])[0]

@@ -65,11 +65,12 @@ def set_rows(
     gaps: Floats,
     pose: tuple[float, ...],
 ) -> Kept:
-    """The layout with a unit at a pose in rows of so ``many`` (2,) columns, with such gaps (2,)."""
+    """The layout with a unit at a pose in rows of so ``many`` (2,) columns, with such gaps (2,), a
+    grid where it is one and they are full."""
     poses, layers, rows = kept.pose.copy(), kept.layers.copy(), kept.rows.copy()
     columns, used = (int(n) for n in many)
     each = [number // used + (1 if k >= used - number % used else 0) for k in range(used)]
-    code = GRID if number == columns * used else CHAIN
+    code = GRID if number == columns * used and int(kept.rows[unit, 0]) == GRID else CHAIN
     for k, count in enumerate(each):
         layers[first + k, [NUMBER, ALONG, ACROSS, CODE]] = count, gaps[0], gaps[1], code
     rows[unit], poses[unit] = (code, used), (*pose, 0.0)

@@ -66,11 +66,11 @@ def judge_layout(chain: HallChain, touches: Touches, kept: Kept) -> Verdict:
     energy = bring_back(chain.p, chain.s, chain.work, kept)
     if not np.isfinite(energy):
         return Verdict(broken=1)
-    boxes, (p, s) = stand(chain), (chain.p, chain.s)
+    boxes, p, s, bits = stand(chain), chain.p, chain.s, chain.bits
     forgiven = sum(one.forgiven(kept, boxes, p, s) for one in touches.values())
     faults = {name: WEIGHT * one.fault(kept, boxes) for name, one in touches.items()}
     found = {PASSAGE: lacking(p, s)}
-    missed = count_missed(p, s, chain.grid, *chain.bits, chain.inset)
+    missed = count_missed(p, s, chain.grid, bits[0], bits[1], bits[2], chain.inset)
     return Verdict(missed, 0, found, {ENERGY: energy - forgiven} | faults)
 
 

@@ -17,6 +17,7 @@ from scenewright.core.layout import corners
 from scenewright.domains.hall.patterns import CHAIN, GRID, WALL
 from scenewright.domains.hall.problem import Floats, HallProblem, Ints
 from scenewright.domains.hall.retouch.columns import CLEAR, Columns, find_columns, propose_rows
+from scenewright.domains.hall.retouch.places import shift
 from scenewright.domains.hall.terms.state import Kept
 from scenewright.domains.hall.terms.visitors import ALOOF, LOUNGE, LOW
 
@@ -25,7 +26,7 @@ WEIGHT = 8.0
 """What a metre lacking counts: as a fault it is seen at first glance."""
 STEPS, TURNS = (0.15, 0.3, 0.5, 0.8, 1.2), 8
 """Metres by which a group is moved, and in how many directions."""
-ALONG_WALL = tuple((along, 0.0) for along in (-1.5, -0.8, -0.4, 0.4, 0.8, 1.5))
+ALONG_WALL = np.array([(along, 0.0) for along in (-1.5, -0.8, -0.4, 0.4, 0.8, 1.5)])
 """By how much a row at walls is moved along them, in metres."""
 
 
@@ -109,9 +110,7 @@ def propose_distances(company: Company, kept: Kept, boxes: Floats) -> Iterator[K
     for unit in sorted({u for pair in near for u in pair[:2] if u >= 0}):
         at_wall = kept.rows[unit, 0] == WALL
         for by in ALONG_WALL if at_wall else _list_shifts(float(kept.pose[unit, 2])):
-            pose = kept.pose.copy()
-            pose[unit, :2] += by
-            yield kept._replace(pose=pose)
+            yield shift(kept, unit, by)
     for unit in sorted({pair.first for pair in near if pair.second < 0}):
         if company.columns.problem.units.choices[unit, [CHAIN, GRID]].any():
             yield from propose_rows(company.columns, kept, unit)

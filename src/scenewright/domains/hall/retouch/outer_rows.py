@@ -13,7 +13,8 @@ import numpy as np
 
 from scenewright.domains.hall.patterns import ALONG, CHAIN
 from scenewright.domains.hall.problem import Floats, HallProblem
-from scenewright.domains.hall.retouch.lines import count_objects, find_layers, line_up
+from scenewright.domains.hall.retouch.lines import find_layers
+from scenewright.domains.hall.retouch.places import fill_floor
 from scenewright.domains.hall.terms.state import Kept
 from scenewright.domains.hall.terms.visitors import FIRST, GUIDE, MAIN, SPEAKER, TILL
 
@@ -22,8 +23,6 @@ AISLE, LEAST, WORTH = 1.0, 2, 3.0
 metre that it lacks counts."""
 FRONT, BACK = 0, 2
 """The columns of ``clear`` that say how much free floor is before and behind an object."""
-FEWER, MORE = 2, 1
-"""So many rows fewer and more are tried."""
 ASIDE = (0.0, 0.5, -0.5, 1.0, -1.0)
 """Metres along the rows beside where they are that are tried."""
 STRAIGHT = 0.02  # by how much rows may be turned to the axes of their zone, radians
@@ -86,27 +85,5 @@ def propose_lines(problem: HallProblem, kept: Kept, boxes: Floats) -> Iterator[K
     """Layouts with the objects of one unit in rows that lie evenly across their zone, an aisle at
     either end."""
     for unit in _find_rows(problem, kept):
-        if _measure_slots(problem, kept, boxes, unit) <= 0.0:
-            continue
-        ahead, rows = _ahead(kept, unit), int(kept.rows[unit, 1])
-        low, high = problem.ground.zone_bounds[problem.units.zones[unit]].reshape(2, 2)
-        deep = float(boxes[slice(*problem.units.spans[unit]), 4].max())
-        whole, middle = float(np.abs((high - low) @ ahead)), 0.5 * (low + high)
-        for lines in range(max(rows - FEWER, 1), rows + MORE + 1):
-            apart = (whole - lines * deep) / (lines + 1)
-            if apart >= AISLE and lines <= int(count_objects(problem)[unit]):
-                yield from _line_up(problem, kept, unit, middle, lines, apart)
-
-
-def _line_up(
-    problem: HallProblem, kept: Kept, unit: int, middle: Floats, lines: int, apart: float
-) -> Iterator[Kept]:
-    """Layouts with a unit in so many rows about the middle of its zone, a little to either side
-    along them."""
-    ahead, at = _ahead(kept, unit), kept.pose[unit, :2]
-    along = np.array([ahead[1], -ahead[0]])
-    centre = at + ((middle - at) @ ahead) * ahead
-    for about in (centre, middle):
-        for aside in ASIDE:
-            place = about + aside * along
-            yield line_up(problem, kept, unit, (*place, kept.pose[unit, 2]), lines, apart)
+        if _measure_slots(problem, kept, boxes, unit) > 0.0:
+            yield from fill_floor(problem, kept, boxes, unit, ASIDE)

@@ -12,6 +12,7 @@ from scenewright.core.layout import corners
 from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.retouch.arrivals import box_round
 from scenewright.domains.hall.retouch.lines import count_objects
+from scenewright.domains.hall.retouch.places import shift
 from scenewright.domains.hall.retouch.tills import find_tills
 from scenewright.domains.hall.terms.state import Kept
 from scenewright.domains.hall.terms.visitors import GUIDE
@@ -82,13 +83,7 @@ def propose_queues(problem: HallProblem, kept: Kept, boxes: Floats) -> Iterator[
         lack = _measure_lack(problem, boxes, lanes)
         for back in (step for step in STEPS if not step or lanes.behind - step >= BEHIND):
             near = sorted({int(unit) for unit in owner[lack > back]})
-            moved = _shift(kept, [lanes.unit], -back * lanes.ahead)
+            moved = shift(kept, [lanes.unit], -back * lanes.ahead)
             whole = max(float(lack.max()) - back, 0.0)
             for far in sorted({0.0, whole, *(step for step in STEPS if step < whole)}):
-                yield _shift(moved, near, far * lanes.ahead)
-
-
-def _shift(kept: Kept, units: list[int], off: Floats) -> Kept:
-    pose = kept.pose.copy()
-    pose[units, :2] += off
-    return kept._replace(pose=pose)
+                yield shift(moved, near, far * lanes.ahead)

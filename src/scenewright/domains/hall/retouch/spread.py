@@ -4,15 +4,14 @@ use."""
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import product
 from typing import NamedTuple
 
 import numpy as np
 
-from scenewright.domains.hall.patterns import ACROSS, ALONG, CHAIN, GRID, NUMBER, WALL
+from scenewright.domains.hall.patterns import WALL
 from scenewright.domains.hall.problem import Floats, HallProblem, Ints
 from scenewright.domains.hall.retouch.columns import Columns
-from scenewright.domains.hall.retouch.lines import find_layers
+from scenewright.domains.hall.retouch.places import fill_floor, shift
 from scenewright.domains.hall.terms.state import Kept
 from scenewright.domains.hall.terms.visitors import FIRST, GUIDE, MAIN, SPEAKER, TILL
 
@@ -28,10 +27,8 @@ BARE = 2.0
 """Metres beyond what a strip may have from which on each counts twice: it is seen at once."""
 NEAR, GAP = 0.6, 0.1
 """How near the border of their zone things at walls stand, and the least that is a gap; metres."""
-ASIDE = (0.5, -0.5, 1.0, -1.0)
+ASIDE = (0.0, 0.5, -0.5)
 """Metres beside the middle of the strips that are tried."""
-PARTS = (0.0, 0.5, 1.0)
-"""Parts of what gaps could be wider that are tried."""
 
 
 class Side(NamedTuple):
@@ -125,48 +122,6 @@ def propose_spread(columns: Columns, kept: Kept, boxes: Floats) -> Iterator[Kept
         mine = [unit for unit in movable if int(problem.units.zones[unit]) == zone]
         off = np.array([0.5 * (side.behind - side.before) for side in sides])
         for part in (off, off * (1.0, 0.0), off * (0.0, 1.0)):
-            yield _shift(kept, mine, part)
+            yield shift(kept, mine, part)
         for unit in mine:
-            yield from _widen(problem, kept, unit, sides, off)
-
-
-def _shift(kept: Kept, units: list[int], off: Floats) -> Kept:
-    pose = kept.pose.copy()
-    pose[units, :2] += off
-    return kept._replace(pose=pose)
-
-
-def _widen(
-    problem: HallProblem, kept: Kept, unit: int, sides: list[Side], off: Floats
-) -> Iterator[Kept]:
-    """Layouts with a unit moved by ``off`` (2,), about that or not along each axis, and its
-    gaps wider."""
-    rows = kept.rows[unit]
-    first = find_layers(problem, unit)[0]
-    mine = slice(first, first + int(rows[1]))
-    ahead = 0 if abs(np.cos(kept.pose[unit, 2])) > 0.5 else 1
-    gapped = int(rows[0]) in (CHAIN, GRID)
-    gaps = kept.layers[mine, ALONG].max(initial=0.0) > GAP
-    along = _find_room(sides[1 - ahead], int(kept.layers[mine, NUMBER].max()) - 1)
-    across = _find_room(sides[ahead], int(rows[1]) - 1)
-    for moved in product(*map(_list_moves, sides, off)):
-        shifted = _shift(kept, [unit], np.array(moved))
-        yield shifted
-        for part, other in product(PARTS, repeat=2) if gapped else ():
-            if part * along * gaps + other * across > GAP:
-                layers = kept.layers.copy()
-                layers[mine, ALONG] += part * along * gaps
-                layers[mine, ACROSS] += other * across
-                yield shifted._replace(layers=layers)
-
-
-def _list_moves(side: Side, off: float) -> tuple[float, ...]:
-    """Metres a unit is moved along an axis: to the middle or not, and a little to either side of it
-    where strips are wide, so that a gap of its rows meets a way out of the zone."""
-    return (off, 0.0) if side.fault <= 0.0 else (off, 0.0, *(off + more for more in ASIDE))
-
-
-def _find_room(side: Side, gaps: int) -> float:
-    """By how much each of some gaps may be wider until they are as wide as the strips beside."""
-    even = (side.before + side.behind - 2.0 * side.gap) / (gaps + 2)
-    return float(max(min(even, WIDEST - side.gap), 0.0)) if gaps > 0 else 0.0
+            yield from fill_floor(problem, kept, boxes, unit, ASIDE)

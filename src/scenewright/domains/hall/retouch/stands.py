@@ -1,4 +1,4 @@
-"""Stands of a fair with closed backs: they show who comes in their fronts, not a wall of backs."""
+"""Stands and panels show who comes in their fronts, not a wall of backs."""
 
 from __future__ import annotations
 
@@ -11,23 +11,26 @@ from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.retouch.lines import turn_half_round
 from scenewright.domains.hall.terms.state import Kept
 from scenewright.domains.hall.terms.visitors import ALOOF
+from scenewright.domains.hall.visit.roles import FRONT
 
-AISLE, FRONT, BACK = 2.0, 0, 2
-"""Metres free before stands at least, none behind, and the columns of ``clear`` that say so."""
+AISLE = 2.0
+"""Metres free before stands at least, none behind or beside them."""
 TURNED = 1.5
-"""What a group of stands counts that all look straight away from the way in, in metres."""
+"""What a group of them counts that all look straight away from the way in, in metres."""
 STEPS = tuple(0.3 * k for k in range(-12, 13))
 """Metres ahead of where they stand that are tried with stands turned half round."""
 
 
 def _find_stands(problem: HallProblem, kept: Kept) -> list[int]:
-    """The units of stands in straight rows that look at nothing of their own."""
+    """The units of stands with closed backs, and of what has a front, in straight rows that look at
+    nothing of their own."""
     units = problem.units
     clear = units.clear[units.spans[:, 0]]
-    closed = (clear[:, FRONT] >= AISLE) & (clear[:, 1:] == 0.0).all(1) & (units.targets < 0)
-    shown = (problem.visitors.roles.astype(int) & ALOOF).astype(bool)
+    closed = (clear[:, 0] >= AISLE) & (clear[:, 1:] == 0.0).all(1) & (units.targets < 0)
+    roles = problem.visitors.roles.astype(int)
+    shown = closed & (roles & ALOOF > 0) | (units.targets < 0) & (roles & FRONT > 0)
     straight = np.isin(kept.rows[:, 0].astype(int), (CHAIN, GRID, SINGLE))
-    return [int(unit) for unit in np.flatnonzero(closed & shown & straight)]
+    return [int(unit) for unit in np.flatnonzero(shown & straight)]
 
 
 def measure_backs(problem: HallProblem, kept: Kept, boxes: Floats) -> float:

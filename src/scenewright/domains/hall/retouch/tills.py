@@ -12,6 +12,7 @@ from scenewright.core.layout import corners
 from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.retouch.arrivals import box_round, find_met
 from scenewright.domains.hall.retouch.desks import WAY, WIDE
+from scenewright.domains.hall.retouch.places import before, stand_at
 from scenewright.domains.hall.terms.state import Kept
 from scenewright.domains.hall.terms.visitors import LANE
 
@@ -72,10 +73,6 @@ def propose_tills(problem: HallProblem, kept: Kept, boxes: Floats) -> Iterator[K
         if int(kept.rows[unit, 1]) != len(tills):
             continue
         for x, y, dx, dy in _ways_out(problem):
-            way, right = np.array([dx, dy]), np.array([dy, -dx])
-            for ahead in STEPS:
-                for aside in SHIFTS:
-                    at = (x, y) + (ahead + 0.5 * tills[0, 3]) * way + aside * right
-                    pose = kept.pose.copy()
-                    pose[unit, :3] = (*at, np.arctan2(right[1], right[0]))
-                    yield kept._replace(pose=pose)
+            out, half = np.array([x, y, np.arctan2(dy, dx)]), 0.5 * tills[0, 3]
+            places = before(out, (ahead + half for ahead in STEPS), SHIFTS, -0.5 * np.pi)
+            yield from stand_at(kept, unit, places)

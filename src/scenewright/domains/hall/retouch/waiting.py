@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import product
 
 import numpy as np
 
@@ -12,6 +11,7 @@ from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.retouch.arrivals import box_round
 from scenewright.domains.hall.retouch.desks import BACK, far_from
 from scenewright.domains.hall.retouch.lines import forgive_space
+from scenewright.domains.hall.retouch.places import CLOSE, all_over, along_walls, at_walls, stand_at
 from scenewright.domains.hall.terms.state import Kept, PreparedHall, State
 from scenewright.domains.hall.terms.visitors import FIRST, MACHINE, TILL, WAITING
 
@@ -23,11 +23,6 @@ BESIDE, BEHIND, AHEAD, STAFF = 2.2, 3.0, 0.6, 2.0
 who does, in metres."""
 LOOSE, ADRIFT = 0.3, 2.0
 """What each metre counts between a seat by itself and a wall at its back, up to so many."""
-STEPS, ALONG, CLOSE = 9, 0.5, 0.02
-"""Places along each side of the zone that are tried, metres between those along its walls, and what
-is left between a wall and a back at it, in metres."""
-MOST = 200
-"""How many places along walls are tried at most."""
 
 
 def measure_waiting(problem: HallProblem, kept: Kept, boxes: Floats) -> float:
@@ -111,44 +106,7 @@ def propose_waiting(problem: HallProblem, kept: Kept, boxes: Floats) -> Iterator
         if _measure(desks, mine) + _measure_loose(problem, mine) <= 0.0:
             continue
         if int(kept.rows[unit, 0]) == WALL:
-            poses = _slide(problem, unit, kept.pose[unit])
+            places = along_walls(problem, unit)
         else:
-            poses = [*_spots(problem, unit, kept.pose[unit]), *_walls(problem, unit)]
-        for own in poses:
-            pose = kept.pose.copy()
-            pose[unit] = own
-            yield kept._replace(pose=pose)
-
-
-def _slide(problem: HallProblem, unit: int, pose: Floats) -> list[Floats]:
-    """Poses (4,) of a row at walls along all of those of its zone, each at either end of the wall
-    or amid it."""
-    ground = problem.ground
-    rows = ground.stretches[ground.stretches[:, 4] == problem.units.zones[unit]]
-    total = float(np.hypot(*(rows[:, 2:4] - rows[:, :2]).T).sum())
-    starts = np.linspace(0.0, total, min(int(total / ALONG) + 1, MOST), endpoint=False)
-    return [np.array([a, b, *pose[2:]]) for a, b in product(starts, (-1.0, 0.0, 1.0))]
-
-
-def _spots(problem: HallProblem, unit: int, pose: Floats) -> list[Floats]:
-    """Poses (4,) all over the zone of a group, as it looks now and turned by quarters."""
-    low, high = problem.ground.zone_bounds[int(problem.units.zones[unit])].reshape(2, 2)
-    parts = (np.arange(STEPS) + 0.5) / STEPS
-    return [
-        np.array([*(low + part * (high - low)), pose[2] + 0.5 * np.pi * turn, pose[3]])
-        for part, turn in product(np.array(list(product(parts, repeat=2))), range(4))
-    ]
-
-
-def _walls(problem: HallProblem, unit: int) -> list[Floats]:
-    """Poses (4,) of one seat with its back at the walls of its zone."""
-    ground, depth = problem.ground, float(problem.units.sizes[problem.units.spans[unit, 0], 1])
-    wide, found = float(problem.units.sizes[problem.units.spans[unit, 0], 0]), list[Floats]()
-    for x0, y0, x1, y1 in ground.stretches[ground.stretches[:, 4] == problem.units.zones[unit], :4]:
-        length = max(float(np.hypot(x1 - x0, y1 - y0)), 1e-9)
-        way = np.array([x1 - x0, y1 - y0]) / length
-        left = np.array([-way[1], way[0]])
-        for t in np.arange(0.5 * wide + CLOSE, length - 0.5 * wide, ALONG):
-            at = np.array([x0, y0]) + t * way + (0.5 * depth + CLOSE) * left
-            found.append(np.array([*at, np.arctan2(left[1], left[0]), 0.0]))
-    return found[:: len(found) // MOST + 1]
+            places = [*all_over(problem, unit, kept.pose[unit, 2]), *at_walls(problem, unit)]
+        yield from stand_at(kept, unit, places)

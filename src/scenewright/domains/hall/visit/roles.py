@@ -10,6 +10,9 @@ GATE = "ticket_gate"
 """What everybody passes who comes into its zone."""
 MACHINES = ("ticket_machine",)
 """Where one gets a ticket or a number without being served."""
+FRONT = 16384
+"""The role of groups that have a front and a back as drawn (those before it:
+:mod:`..terms.visitors`)."""
 DESKS = ("info_desk", GATE, *MACHINES)
 
 

@@ -9,6 +9,7 @@ from scenewright.core.piece_outlines import boxes_of
 from scenewright.core.scene import Piece
 from scenewright.core.space import Opening, Space
 from scenewright.domains.hall.classes import (
+    FRONTED,
     LOUNGE_SEATS,
     MAIN_EXHIBITS,
     ON_SHOW,
@@ -34,7 +35,7 @@ from scenewright.domains.hall.terms.visitors import (
     WAITING,
 )
 from scenewright.domains.hall.visit.doors import visitor_exits, ways_in, ways_out
-from scenewright.domains.hall.visit.roles import MACHINES, is_first, is_till
+from scenewright.domains.hall.visit.roles import FRONT, MACHINES, is_first, is_till
 from scenewright.domains.hall.zoning.assign import Unit
 
 EYES = 1.6
@@ -58,6 +59,7 @@ STANDING = (
     *SHOWN,
     (RECEPTION, RECEPTIONS),
     (MACHINE, frozenset(MACHINES)),
+    (FRONT, frozenset(FRONTED)),
 )
 """Roles that depend on nothing but the category."""
 
