@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 from benchmarks.person_raters import ANCHOR, DRIFT, FRESH, HIDDEN, NOISE, TIRING
 from scenewright.domains.site.encodings.cell_moves import random_genes
 from scenewright.domains.site.problem import SiteProblem
-from scenewright.domains.site.solvers.genetic import MatrixJudge, make_judge
 from scenewright.domains.site.solvers.lattice import make_cells
+from scenewright.domains.site.solvers.matrix_judge import MatrixJudge, make_judge
 from scenewright.domains.site.terms.measure import lay
 from scenewright.domains.site.terms.value import value_parts
 

@@ -31,20 +31,19 @@ from scenewright.engine.preference.alleles.art1 import (
     may_take_over,
     rate_pattern,
 )
-from scenewright.engine.preference.alleles.preference import (
-    AlleleRecord,
-    accept_preference,
-    estimate_fitness,
-    observe_allele,
-    prefer_allele,
+from scenewright.engine.preference.interactive.estimates import (
+    MIDDLE,
+    RatedLayouts,
+    estimate_by_alleles,
+    mark_alleles,
 )
+from scenewright.engine.preference.interactive.methods import method_named
+from scenewright.engine.preference.interactive.takeover import ALONE, REMEMBERED
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 Name = Literal["vp", "tiga", "sga"]
-ASKED, MIDDLE, ALONE, REMEMBERED = 5, 3.0, 10, 60
-"""Layouts of a generation that the paper's method asks for, the middle of the stars, generations a
-trusted network rates at most before the rater is asked again, and last ratings it learns from."""
+ASKED = method_named("vp").asked
 
 
 class Generation(NamedTuple):
@@ -98,7 +97,7 @@ def _solver(problem: SiteProblem, cells: SiteLattice, name: Name, seed: int) -> 
             cells, quality, selection="roulette", led=0.0, local=False, amount=amount
         )
     return MatrixGenetic(
-        cells, quality, selection="roulette", points=1, keep=0, led=0.0, local=False
+        cells, quality, selection="roulette", points=1, keep=0, led=0.0, local=False, amount=amount
     )
 
 
@@ -112,12 +111,11 @@ def _make_assessor(
     quality = np.array(
         [problem.buildings.quality[cells.members[k : k + 1]].sum() for k in cells.firsts[:-1]]
     )
-    usual = float(quality[1:].mean()) if kinds > 1 else 0.5
     stage = alone = 0
 
     def guess(rows: Ints) -> Floats:
         last = np.array(rated[-REMEMBERED:])
-        bits = _bits(np.concatenate([last, rows]), kinds)
+        bits = mark_alleles(np.concatenate([last, rows]), kinds)
         network = learn_ratings(bits[: len(last)], np.array(told[-REMEMBERED:]), settings)
         return np.array([rate_pattern(network, row, MIDDLE, settings) for row in bits[len(last) :]])
 
@@ -137,8 +135,8 @@ def _make_assessor(
             alone, stage = min(STAGES[stage].generations, ALONE), stage + 1
         rated.extend(rows[:count])
         told.extend(given.tolist())
-        known, ratings = np.array(rated), np.array(told)
-        rest = [estimate(known, ratings, row, quality, usual, kinds, rng) for row in rows[count:]]
+        known = RatedLayouts(np.array(rated), np.array(told), quality)
+        rest = [estimate_by_alleles(known, row, rng) for row in rows[count:]]
         return np.array([*given, *rest])
 
     return assess
@@ -149,38 +147,3 @@ def read_alleles(genes: Floats) -> Ints:
     whole = genes.reshape(len(genes), -1, 3).astype(np.int64)
     found: Ints = np.where(whole[:, :, PART] == 0, whole[:, :, KIND], 0)
     return found
-
-
-def _bits(rows: Ints, kinds: int) -> Floats:
-    """Which kind stands where, as patterns (k, bits) of an ART1 network: a bit for each allele that
-    occurs in any of the rows (k, cells)."""
-    keys = np.arange(rows.shape[1]) * kinds + rows
-    known = np.unique(keys[rows > 0])
-    marks, at = np.zeros((len(rows), len(known))), np.searchsorted(known, keys)
-    row, cell = np.nonzero(rows)
-    marks[row, at[row, cell]] = 1.0
-    return marks
-
-
-def estimate(
-    rated: Ints,
-    ratings: Floats,
-    row: Ints,
-    quality: Floats,
-    usual: float,
-    kinds: int,
-    rng: np.random.Generator,
-) -> float:
-    """(7) for a layout that was not rated, over the buildings that stand in it."""
-    records = []
-    for gene in np.flatnonzero(row).tolist():
-        allele = int(row[gene])
-        carry = rated[:, gene] == allele
-        if not carry.any():
-            continue
-        wanted = prefer_allele(rated, ratings, gene, allele)
-        seen = observe_allele(rated, gene, allele, kinds)
-        tau = max(float(quality[allele]), 1e-3)
-        used = accept_preference(wanted, seen, tau, usual, rng.random())
-        records.append(AlleleRecord(used, tau, float(ratings[carry].mean())))
-    return estimate_fitness(records, MIDDLE)

@@ -8,13 +8,14 @@ import numpy as np
 import pytest
 from benchmarks.papers_site import PRINTED, converged
 from benchmarks.papers_site_raters import SiteRater, like, make_taste
-from benchmarks.papers_site_search import Generation, estimate, search
+from benchmarks.papers_site_search import Generation, search
 from benchmarks.papers_site_tables import markdown_lines
 from benchmarks.site_scenes import posed, scene_brief
 
 from scenewright.domains.site.encodings.cell_moves import random_genes
-from scenewright.domains.site.solvers.genetic import make_judge
 from scenewright.domains.site.solvers.lattice import make_cells
+from scenewright.domains.site.solvers.matrix_judge import make_judge
+from scenewright.engine.preference.interactive.estimates import RatedLayouts, estimate_by_alleles
 
 PROBLEM = posed(scene_brief(6)).problems["default"]
 
@@ -50,10 +51,9 @@ def test_a_run_asks_as_its_method_does(name: str) -> None:
 
 def test_estimates_are_means_of_what_is_known() -> None:
     rated, ratings = np.array([[1, 0], [1, 2], [0, 2]]), np.array([5.0, 3.0, 1.0])
-    rng, quality = np.random.default_rng(0), np.array([0.0, 0.5, 0.5])
-    good = estimate(rated, ratings, np.array([1, 0]), quality, 0.4, 3, rng)
-    assert good == pytest.approx(4.0)
-    assert estimate(rated, ratings, np.array([0, 1]), quality, 0.4, 3, rng) == 3.0
+    rng, known = np.random.default_rng(0), RatedLayouts(rated, ratings, np.array([0.0, 0.5, 0.5]))
+    assert estimate_by_alleles(known, np.array([1, 0]), rng) == pytest.approx(4.0)
+    assert estimate_by_alleles(known, np.array([0, 1]), rng) == 3.0
 
 
 def test_convergence_and_tables() -> None:

@@ -35,6 +35,7 @@ class EvolveRequest(NamedTuple):
     views: bool
     seed: int
     say: str | None
+    method: str
 
 
 def evolve(
@@ -59,12 +60,15 @@ def evolve(
         str | None,
         typer.Option(metavar="LINES", help="What to say, instead of the prompt: 3; done"),
     ] = None,
+    method: Annotated[
+        str, typer.Option(help="By a paper's genetic algorithm: vp, tiga, ciga, siga, sga.")
+    ] = "",
     seed: Annotated[int, typer.Option(min=0, help="Same seed, same candidates.")] = 0,
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON document only.")] = False,
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="Print nothing but errors.")] = False,
 ) -> int:
     """Look at a dozen layouts at a time, say what you think, get better ones; done writes OUT."""
-    request = _read_request(source, outputs or [], resume, log, sheet, views, seed, say)
+    request = _read_request(source, outputs or [], resume, log, sheet, views, seed, say, method)
     return _run(request, as_json, quiet)
 
 
@@ -77,6 +81,7 @@ def _read_request(
     views: bool,
     seed: int,
     say: str | None,
+    method: str = "",
 ) -> EvolveRequest:
     """The request, with names for what is not named."""
     if source is None and resume is None:
@@ -89,7 +94,11 @@ def _read_request(
     drawn = sheet or base.with_name(base.name + SHEET)
     if drawn.suffix.lower() != ".png":
         raise InputError("sheets are .png files", "choose such a name", file=str(drawn))
-    return EvolveRequest(source, tuple(outputs), kept, drawn, resume is not None, views, seed, say)
+    if method and resume is not None:
+        raise InputError("--method and --from exclude each other", "the log holds its method")
+    return EvolveRequest(
+        source, tuple(outputs), kept, drawn, resume is not None, views, seed, say, method
+    )
 
 
 def _run(request: EvolveRequest, as_json: bool, quiet: bool) -> int:
@@ -108,7 +117,9 @@ def _run(request: EvolveRequest, as_json: bool, quiet: bool) -> int:
     if request.resumed:
         evolution = resume_evolution(request.log)
     else:
-        evolution = begin(str(request.source), request.log, seed=request.seed)
+        evolution = begin(
+            str(request.source), request.log, seed=request.seed, method=request.method
+        )
     with evolution:
         ended = _converse(evolution, request, console)
         code = _write(evolution, request, console) if ended == "done" else 0
@@ -252,8 +263,11 @@ def show_screen(
         text = " · ".join(filter(None, ["champion" if champion else "", note]))
         entries.append(SheetEntry(picture, str(place), text, champion))
     title = f"{evolution.brief.name}: sheet {screen.number + 1}"
-    write_sheet(draw_sheet(entries, title, f"predictions: {screen.trust}"), request.sheet)
+    below = f"method: {evolution.method}" if evolution.method else f"predictions: {screen.trust}"
+    write_sheet(draw_sheet(entries, title, below), request.sheet)
     print_line(console, f"sheet {screen.number + 1}: {request.sheet}", whole=True)
+    for note in evolution.notes:
+        print_line(console, note, "dim")
     if request.say is None and sys.stdin.isatty():
         from scenewright.cli.evolve_best import name_picture
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from scenewright.core.solution import Solution
 
@@ -29,3 +29,27 @@ class Breeder(NamedTuple):
     genes: tuple[Gene, ...]
     develop: Callable[[Genome], Solution]
     measure: Callable[[Genome], tuple[Mapping[str, float], int]] | None = None
+
+
+class MatrixBreeder(NamedTuple):
+    """Layouts of a brief coded as matrices, a whole number a cell, line by line, for the genetic
+    algorithms that a person rates: the ``breeder`` of such genomes; the visual quality τ of each
+    kind of building (kind 0: nothing stands); size of a generation, chances of crossover and
+    mutation, as the paper of the domain prints them.
+
+    ``draw(count, led, rng)`` makes first layouts, ``led`` by quality or by chance; ``cross(one,
+    other, points, rng)`` exchanges what lies between two points, or behind one, or a block;
+    ``mutate(genome, rng, worth)`` mutates with the chance of the domain, by what alleles are
+    ``worth`` (cells, kinds) if that is known; ``vary(genome, rng)`` makes a neighbour; ``read``
+    gives the kind that is anchored at each cell.
+    """
+
+    breeder: Breeder
+    qualities: tuple[float, ...]
+    population: int
+    crossover: float
+    draw: Callable[[int, bool, Any], list[Genome]]
+    cross: Callable[[Genome, Genome, int, Any], tuple[Genome, Genome]]
+    mutate: Callable[[Genome, Any, Any], Genome]
+    vary: Callable[[Genome, Any], Genome]
+    read: Callable[[Genome], tuple[int, ...]]

@@ -14,11 +14,12 @@ from typing import TYPE_CHECKING, Any
 
 from scenewright.check.given import locked_ids, mark_locked, restore_footprints, restore_given
 from scenewright.core.acceptance import accept_findings
-from scenewright.core.breeding import Breeder, Gene
+from scenewright.core.breeding import Breeder, Gene, MatrixBreeder
 from scenewright.core.brief import Brief
 from scenewright.core.brief.domain_keys import check_domain
 from scenewright.core.catalog import Catalog
 from scenewright.core.edits import Adjusted, Edits, check_moves
+from scenewright.core.errors import InputError
 from scenewright.core.explanation import Explanation
 from scenewright.core.layout import Layouts, Watch
 from scenewright.core.learned import LearnedGroups
@@ -51,6 +52,7 @@ __all__ = [
     "features_of",
     "learn_groups",
     "learn_style",
+    "matrix_breeder_of",
     "plan_of",
     "plan_valid",
     "presets",
@@ -351,6 +353,17 @@ def breeder_of(brief: Brief, plan: Plan, seed: int = 0) -> Breeder:
         (Gene("chance", CHANCES),),
         lambda genome: solve(brief, plan=plan, seed=seed + genome[0], threads=1),
     )
+
+
+def matrix_breeder_of(brief: Brief, plan: Plan, seed: int = 0) -> MatrixBreeder:
+    """The matrix code of a brief's layouts, for the genetic algorithms that a person rates; raises
+    :class:`InputError` where its domain has none."""
+    domain: Domain = domain_of(brief.domain)
+    if not domain.has("matrix_breeder"):
+        fault = f"--method is for sites and extensions, but the brief is of a {domain.name}"
+        raise InputError(fault, "leave it out")
+    made: MatrixBreeder = domain.verb("matrix_breeder")(brief, plan, seed)
+    return made
 
 
 def trace_passes(solution: Solution, plan: Plan) -> PassTrace:

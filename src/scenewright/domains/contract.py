@@ -57,6 +57,7 @@ Verb = Literal[
     "detail_of",
     "features",
     "breeder",
+    "matrix_breeder",
     "sources",
     "passes",
 ]
@@ -67,8 +68,9 @@ named on the command line that it does not know), ``alternatives``, ``compare``,
 could be), ``drawn_scale`` (how much too small or too large the plan is drawn, of a brief and its
 spaces), ``programme`` (what was decided for the whole, in words), ``appearance`` (its style, and
 what chose it), ``draw_levels`` (a sheet a level; else the plan is one sheet), ``sources`` (author,
-licence and name of what a layout is learned from, of a brief), ``features``, ``breeder`` and the
-two of the detail are passed over where a domain has none, the rest refused by name."""
+licence and name of what a layout is learned from, of a brief), ``features``, ``breeder``,
+``matrix_breeder`` and the two of the detail are passed over where a domain has none, the rest
+refused by name."""
 Table = Literal[
     "presets",
     "solvers",

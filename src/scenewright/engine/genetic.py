@@ -97,8 +97,8 @@ class PaperGenetic(NamedTuple):
             drawn = rng.uniform(state.low, state.high, (self.population, len(state.low)))
             children = lead_with(self.parents, drawn, state.low, state.high)
         else:
-            drawn = roulette(state.energies, self.population - 1, rng)
-            parents = state.genes[[int(state.energies.argmin()), *drawn.tolist()]]
+            others = roulette(state.energies, self.population - 1, rng)
+            parents = state.genes[[int(state.energies.argmin()), *others.tolist()]]
             crossed = rng.random(len(parents) // 2) < self.crossover
             mutated = rng.random(len(parents)) < self.mutation
             children = self.mutate(cross(parents, crossed, rng), mutated, state, rng)

@@ -33,6 +33,7 @@ DOMAIN = Domain(
         "locked": ".locks:lock_extension",
         "features": ".features:measure_features",
         "breeder": ".breeding:make_breeder",
+        "matrix_breeder": ".matrix_breeding:make_matrix_breeder",
         "detail_document": ".record:detail_document",
         "detail_of": ".record:detail_of",
     },

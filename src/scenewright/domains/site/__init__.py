@@ -35,6 +35,7 @@ DOMAIN = Domain(
         "detail_of": ".record:detail_of",
         "features": ".features:measure_features",
         "breeder": ".breeding:make_breeder",
+        "matrix_breeder": ".matrix_breeding:make_matrix_breeder",
     },
     tables={
         "reasons": ".features:REASONS",

@@ -40,6 +40,7 @@ from scenewright.domains.site.presets import PRESETS, SitePreset
 from scenewright.domains.site.problem import Flags, SiteProblem
 from scenewright.domains.site.reasons import reasons
 from scenewright.domains.site.solvers import SITE_SOLVERS
+from scenewright.domains.site.solvers.answer import answer
 from scenewright.domains.site.solvers.chosen import fill_chosen
 from scenewright.domains.site.solvers.outcome import SiteFound, SiteLayout
 from scenewright.domains.site.sunlight import solve_in_sun
@@ -183,12 +184,14 @@ def _build(
     def run(posed: SiteProblem) -> SiteFound:
         if variant.choice is not None:
             return fill_chosen(posed, variant.choice)
+        if variant.boxes is not None:
+            return answer(posed, variant.boxes, 1, 0)
         found: SiteFound = SITE_SOLVERS[solver].run(posed, budget, seed, on_progress, cancel)
         return found
 
     found, served, lost = _run_served(site, plan, problem, run)
     again = lost and problem.spacing < BESIDE and budget.seconds is None
-    if again and variant.choice is None:
+    if again and variant.choice is None and variant.boxes is None:
         wider = _run_served(site, plan, problem._replace(spacing=BESIDE), run)
         if wider[1].layout.present.sum() > served.layout.present.sum():
             found, served, lost = wider

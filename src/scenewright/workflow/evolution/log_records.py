@@ -57,6 +57,7 @@ class AboutRecord(StrictModel):
     source: str = ""
     breeding: str
     form: str
+    method: Annotated[str, Field(pattern=r"^[a-z-]{0,20}$")] = ""
 
 
 class BreedingRecord(StrictModel):

@@ -7,7 +7,7 @@ from concurrent.futures import Future, ThreadPoolExecutor
 from typing import NamedTuple
 
 from scenewright import domains
-from scenewright.core.breeding import Genome
+from scenewright.core.breeding import Breeder, Genome
 from scenewright.core.brief import Brief
 from scenewright.core.plan import Plan
 from scenewright.core.solution import Solution
@@ -40,10 +40,19 @@ class Batch(NamedTuple):
 
 
 class Nursery:
-    """Breeds one batch at a time in the background. ``locked`` gives the brief of an epoch."""
+    """Breeds one batch at a time in the background. ``locked`` gives the brief of an epoch;
+    ``breeder`` is what it breeds by (that of the domain, if left out)."""
 
-    def __init__(self, brief: Brief, plan: Plan, seed: int, locked: Callable[[str], Brief]) -> None:
+    def __init__(
+        self,
+        brief: Brief,
+        plan: Plan,
+        seed: int,
+        locked: Callable[[str], Brief],
+        breeder: Breeder | None = None,
+    ) -> None:
         self._brief, self._plan, self._seed, self._locked = brief, plan, seed, locked
+        self._breeder = breeder
         self._pool = ThreadPoolExecutor(WORKERS, thread_name_prefix="breeding")
         self._grounds: dict[str, BreedingGround] = {}
         self.batch: Batch | None = None
@@ -53,7 +62,8 @@ class Nursery:
         if epoch not in self._grounds:
             brief = self._locked(epoch) if epoch else self._brief
             plan = domains.plan_of(brief) if epoch else self._plan
-            self._grounds[epoch] = BreedingGround(plan, domains.breeder_of(brief, plan, self._seed))
+            breeder = self._breeder or domains.breeder_of(brief, plan, self._seed)
+            self._grounds[epoch] = BreedingGround(plan, breeder)
         return self._grounds[epoch]
 
     def begin(self, epoch: str, screen: int, choose: Callable[[], list[Genome]]) -> None:

@@ -38,6 +38,7 @@ from scenewright.engine.preference.taste import (
 )
 from scenewright.engine.preference.trust import TrustRecord
 from scenewright.workflow.evolution.archive import CandidateArchive
+from scenewright.workflow.evolution.by_method import MethodRun, best_rated, make_run, refuse
 from scenewright.workflow.evolution.candidate import Screen, ShownCandidate, predicted_shares
 from scenewright.workflow.evolution.history import read_history
 from scenewright.workflow.evolution.locking import lock_brief, name_epoch
@@ -69,6 +70,7 @@ class Evolution:
         start: Sequence[PersonTaste] = (),
         mix: ScreenMix | None = None,
         breeding: BreedingPlan | None = None,
+        method: str = "",
     ) -> None:
         self.brief, self.log, self.seed = brief, log, seed
         self.plan = domains.plan_of(brief)
@@ -79,8 +81,13 @@ class Evolution:
         self._learned: tuple[tuple[Event, ...], PersonTaste] | None = None
         self._archive = CandidateArchive(log, self._breeding.first)
         self._history = read_history(log.entries(), len(self._archive.bred))
+        self._run = make_run(method, brief, self.plan, seed) if method else None
         self._nursery = Nursery(
-            brief, self.plan, seed, lambda epoch: lock_brief(epoch, self.solution_of)
+            brief,
+            self.plan,
+            seed,
+            lambda epoch: lock_brief(epoch, self.solution_of),
+            self._run.matrix.breeder if self._run else None,
         )
 
     def __enter__(self) -> Evolution:
@@ -118,8 +125,26 @@ class Evolution:
     @property
     def champion(self) -> ShownCandidate | None:
         """What the person has chosen so far; only what she says changes it."""
-        number = champion_of(self._history.events)
+        number = self._champion()
         return None if number is None else self._show([number])[0]
+
+    def _champion(self) -> int | None:
+        events = self._history.events
+        return champion_of(events) if self._run is None else best_rated(events)
+
+    @property
+    def method(self) -> str:
+        """The method it is evolved by; empty: ours."""
+        return self._run.method.name if self._run else ""
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What a method tells of the sheet shown last: what it estimated, and whether its network
+        was trusted to rate."""
+        sheets = len(self._history.screens) - 1
+        if self._run is None or sheets < 0:
+            return ()
+        return self._run.crowd(self._history, self._archive.bred, sheets).notes
 
     @property
     def screen(self) -> Screen | None:
@@ -128,7 +153,7 @@ class Evolution:
         if not screens:
             return None
         shown = self._show(screens[-1].shown)
-        champion = champion_of(self._history.events)
+        champion = self._champion()
         return Screen(len(screens) - 1, tuple(shown), champion, self.trust)
 
     @property
@@ -143,6 +168,8 @@ class Evolution:
     def best_so_far(self) -> ShownCandidate | None:
         """The predicted best of the candidates that are bred so far for the next screen, under the
         number it will have; none while there is nothing to tell. Looking changes nothing."""
+        if self._run is not None:
+            return None
         batch, taste = self._nursery.batch, self.taste
         known = taste.posterior is not None or bool(taste.start.any())
         found = [(place, *one) for place, one in self._nursery.peek() if one[0].valid]
@@ -158,6 +185,8 @@ class Evolution:
         """The next screen: the champion, favourites, the predicted best, draws and the farthest.
         ``progress`` gets the share bred and what is done, where the screen has to wait for it."""
         epoch, number = name_epoch(self.events), len(self._history.screens)
+        if self._run is not None:
+            return self._ask_by_method(self._run, number, progress)
         self._adopt(epoch, number, progress)
         taste = self.taste
         shown = self._choose(taste, epoch, number)
@@ -169,11 +198,22 @@ class Evolution:
         self._breed(epoch, number + 1, taste)
         return Screen(number, tuple(candidates), champion_of(self._history.events), self.trust)
 
+    def _ask_by_method(self, run: MethodRun, number: int, progress: OnProgress | None) -> Screen:
+        """The next sheet of a method: what it asks of, developed now."""
+        crowd = run.crowd(self._history, self._archive.bred, number)
+        self._nursery.begin("", number, lambda: list(crowd.asked))
+        shown = self._archive.add(self._nursery.collect(progress), "")
+        body = {"screen": number, "shown": shown, "predicted": [None] * len(shown), "wide": 0}
+        self._append("screen", body, shown)
+        return Screen(number, tuple(self._show(shown)), self._champion(), self.trust)
+
     def tell(self, *events: Event) -> None:
         """Hear what was said; it is on disk when this returns. Raises :class:`InputError`, and
         keeps nothing, for what cannot be meant."""
         for k, event in enumerate(events):
             check_said(event, self._history.shown, self.reasons)
+            if self._run is not None:
+                refuse(event)
             if isinstance(event, Lock):
                 self._check_lock(event.name, champion_of((*self._history.events, *events[:k])))
         for event in events:
@@ -189,6 +229,8 @@ class Evolution:
     def edit(self, number: int, **edits: Any) -> ShownCandidate:
         """Change a candidate by hand, as :func:`scenewright.domains.adjust` does: the answer is a
         new candidate that is better than it was."""
+        if self._run is not None:
+            refuse("move")
         check_said(Edit(number, number), self._history.shown, ())
         solution = domains.adjust(self.solution_of(number), **edits).solution
         plan = domains.plan_of(solution.brief)
@@ -202,6 +244,8 @@ class Evolution:
         """Breed on for so many rounds without asking, the model rating in the person's place; only
         where it may be trusted. Nothing is learned from that and the champion stays; the next
         screen is the person's again. How many candidates were bred."""
+        if self._run is not None:
+            refuse("auto")
         if not self.trust.enough:
             raise InputError(f"predictions are not good enough yet: {self.trust}", "go on picking")
         before, epoch = len(self._archive.bred), name_epoch(self.events)
@@ -284,6 +328,9 @@ class Evolution:
         self, numbers: Sequence[int], taste: PersonTaste | None = None
     ) -> list[ShownCandidate]:
         """Candidates with what is predicted of them, if anything is."""
+        if self._run is not None:
+            ground = self._nursery.ground("").plan
+            return [ShownCandidate(n, self.solution_of(n), ground) for n in numbers]
         taste = taste or self.taste
         values = np.array([self._archive.bred[number].values for number in numbers])
         known = taste.posterior is not None or bool(taste.start.any())

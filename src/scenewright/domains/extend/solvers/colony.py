@@ -134,7 +134,7 @@ def breed(
         grid, weights, evaluations or chosen.population * chosen.generations, on_plots
     )
     rate = judge.rate if score is None else _both(judge, score)
-    people = [_random(grid, len(grid.areas), rng) for _ in range(chosen.population)]
+    people = [draw_plot_matrix(grid, len(grid.areas), rng) for _ in range(chosen.population)]
     values, elites, age = [rate(genes) for genes in people], list[tuple[float, Genes]](), 1
     tell(hear, "begin", 0, method="breeding", settings=chosen, budget=judge.most)
     _tell(hear, age, judge, values, PlotBrood((), False, 0, 0, 0))
@@ -166,7 +166,7 @@ def _bear(
     """The next generation, of parents best first."""
     kinds, many = len(grid.areas), chosen.population
     if np.array([genes == people[0] for genes in people]).mean() > ALIKE:
-        around = tuple(_step(grid, parents[0], kinds, rng) for _ in range(many))
+        around = tuple(step_plots(grid, parents[0], kinds, rng) for _ in range(many))
         return PlotBrood(around, True, 0, 0, 0)
     carriers, fits = np.array([genes for _, genes in elites]), np.array([v for v, _ in elites])
     worth = allele_values(carriers, fits, kinds, chosen.printed)
@@ -207,7 +207,7 @@ def _both(judge: PlotJudge, score: Callable[[Genes], float]) -> Callable[[Genes]
     return rate
 
 
-def _random(grid: PlotGrid, kinds: int, rng: np.random.Generator) -> Genes:
+def draw_plot_matrix(grid: PlotGrid, kinds: int, rng: np.random.Generator) -> Genes:
     """A matrix with about as much built as is wanted."""
     share = grid.wanted / max(float(grid.areas.mean()) * float(grid.free.sum()), 1e-9)
     genes = np.where(rng.random(grid.free.shape) < share, 0, -1)
@@ -239,7 +239,7 @@ def mutate(genes: Genes, worth: Floats, hit: Flags, rng: np.random.Generator) ->
     return child
 
 
-def _step(grid: PlotGrid, genes: Genes, kinds: int, rng: np.random.Generator) -> Genes:
+def step_plots(grid: PlotGrid, genes: Genes, kinds: int, rng: np.random.Generator) -> Genes:
     """Local search: one free plot changed, or two exchanged."""
     child, free = genes.copy(), np.argwhere(grid.free)
     (i, j), (k, n) = free[rng.integers(len(free), size=2)].tolist()
@@ -257,11 +257,11 @@ def anneal_plots(
     gives up about what one step changes, down by the square of what is left."""
     judge = PlotJudge(grid, weights, evaluations)
     kinds = len(grid.areas)
-    now = _random(grid, kinds, rng)
+    now = draw_plot_matrix(grid, kinds, rng)
     value = judge.rate(now)
     while not judge.spent():
         heat = HOT * (1 - len(judge.history) / evaluations) ** 2 + 1e-9
-        made = _step(grid, now, kinds, rng)
+        made = step_plots(grid, now, kinds, rng)
         other = judge.rate(made)
         if other >= value or rng.random() < np.exp((other - value) / heat):
             now, value = made, other
@@ -273,10 +273,10 @@ def climb_plots(
 ) -> BredPlots:
     """For comparison: greedy steps uphill."""
     judge = PlotJudge(grid, weights, evaluations)
-    now = _random(grid, len(grid.areas), rng)
+    now = draw_plot_matrix(grid, len(grid.areas), rng)
     value = judge.rate(now)
     while not judge.spent():
-        made = _step(grid, now, len(grid.areas), rng)
+        made = step_plots(grid, now, len(grid.areas), rng)
         other = judge.rate(made)
         if other > value:
             now, value = made, other
@@ -289,5 +289,5 @@ def draw_plots(
     """For comparison: matrices at random."""
     judge = PlotJudge(grid, weights, evaluations)
     while not judge.spent():
-        judge.rate(_random(grid, len(grid.areas), rng))
+        judge.rate(draw_plot_matrix(grid, len(grid.areas), rng))
     return judge.found()

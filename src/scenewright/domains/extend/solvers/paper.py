@@ -93,7 +93,7 @@ def _grow(
     growth = tell_growth(watch, 0, 1)
 
     def on_plots(before: int, own: int, share: float, best: np.ndarray) -> bool:
-        return growth((before + own * share) / most, partial(_build, problem, grid, best))
+        return growth((before + own * share) / most, partial(build_plots, problem, grid, best))
 
     genes = np.zeros(grid.free.shape, np.int64)
     if grid.free.any():
@@ -101,12 +101,12 @@ def _grow(
         ants = run_ants(grid, WEIGHTS, parts[0], rng, settings, first, budget.hear)
         bred = breed(grid, WEIGHTS, parts[1], rng, settings, on_plots=second, hear=budget.hear)
         genes = max(ants, bred, key=lambda one: one.value).genes
-    found = rate_layout(problem, _build(problem, grid, genes))
+    found = rate_layout(problem, build_plots(problem, grid, genes))
     watch.over(most, found.score["energy"], lambda: found)
     return Found((found,), most)
 
 
-def _build(problem: ExtendProblem, grid: PlotGrid, genes: np.ndarray) -> GrownLayout:
+def build_plots(problem: ExtendProblem, grid: PlotGrid, genes: np.ndarray) -> GrownLayout:
     """The buildings of a matrix on their plots, turned as their originals; what does not fit is
     left away."""
     canvas, pattern = Canvas(problem), problem.pattern

@@ -1,0 +1,108 @@
+"""Extensions as matrices of plots that a person breeds: Zhang and Fei (2017), section 5."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from scenewright.core.breeding import Breeder, Gene, Genome, MatrixBreeder
+from scenewright.core.brief import Brief
+from scenewright.core.errors import InputError
+from scenewright.core.plan import Plan
+from scenewright.core.solution import Solution
+from scenewright.domains.extend.models import check_models
+from scenewright.domains.extend.presets import PRESETS
+from scenewright.domains.extend.printed import Floats, Genes, PlotGrid
+from scenewright.domains.extend.rating import rate_layout
+from scenewright.domains.extend.solvers.ants import look_ahead, walk_ants
+from scenewright.domains.extend.solvers.colony import (
+    ColonySettings,
+    draw_plot_matrix,
+    mutate,
+    step_plots,
+    swap_blocks,
+)
+from scenewright.domains.extend.solvers.paper import build_plots, grid_of
+from scenewright.domains.extend.solving import assemble_solution, furnish_area, pose_problem
+
+QUALITY = 0.5
+"""Visual quality of every kind of building: the paper measures none."""
+
+
+class PlotMatrix(NamedTuple):
+    """The plots of an area, ready to be bred."""
+
+    grid: PlotGrid
+    settings: ColonySettings
+
+    def shape(self, genome: Genome) -> Genes:
+        """A genome as a matrix (m, n)."""
+        return np.array(genome, np.int64).reshape(self.grid.free.shape)
+
+    def draw(self, count: int, led: bool, rng: np.random.Generator) -> list[Genome]:
+        """First layouts: what so many ants build, or by chance."""
+        kinds, plots = len(self.grid.areas), self.grid.middles[self.grid.free]
+        if not led or not len(plots):
+            drawn = [draw_plot_matrix(self.grid, kinds, rng) for _ in range(count)]
+        else:
+            trails = np.full((len(plots), len(plots)), self.settings.start)
+            sight = look_ahead(plots, self.settings)
+            drawn = [*walk_ants(self.grid, plots, trails, sight, self.settings, count, rng).genes]
+        return [_flatten(genes) for genes in drawn]
+
+    def cross(
+        self,
+        one: Genome,
+        other: Genome,
+        points: int,  # noqa: ARG002
+        rng: np.random.Generator,
+    ) -> tuple[Genome, Genome]:
+        """Each with a block of the other."""
+        a, b = self.shape(one), self.shape(other)
+        return _flatten(swap_blocks(a, b, rng)), _flatten(swap_blocks(b, a, rng))
+
+    def mutate(self, genome: Genome, rng: np.random.Generator, worth: Floats | None) -> Genome:
+        """Each gene drawn anew with the printed chance, by what alleles are worth if known."""
+        genes, kinds = self.shape(genome), len(self.grid.areas) + 1
+        hit = (rng.random(genes.shape) < self.settings.mutation) & self.grid.free
+        known = np.ones((len(genome), kinds)) if worth is None else worth
+        return _flatten(mutate(genes, known.reshape(*genes.shape, kinds), hit, rng))
+
+    def vary(self, genome: Genome, rng: np.random.Generator) -> Genome:
+        """A neighbour: one plot changed, or two exchanged."""
+        return _flatten(step_plots(self.grid, self.shape(genome), len(self.grid.areas), rng))
+
+
+def make_matrix_breeder(brief: Brief, plan: Plan, seed: int = 0) -> MatrixBreeder:
+    """The plots of a brief of one area. Raises :class:`InputError` for several."""
+    made = plan.detail
+    if len(made.areas) != 1:
+        fault = f"a matrix is of one area, and the brief has {len(made.areas)}"
+        raise InputError(fault, "leave --method out, or the other areas")
+    (area,), catalog = made.areas, check_models(brief, made)
+    problem = pose_problem(made, area, PRESETS["paper"].settings, catalog)
+    matrix = PlotMatrix(grid_of(problem), ColonySettings())
+
+    def develop(genome: Genome) -> Solution:
+        layout = rate_layout(problem, build_plots(problem, matrix.grid, matrix.shape(genome)))
+        found = furnish_area(brief, area, problem, layout, catalog, 1)
+        return assemble_solution(brief, made, [found], catalog, "paper", "colony", seed, 0.0)
+
+    kinds, rule = len(matrix.grid.areas) + 1, matrix.settings
+    genes = (Gene("plot", kinds),) * matrix.grid.free.size
+    return MatrixBreeder(
+        Breeder(genes, develop),
+        (QUALITY,) * kinds,
+        rule.population,
+        rule.crossover,
+        matrix.draw,
+        matrix.cross,
+        matrix.mutate,
+        matrix.vary,
+        lambda genome: genome,
+    )
+
+
+def _flatten(genes: Genes) -> Genome:
+    return tuple(genes.ravel().tolist())

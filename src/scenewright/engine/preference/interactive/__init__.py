@@ -1,0 +1,1 @@
+"""Interactive genetic algorithms: a person rates layouts in stars, generation by generation."""
