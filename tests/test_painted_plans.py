@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import random
+from collections import Counter
+from collections.abc import Sequence
 from contextlib import suppress
 from pathlib import Path
+from typing import Any
 
 import pytest
 from shapely import Polygon
@@ -13,7 +16,8 @@ from flat import flat_solution
 from scenewright.cli import run
 from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
-from scenewright.formats import read, write
+from scenewright.core.solution import unfurnished
+from scenewright.formats import read, read_planned, write
 from thoroughness import few_or_many
 
 pytest.importorskip("svgelements")
@@ -68,6 +72,61 @@ def test_our_own_plans_read_back(tmp_path: Path, suffix: str) -> None:
     assert sum(len(room.windows) for room in brief.rooms) == 2
     assert brief.input_report is not None
     assert brief.input_report.complete
+
+
+def test_pages_of_a_set_are_storeys(tmp_path: Path) -> None:
+    """Our own set of a house: both plans with their names and heights above each other, what else
+    is in it left out with its reason."""
+    brief, plan = read_planned("sample:home-house")
+    write(unfurnished(brief), tmp_path / "house.pdf", plan)
+    found = read(tmp_path / "house.pdf")
+    levels = [("Ground floor", 0.0), ("Upper floor", 2.9)]
+    assert [(level.name, level.elevation) for level in found.levels] == levels
+    assert areas(found) == pytest.approx(areas(brief), rel=0.01)
+    assert {room.name for room in found.rooms} == {room.name for room in brief.rooms}
+    by_level = [{room.name for room in found.rooms if room.level == k} for k in ("0", "1")]
+    assert "Living room" in by_level[0]
+    assert "Main bedroom" in by_level[1]
+
+
+def sheet_of(document: Any, boxes: Sequence[float], title: str, scale: str = "1:100") -> None:
+    """A page of rooms 4 m high side by side, ``boxes`` metres wide, with doors between them and a
+    title."""
+    document.add_page()
+    document.set_font("Helvetica", size=14)
+    document.text(20, 20, title)
+    document.set_font("Helvetica", size=8)
+    document.text(20, 150, scale)
+    document.set_fill_color(0)
+    x = 30.0
+    for row in (38.0, 80.0):
+        document.rect(28, row, 10 * sum(boxes) + 2 * len(boxes) + 2, 2, style="F")
+    for wide in (*boxes, 0.0):
+        document.rect(x - 2, 40, 2, 15, style="F")
+        document.rect(x - 2, 64, 2, 16, style="F")
+        x += 10 * wide + 2
+
+
+def test_storeys_by_name_and_what_is_none(tmp_path: Path) -> None:
+    document = fpdf.FPDF(orientation="landscape", unit="mm", format="A4")
+    sheet_of(document, (5.0, 4.0), "GRUNDRISS 1. OG")
+    sheet_of(document, (5.0, 3.0, 4.0), "Grundriss EG")
+    sheet_of(document, (5.0, 3.0, 4.0), "Elektroplan · EG")
+    sheet_of(document, (5.0, 4.0), "Schnitt A-A")
+    sheet_of(document, (5.0, 4.0), "2. OG", "1:50")
+    document.output(str(tmp_path / "set.pdf"))
+    brief = read(tmp_path / "set.pdf")
+    assert [(level.name, level.elevation) for level in brief.levels] == [
+        ("EG", 0.0),
+        ("1. OG", 2.8),
+    ]
+    counts = Counter(room.level for room in brief.rooms)
+    assert counts == {"0": 3, "1": 2}
+    assert brief.input_report is not None
+    reasons = " ".join(row.reason for row in brief.input_report.rows if row.kind == "page")
+    assert "shows the storey of page 2" in reasons
+    assert "is called schnitt" in reasons
+    assert "is drawn at 1:50, the plan before it at 1:100" in reasons
 
 
 def test_walls_by_the_widest_pen_and_the_written_scale(tmp_path: Path) -> None:

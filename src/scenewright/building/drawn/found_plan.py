@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 from shapely import Geometry, Polygon
 from shapely.affinity import affine_transform
 
@@ -31,11 +32,12 @@ the rooms, for a plan to be taken as read."""
 
 
 class DrawnPlan(NamedTuple):
-    """A drawing in metres with its unit, the faces and openings found in it, the rooms of each
-    storey, and the floor in m² that its walls span and no room has."""
+    """A drawing in metres with its unit and its origin in units, the faces and openings found in
+    it, the rooms of each storey, and the floor in m² that its walls span and no room has."""
 
     drawn: Drawn
     unit: UnitFound
+    origin: NDArray[np.float64]
     faces: Faces
     openings: list[Found]
     storeys: list[list[int]]
@@ -59,7 +61,7 @@ def marked_plan(sheet: Sheet, chosen: Drawn, scale: float) -> DrawnPlan | None:
     drawn = chosen.scaled(unit.metres, shift)
     faces = find_faces(drawn)._replace(rooms=rooms, around=[], small=[])
     openings = find_openings(drawn, rooms, faces.gaps)
-    return DrawnPlan(drawn, unit, faces, openings, _storeys(faces, drawn), 0.0)
+    return DrawnPlan(drawn, unit, shift, faces, openings, _storeys(faces, drawn), 0.0)
 
 
 def find_plan(
@@ -80,7 +82,7 @@ def find_plan(
             faces = without_solid(faces, moved)
         if not is_plan(faces, drawn):
             continue
-        plan = _measured(drawn, unit, faces)
+        plan = _measured(drawn, unit, shift, faces)
         fault = _fault(plan)
         if not fault:
             return plan
@@ -91,12 +93,14 @@ def find_plan(
     raise refusal or _no_plan(chosen)
 
 
-def _measured(drawn: Drawn, unit: UnitFound, faces: Faces) -> DrawnPlan:
+def _measured(
+    drawn: Drawn, unit: UnitFound, origin: NDArray[np.float64], faces: Faces
+) -> DrawnPlan:
     storeys = _storeys(faces, drawn)
     rooms = [faces.rooms[k] for group in storeys for k in group]
     missed = missed_floor(drawn.walls, rooms, faces.around)
     openings = find_openings(drawn, faces.rooms, faces.gaps)
-    return DrawnPlan(drawn, unit, faces, openings, storeys, missed)
+    return DrawnPlan(drawn, unit, origin, faces, openings, storeys, missed)
 
 
 def _fault(plan: DrawnPlan) -> str:

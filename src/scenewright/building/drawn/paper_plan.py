@@ -73,7 +73,7 @@ def list_scales(drawn: Drawn, paper: Paper, scale: float) -> list[UnitFound]:
     """
     if scale != 1.0:
         return [UnitFound(f"1:{scale:g}", paper.metres * scale, True)]
-    written = _written(paper)
+    written = written_scales(paper)
     if written:
         return [UnitFound(f"1:{number}", paper.metres * number, True) for number in written]
     leaf = median_leaf(drawn)
@@ -91,7 +91,7 @@ def list_scales(drawn: Drawn, paper: Paper, scale: float) -> list[UnitFound]:
     return fitting
 
 
-def _written(paper: Paper) -> list[int]:
-    """The scales that words of a page name, the most frequent first."""
+def written_scales(paper: Paper) -> list[int]:
+    """The scales that words of a page name, the 50 of 1:50, the most frequent first."""
     numbers = [int(m) for word in paper.words for m in SCALE.findall(word.words)]
     return [number for number, _ in Counter(n for n in numbers if 5 <= n <= 1000).most_common(4)]

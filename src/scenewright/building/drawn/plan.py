@@ -33,8 +33,8 @@ LEFT_ASIDE = {
 def plan_sheet(sheet: Sheet, scale: float = 1.0) -> dict[str, Any]:
     """The plan of a sheet by the names of its layers: ``rooms`` and ``levels`` as keys of a brief,
     ``fates`` (rows of name, kind, outcome, reason, count), ``unit`` in words, ``drawn_floor`` and
-    ``read_floor`` in m². ``scale`` multiplies the lengths of the stated unit, which then is taken
-    as it is.
+    ``read_floor`` in m², ``place`` in m. ``scale`` multiplies the lengths of the stated unit, which
+    then is taken as it is.
 
     Raises :class:`InputError` where the sheet holds no plan of a building.
     """
@@ -131,9 +131,12 @@ def _moved(keys: dict[str, Any], low: np.ndarray) -> dict[str, Any]:
 
 
 def _measures(plan: DrawnPlan) -> dict[str, Any]:
-    """The unit in words, and how much of the floor that the walls span was read."""
+    """The unit in words, how much of the floor that the walls span was read, and where the first
+    storey lies in metres of the drawing."""
     note = "as stated" if plan.unit.stated else "by walls and doors, not as stated or not stated"
+    low = np.min([plan.faces.rooms[k].bounds[:2] for k in plan.storeys[0]], axis=0)
     return {
+        "place": np.round(low + plan.origin * plan.unit.metres, 4).tolist(),
         "unit": f"{plan.unit.name} ({note})",
         "drawn_floor": plan.floor + plan.missed,
         "read_floor": plan.floor,

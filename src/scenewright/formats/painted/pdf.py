@@ -33,8 +33,8 @@ Matrix = NDArray[np.float64]
 
 
 def read(path: str | os.PathLike[str], keep: bool = False, scale: float = 1.0) -> Brief:
-    """The brief of the first page that holds a plan; furniture in drawings is left aside, kept or
-    not. ``scale`` is the 50 of 1:50 where the page does not say it.
+    """The brief of a set of pages, each that holds a plan a storey; furniture in drawings is left
+    aside, kept or not. ``scale`` is the 50 of 1:50 where the page does not say it.
 
     Raises :class:`InputError` where no page holds the plan of a building, or none can be read.
     """
@@ -47,21 +47,15 @@ def read(path: str | os.PathLike[str], keep: bool = False, scale: float = 1.0) -
 
 def extract(path: str, scale: float) -> dict[str, Any]:
     """The plan of a file as plain values (:func:`scenewright.building.drawn.plan.plan_sheet`)."""
-    from scenewright.building.drawn.paper_plan import plan_page
+    from scenewright.formats.painted.pages import read_pages
 
     document = _open(path)
-    refusal: InputError | None = None
-    for number in range(min(len(document), MOST_PAGES)):
-        try:
-            found = plan_page(read_page(document, number), scale)
-        except InputError as error:
-            refusal = refusal or error.located(place=f"page {number + 1}")
-            continue
-        others = [k for k in range(len(document)) if k != number]
-        reason = f"page {number + 1} is the first that holds a plan"
-        rows = [[f"page {k + 1}", "page", "left out", reason, 1] for k in others]
-        return found | {"fates": found["fates"] + rows}
-    raise refusal or InputError("has no page", "give the plan of a storey")
+    count = min(len(document), MOST_PAGES)
+    found = read_pages(count, lambda number: read_page(document, number), scale)
+    rest = len(document) - count
+    reason = f"only the first {MOST_PAGES} pages are read"
+    more = [[f"pages from {count + 1}", "page", "left out", reason, rest]] if rest else []
+    return found | {"fates": found["fates"] + more}
 
 
 def _open(path: str) -> Any:
