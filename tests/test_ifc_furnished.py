@@ -133,6 +133,29 @@ def test_read_again_all_furniture_is_kept(furnished: tuple[Solution, Path]) -> N
     assert path.with_name("twice.ifc").read_bytes() == path.read_bytes()
 
 
+def test_corners_are_those_of_the_kernel(furnished: tuple[Solution, Path]) -> None:
+    """Faces as the file states them reach as far as what the kernel of solids makes of them."""
+    import ifcopenshell.geom
+
+    from scenewright.formats.ifc.corners import corners_of
+
+    file = ifcopenshell.open(str(furnished[1]))
+    settings = ifcopenshell.geom.settings()
+    settings.set("use-world-coords", True)
+    unit, known, checked = ifcopenshell.util.unit.calculate_unit_scale(file), {}, 0
+    for product in file.by_type("IfcFurnishingElement"):
+        points = corners_of(product, known)
+        assert points is not None
+        made = ifcopenshell.geom.create_shape(settings, product).geometry.verts
+        drawn = np.asarray(made, float).reshape(-1, 3)
+        for end in (np.min, np.max):
+            assert end(points * unit, axis=0) == pytest.approx(end(drawn, axis=0), abs=1e-5)
+        checked += 1
+    assert checked
+    (space, *_) = file.by_type("IfcSpace")
+    assert corners_of(space, known) is None, "a solid is left to the kernel"
+
+
 def test_the_same_solution_gives_the_same_bytes(furnished: tuple[Solution, Path]) -> None:
     solution, path = furnished
     formats.write(solution, path.with_name("again.ifc"))

@@ -97,3 +97,18 @@ def test_second_runs_that_gave_way_are_priced_and_listed():
     assert price_of_spare(placed, placed, rule) == 0
     (lost,) = list_given_up(placed, without, "the kitchen takes its wall")
     assert lost.wish.group == "counter"
+
+
+@pytest.mark.parametrize(("units", "made"), [(3, False), (1, True)])
+def test_a_run_of_units_that_stands_is_the_kitchen(units: int, made: bool) -> None:
+    """Nobody builds a second kitchen before units that a plan has; one cabinet is no kitchen."""
+    brief = room([3.4, 3.0], [2.6, 0.0], [1.6, 3.0])
+    fixed = [
+        {"category": "base_cabinet", "at": [0.31, 0.4 + 0.7 * k], "size": [0.7, 0.6, 0.9]}
+        | {"heading": 0.0}
+        for k in range(units)
+    ]
+    stated = brief.model_dump(mode="json", exclude_none=True)
+    stated["rooms"][0]["fixed"] = fixed
+    home = solve(Brief.model_validate(stated), steps=20, seed=0, threads=1)
+    assert ("hob_cabinet" in {piece.category for piece in home.pieces}) is made

@@ -17,7 +17,7 @@ from scenewright.core.space import Space
 from scenewright.domains.home.attempt import RoomTask, floor_of
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.groups.classes import COOKING, SITTING, TABLES
-from scenewright.domains.home.programme import STANDS_FOR, Wish
+from scenewright.domains.home.programme import Wish, standing_groups
 from scenewright.domains.home.tasks import wishes_of
 from scenewright.domains.home.wished.wishes import groups_of
 
@@ -73,18 +73,16 @@ def _part(
     return OpenPart(
         number,
         frozenset(wish.group for wish in wishes_of(room, task, rooms, task.fixed)),
-        standing_groups(task.fixed),
+        groups_there(task.fixed),
         frozenset(named),
         room.ask is not None,
         floor_of(task.ground),
     )
 
 
-def standing_groups(pieces: Sequence[Piece]) -> frozenset[str]:
+def groups_there(pieces: Sequence[Piece]) -> frozenset[str]:
     """The groups that pieces are of, or make unnecessary."""
-    have = {piece.category for piece in pieces}
-    instead = {group for group, kinds in STANDS_FOR.items() if have.intersection(kinds)}
-    return frozenset(instead | {p.function for p in pieces if p.function in GROUPS})
+    return standing_groups(pieces) | {p.function for p in pieces if p.function in GROUPS}
 
 
 def divide(
@@ -150,7 +148,7 @@ def held_elsewhere(room: str, pieces: Sequence[Piece], rooms: tuple[Space, ...])
     """The groups of uses for which other parts of a furnished open space have something standing,
     and ``room`` has not."""
     others = [ids for ids in find_open_spaces(rooms) if room in ids]
-    there = standing_groups([p for p in pieces if others and p.space in others[0] - {room}])
-    here = standing_groups([p for p in pieces if p.space == room])
+    there = groups_there([p for p in pieces if others and p.space in others[0] - {room}])
+    here = groups_there([p for p in pieces if p.space == room])
     uses = [use for use in ONCE if use & there and not use & here]
     return frozenset(group for use in uses for group in use)

@@ -6,12 +6,14 @@ metres of free floor.
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Collection, Iterable, Mapping
 from math import inf
 from typing import NamedTuple
 
 from scenewright.catalog.classes import EATING_TABLES
 from scenewright.catalog.kinds import KINDS
+from scenewright.core.solution import Piece
 from scenewright.core.space import Space
 from scenewright.domains.home.groups.alone import own_groups
 from scenewright.domains.home.groups.classes import BED_GROUPS
@@ -214,8 +216,8 @@ STANDS_FOR: dict[str, Collection[str]] = {
     "media": ("tv", "tv_stand", "fireplace"),
     "dining": EATING_TABLES,
     "dining_wall": EATING_TABLES,
-    "kitchen": ("hob_cabinet", "sink_cabinet"),
-    "kitchenette": ("hob_cabinet", "sink_cabinet"),
+    "kitchen": ("hob_cabinet", "sink_cabinet", "worktops"),
+    "kitchenette": ("hob_cabinet", "sink_cabinet", "worktops"),
     "fridge": ("fridge",),
     "toilet": ("toilet",),
     "bath": ("bathtub", "shower", "wall_shower"),
@@ -226,7 +228,10 @@ STANDS_FOR: dict[str, Collection[str]] = {
     "coats": _COATS,
     "terrace": ("outdoor_table",),
 } | {name: tuple(kind.category for kind in kinds) for name, kinds in own_groups().items()}
-"""Fixed pieces of these categories make a group unnecessary."""
+"""Fixed pieces of these kinds (:func:`standing_kinds`) make a group unnecessary."""
+UNITS = frozenset(("base_cabinet", "drawer_cabinet", "corner_cabinet", "oven_cabinet"))
+RUN = 1.8
+"""Metres of kitchen units that are a kitchen, though no sink and no hob is named among them."""
 
 NOTED = frozenset(("shoes",))  # usual, and all that a hall is for
 GUESTS = {"wardrobe": (1.2, 0.62), "washer": (0.62, 0.64)}
@@ -244,6 +249,21 @@ ROOMY = 40.0
 DOUBLE_BEDROOM = 8.8
 SHARED = 0.15  # by how much the k-th further function of an open plan, times k, shrinks it
 CORE: dict[str, int] = {"bathroom": 6, "child_bedroom": 2, "washroom": 2}  # leading rows; else 1
+
+
+def standing_kinds(pieces: Iterable[Piece]) -> frozenset[str]:
+    """The categories of pieces, and ``worktops`` where units of a room make a run of 1.8 m."""
+    kinds, runs = set[str](), defaultdict[str, float](float)
+    for piece in pieces:
+        kinds.add(piece.category)
+        runs[piece.space] += piece.size.width if piece.category in UNITS else 0.0
+    return frozenset(kinds | ({"worktops"} if any(run >= RUN for run in runs.values()) else set()))
+
+
+def standing_groups(pieces: Iterable[Piece]) -> frozenset[str]:
+    """The groups that pieces make unnecessary."""
+    kinds = standing_kinds(pieces)
+    return frozenset(group for group, names in STANDS_FOR.items() if kinds.intersection(names))
 
 
 def resolve_bedrooms(functions: Iterable[str], area: float) -> tuple[str, ...]:

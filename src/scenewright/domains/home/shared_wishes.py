@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 
 from scenewright.domains.home.attempt import RoomTask
 from scenewright.domains.home.household import Household, share_out
-from scenewright.domains.home.programme import STANDS_FOR, Wish
+from scenewright.domains.home.programme import Wish, standing_groups
 from scenewright.domains.home.wished.beds import list_wished_beds
 from scenewright.domains.home.wished.wishes import list_barred_groups
 
@@ -15,7 +15,7 @@ def share_wishes(
     household: Household, tasks: Sequence[RoomTask], wishes: Sequence[tuple[Wish, ...]]
 ) -> list[tuple[Wish, ...]]:
     """The wishes of all rooms as the home has them."""
-    standing = find_groups(piece.category for task in tasks for piece in task.fixed)
+    standing = standing_groups(piece for task in tasks for piece in task.fixed)
     others = standing | {wish.group for asked in wishes for wish in asked}
     return [
         share_with_home(household, task, asked, others)
@@ -38,9 +38,3 @@ def share_with_home(
     shared = asked if listed else share_out(settled, task.space.id, asked, others)
     barred = list_barred_groups(task.asked, task.library) if task.asked else frozenset()
     return tuple(wish for wish in shared if wish in asked or wish.group not in barred)
-
-
-def find_groups(categories: Iterable[str]) -> frozenset[str]:
-    """The groups for which pieces of such categories stand."""
-    there = frozenset(categories)
-    return frozenset(group for group, kinds in STANDS_FOR.items() if there.intersection(kinds))

@@ -31,6 +31,8 @@ from scenewright.domains.home.programme import (
     most_of,
     programme,
     resolve_bedrooms,
+    standing_groups,
+    standing_kinds,
 )
 from scenewright.domains.home.requests import limit_sizes
 from scenewright.domains.home.settings import fit_settings
@@ -130,9 +132,8 @@ def wishes_of(
     already stands there."""
     groups = {p.group: p.function for p in fixed if p.function in GROUPS}
     standing = Counter(groups.values())
-    have = frozenset(p.category for p in fixed)
-    instead = {group for group, kinds in STANDS_FOR.items() if have.intersection(kinds)}
-    there = have | standing.keys() | instead
+    have = standing_kinds(fixed)
+    there = have | standing.keys() | standing_groups(fixed)
     if room.ask is not None:
         asked = tuple(
             Wish(

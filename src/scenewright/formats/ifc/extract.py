@@ -20,6 +20,7 @@ import numpy as np
 import shapely
 
 from scenewright.core.errors import InputError
+from scenewright.formats.ifc.corners import Known, corners_of
 
 GREATEST_FILE = 256 * 2**20
 """Bytes above which a model is not read."""
@@ -66,6 +67,15 @@ class Surface(NamedTuple):
 
     points: np.ndarray
     faces: np.ndarray
+
+
+class Drawing(NamedTuple):
+    """How bodies are drawn: settings of the kernel, metres a unit of the file, and the corners of
+    shapes that stand in several places, by number."""
+
+    settings: Any
+    unit: float
+    known: Known
 
 
 def extract(path: str, keep: bool = False) -> dict[str, Any]:
@@ -121,6 +131,7 @@ def _unzip(path: Path) -> bytes:
 def _document(file: Any, keep: bool) -> dict[str, Any]:
     import ifcopenshell.geom
     import ifcopenshell.util.element
+    import ifcopenshell.util.unit
 
     settings = ifcopenshell.geom.settings()
     settings.set("use-world-coords", True)
@@ -132,7 +143,8 @@ def _document(file: Any, keep: bool) -> dict[str, Any]:
     if len(products) > MOST_PRODUCTS:
         fault = f"holds {len(products):,} elements, more than {MOST_PRODUCTS:,}"
         raise InputError(fault, "export one building, or one storey")
-    rows = [_product(p, settings, numbers, ifcopenshell.util.element, keep) for p in products]
+    draw = Drawing(settings, ifcopenshell.util.unit.calculate_unit_scale(file), {})
+    rows = [_product(p, draw, numbers, ifcopenshell.util.element, keep) for p in products]
     return {
         "unit": _unit_name(file),
         "storeys": [{"name": s.Name or s.LongName or "", "number": s.id()} for s in storeys],
@@ -150,7 +162,7 @@ def _unit_name(file: Any) -> str:
 
 
 def _product(
-    product: Any, settings: Any, storeys: dict[int, int], element: Any, keep: bool
+    product: Any, draw: Drawing, storeys: dict[int, int], element: Any, keep: bool
 ) -> dict[str, Any]:
     row: dict[str, Any] = {
         "kind": product.is_a(),
@@ -167,7 +179,7 @@ def _product(
     stands = any(product.is_a(kind) for kind in STANDING)
     moves = any(product.is_a(kind) for kind in MOVABLE)
     if (stands and (keep or not moves)) or any(product.is_a(kind) for kind in SHAPED):
-        row |= _shape(product, settings, hull=stands)
+        row |= _hull_of(product, draw) if stands else _shape(product, draw.settings, hull=False)
     return row
 
 
@@ -212,6 +224,14 @@ def _host(product: Any) -> Any:
     return None
 
 
+def _hull_of(product: Any, draw: Drawing) -> dict[str, Any]:
+    """The same of what stands in rooms, by its convex outline."""
+    points = corners_of(product, draw.known)
+    if points is None:
+        return _shape(product, draw.settings, hull=True)
+    return _solid(product, points * draw.unit, _hull(points * draw.unit), hosted=False)
+
+
 def _shape(product: Any, settings: Any, hull: bool) -> dict[str, Any]:
     """What a product covers in plan, between which heights, and where its front looks."""
     holes = [filled.RelatingOpeningElement for filled in getattr(product, "FillsVoids", ()) or ()]
@@ -222,12 +242,19 @@ def _shape(product: Any, settings: Any, hull: bool) -> dict[str, Any]:
         return {}
     points, faces = found
     gap = APART if product.is_a("IfcCurtainWall") else MERGE
+    rings = _hull(points) if hull else _rings(points, faces, gap)
+    return _solid(product, points, rings, hosted=bool(holes))
+
+
+def _solid(
+    product: Any, points: np.ndarray, rings: list[np.ndarray], *, hosted: bool
+) -> dict[str, Any]:
     return {
-        "rings": [r.tolist() for r in (_hull(points) if hull else _rings(points, faces, gap))],
+        "rings": [ring.tolist() for ring in rings],
         "low": float(points[:, 2].min()),
         "high": float(points[:, 2].max()),
         "heading": _turn(product),
-        "hosted": bool(holes),
+        "hosted": hosted,
     }
 
 

@@ -42,7 +42,8 @@ def category_of(row: dict[str, Any], size: Size) -> str:
         return OF_ENTITY[row["kind"]]
     if row["use"] in CLASSES:
         return str(row["use"])
-    found = match(f"{row['name']} {row['use']}")
+    family = row["name"].partition(":")[0]  # Revit: family:type:number
+    found = match(family) or match(f"{row['name']} {row['use']}")
     kinds = tuple(one for kind in (found.kinds if found else ()) for one in meanings(kind))
     return nearest(kinds, size)[0] if kinds else "obstacle"
 

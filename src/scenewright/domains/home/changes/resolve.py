@@ -46,9 +46,9 @@ from scenewright.domains.home.household import Household, decide_household, seat
 from scenewright.domains.home.learned.density import match_learned_density
 from scenewright.domains.home.open_plan import held_elsewhere
 from scenewright.domains.home.presets import PRESETS
-from scenewright.domains.home.programme import Wish
+from scenewright.domains.home.programme import Wish, standing_groups
 from scenewright.domains.home.room import count_steps
-from scenewright.domains.home.shared_wishes import find_groups, share_with_home
+from scenewright.domains.home.shared_wishes import share_with_home
 from scenewright.domains.home.solvers import SOLVERS
 from scenewright.domains.home.tasks import task_of, wishes_of
 from scenewright.domains.home.wheelchair import furnish_by_use, widen_library
@@ -176,7 +176,7 @@ def _task_with(
 def _groups_of(pieces: Sequence[Piece], room: str, wanted: Sequence[Wish]) -> frozenset[str]:
     """The groups that stand in the other rooms, and those ``wanted`` in this one."""
     others = [p for p in pieces if p.space != room]
-    standing = find_groups(p.category for p in others) | {p.function for p in others}
+    standing = standing_groups(others) | {p.function for p in others}
     return standing | {wish.group for wish in wanted}
 
 
