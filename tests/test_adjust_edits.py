@@ -28,6 +28,7 @@ from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.tasks import task_of, wishes_of
 from scenewright.engine.rows import preset_named
 from scenewright.formats import solution_json
+from thoroughness import few_or_many
 
 flat = partial(furnished, "sample:home-flat")
 
@@ -40,7 +41,7 @@ def left_out(solution: Solution, space: str) -> dict[str, bool]:
     return {out.what: out.required for out in solution.left_out if out.space == space}
 
 
-@pytest.mark.parametrize("seed", range(QUICK))
+@pytest.mark.parametrize("seed", range(few_or_many(4, QUICK)))
 def test_random_sequences_of_edits(seed: int) -> None:
     outcome = sequence(seed)
     assert outcome.faults == ()

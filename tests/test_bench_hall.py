@@ -26,6 +26,7 @@ from scenewright.core.brief import Brief
 from scenewright.core.solution import Solution
 from scenewright.domains.hall.solving import solve
 from scenewright.formats import read
+from thoroughness import only_thorough
 
 CASE = "sample:hall-irregular"
 KEYS = ["case", "metric", "unit", "ours", "baseline", "baseline_name", "ratio", "runs"]
@@ -110,6 +111,7 @@ def test_growth_exponent() -> None:
     assert hall_scale.growth(sizes, [3 * size**1.5 for size in sizes]) == pytest.approx(1.5)
 
 
+@only_thorough
 @pytest.mark.realdata
 @pytest.mark.slow
 @pytest.mark.usefixtures("real_data")

@@ -26,10 +26,18 @@ from scenewright.engine.preference.events import (
     Stars,
     Worst,
 )
+from scenewright.workflow.evolution.population import BreedingPlan
+from scenewright.workflow.evolve import evolve
 
 SHOWN = (10, 11, 12, 13)
 REASONS = ("too dense", "more sun", "more trees")
 HOME = "sample:home-room"
+FEW = BreedingPlan(first=8, each=4, rounds=1, brood=8)
+
+
+def begin(log: Path) -> None:
+    """A log that a run goes on with, so that it breeds a few candidates only."""
+    evolve(HOME, log, breeding=FEW).close()
 
 
 def parse(line: str, said: tuple[Event, ...] = (), champion: int | None = None) -> object:
@@ -106,6 +114,7 @@ def test_a_conversation_writes_the_champion(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.chdir(tmp_path)
+    begin(tmp_path / "room.evolution")
     said = "2\nwhat\nwhy 1 dense\n3 > 1\n4=2\n\n1\nundo\nkeep\ndone\nnever read\n"
     monkeypatch.setattr("sys.stdin", io.StringIO(said))
     assert cli.run(["evolve", HOME, "-o", "room.json", "-o", "room.svg"]) == 0
@@ -131,6 +140,7 @@ def test_the_best_so_far_is_drawn_while_the_person_thinks(
     """At a terminal the picture appears before the next line is typed."""
     pty = pytest.importorskip("pty")
     monkeypatch.chdir(tmp_path)
+    begin(tmp_path / "room.evolution")
     leader, follower = pty.openpty()
     picture = tmp_path / "room-best.png"
 
@@ -161,7 +171,7 @@ def test_the_best_so_far_is_drawn_while_the_person_thinks(
         ([HOME, "--sheet", "sheet.jpg"], "sheets are .png files"),
         ([HOME, "-o", "plan.xyz"], "plan.xyz"),
         ([HOME, "--say", "done"], "no champion to write"),
-        ([HOME, "--say", "3; hop"], "cannot read 'hop'"),
+        ([HOME, "--say", "3; hop", "--log", "begun.evolution"], "cannot read 'hop'"),
     ],
 )
 def test_what_cannot_be_done_is_one_line(
@@ -172,6 +182,7 @@ def test_what_cannot_be_done_is_one_line(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
     monkeypatch.chdir(tmp_path)
+    begin(tmp_path / "begun.evolution")
     assert cli.run(["evolve", *arguments]) == 2
     errors = capsys.readouterr().err.strip().splitlines()
     assert told in errors[-1]

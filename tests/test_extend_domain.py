@@ -23,6 +23,7 @@ from scenewright.domains import plan_of
 from scenewright.domains.extend.areas import OLD
 from scenewright.formats import solution_json
 from scenewright.geometry.solids import block
+from thoroughness import THOROUGH
 
 SAMPLES = ("extend-terrace", "extend-court", "extend-village")
 
@@ -51,7 +52,8 @@ def new(solution: sw.Solution) -> list[sw.Piece]:
 @pytest.mark.parametrize("name", SAMPLES)
 @pytest.mark.parametrize("seed", [0, 1])
 def test_samples_grow_and_break_no_rule(name: str, seed: int) -> None:
-    solution = sw.solve(sw.read(f"sample:{name}"), seed=seed, steps=1)
+    preset = "default" if seed == 0 or THOROUGH else "quick"
+    solution = sw.solve(sw.read(f"sample:{name}"), seed=seed, preset=preset, steps=1)
     report = sw.check(solution)
     assert report.valid, [found.message for found in report.findings]
     for area, found in zip(
@@ -65,7 +67,7 @@ def test_samples_grow_and_break_no_rule(name: str, seed: int) -> None:
 
 def test_rows_go_on_at_their_pitch() -> None:
     """Fronts stay in line and houses 24 m apart, as they are in the source."""
-    solution = sw.solve(extension(), seed=3, steps=2)
+    solution = sw.solve(extension(), seed=3, preset="quick", steps=2)
     poses = np.array([[p.pose.x, p.pose.y] for p in new(solution)])
     assert len(poses) >= 8
     in_line = np.isin(poses[:, 1].round(3), (4.0, 32.0))
@@ -115,7 +117,7 @@ def test_a_source_turned_and_moved_grows_the_same_turned_and_moved() -> None:
 
 
 def test_nothing_new_overlaps_or_leaves_the_area() -> None:
-    solution = sw.solve(extension(), seed=0)
+    solution = sw.solve(extension(), seed=0, preset="quick")
     shapes = polygons_of(new(solution))
     floor = shapely.box(86, -4, 200, 46).buffer(1e-2)
     assert shapely.covers(floor, shapes).all()
@@ -123,8 +125,8 @@ def test_nothing_new_overlaps_or_leaves_the_area() -> None:
 
 
 def test_counts_are_met_or_left_out_with_the_reason() -> None:
-    assert len(new(sw.solve(extension(count=5), seed=0))) == 5
-    crowded = sw.solve(extension(count=90), seed=0, steps=1)
+    assert len(new(sw.solve(extension(count=5), seed=0, preset="quick"))) == 5
+    crowded = sw.solve(extension(count=90), seed=0, preset="quick")
     (out,) = crowded.left_out
     assert out.required
     assert len(new(crowded)) + int(out.what.split()[0]) == 90
@@ -136,7 +138,7 @@ def test_streets_that_end_at_the_border_go_on() -> None:
     (area,) = plan_of(brief).detail.areas
     (street,) = area.continued
     assert street.line.tolist() == [[84.0, 18.0], [200.0, 18.0]]
-    shapes = polygons_of(new(sw.solve(brief, steps=1)))
+    shapes = polygons_of(new(sw.solve(brief, preset="quick")))
     assert not shapely.intersects(shapes, shapely.box(86, 15.01, 200, 20.99)).any()
     (none,) = plan_of(extension(source, continue_streets=False)).detail.areas
     assert none.continued == ()
@@ -154,7 +156,7 @@ def test_several_sources_are_followed_in_their_shares() -> None:
                 "areas": [{"id": "a", "outline": box(0, 0, 160, 160), "count": 16}],
             }
         )
-        return float(np.mean([p.size.height for p in new(sw.solve(brief, seed=1, steps=1))]))
+        return float(np.mean([p.size.height for p in new(sw.solve(brief, seed=1, preset="quick"))]))
 
     assert heights(8.0) < heights(0.125)
 
@@ -162,7 +164,7 @@ def test_several_sources_are_followed_in_their_shares() -> None:
 def test_rows_of_the_brief_are_laid_as_written() -> None:
     kinds = [{"outline": box(30.0 * k, 0.0, 10.0 + 6 * (k % 2)), "height": 7.0} for k in range(4)]
     row = {"pattern": "(A B)^2 - A", "line": [[100, 20], [190, 20]], "gap": 2.0}
-    solution = sw.solve(extension({"buildings": kinds}, rows=[row], count=5), steps=1)
+    solution = sw.solve(extension({"buildings": kinds}, rows=[row], count=5), preset="quick")
     found = sorted(new(solution), key=lambda p: p.pose.x)
     assert [p.function for p in found] == ["A", "B", "A", "B", "A"]
     edges = [(p.pose.x - p.size.width / 2, p.pose.x + p.size.width / 2) for p in found]
@@ -170,14 +172,14 @@ def test_rows_of_the_brief_are_laid_as_written() -> None:
     assert gaps == pytest.approx([2.0, 2.0, 2.0, 5.0])
     assert {round(p.pose.y - p.size.depth / 2, 6) for p in found} == {20.0}
     with pytest.raises(InputError, match="no kind 'Z'"):
-        sw.solve(extension({"buildings": kinds}, rows=[row | {"pattern": "A Z"}]), steps=1)
+        sw.solve(extension({"buildings": kinds}, rows=[row | {"pattern": "A Z"}]), preset="quick")
 
 
 @pytest.mark.parametrize("suffix", [".svg", ".geojson", ".glb", ".png", ".json", ".city.json"])
 def test_extensions_are_written(suffix: str, tmp_path: Path) -> None:
     brief = extension(count=4).model_copy()
     part = brief.part.model_copy(update={"origin": (11.5, 49.5)})
-    solution = sw.solve(brief.model_copy(update={"part": part}), steps=1)
+    solution = sw.solve(brief.model_copy(update={"part": part}), preset="quick")
     sw.write(solution, tmp_path / f"e{suffix}")
     assert (tmp_path / f"e{suffix}").stat().st_size > 500
 
@@ -185,7 +187,7 @@ def test_extensions_are_written(suffix: str, tmp_path: Path) -> None:
 def test_a_map_reads_as_the_brief_it_was_written_from(tmp_path: Path) -> None:
     brief = extension(count=4)
     part = brief.part.model_copy(update={"origin": (11.5, 49.5)})
-    solution = sw.solve(brief.model_copy(update={"part": part}), steps=1)
+    solution = sw.solve(brief.model_copy(update={"part": part}), preset="quick")
     sw.write(solution, tmp_path / "e.geojson")
     again = sw.read(tmp_path / "e.geojson")
     assert again.domain == "extend"
@@ -195,11 +197,11 @@ def test_a_map_reads_as_the_brief_it_was_written_from(tmp_path: Path) -> None:
 
 
 def test_a_city_model_written_is_a_source_again(tmp_path: Path) -> None:
-    first = sw.solve(extension(count=4), steps=1)
+    first = sw.solve(extension(count=4), preset="quick")
     sw.write(first, tmp_path / "first.city.json")
     outline = [[202, -4], [300, -4], [300, 46], [202, 46]]
     source = {"path": str(tmp_path / "first.city.json"), "stands": False}
-    second = sw.solve(extension(source, outline=outline, count=4), steps=1)
+    second = sw.solve(extension(source, outline=outline, count=4), preset="quick")
     assert len(new(second)) == 4
     sizes = {(round(p.size.width), round(p.size.height)) for p in new(second)}
     assert sizes == {(10, 7)}
@@ -207,14 +209,14 @@ def test_a_city_model_written_is_a_source_again(tmp_path: Path) -> None:
 
 
 def test_a_saved_solution_is_a_source(tmp_path: Path) -> None:
-    sw.write(sw.solve(extension(count=4), steps=1), tmp_path / "first.json")
+    sw.write(sw.solve(extension(count=4), preset="quick"), tmp_path / "first.json")
     brief = {
         "domain": "extend",
         "sources": [{"path": "first.json"}],
         "areas": [{"outline": [[202, -4], [300, -4], [300, 46], [202, 46]], "count": 4}],
     }
     (tmp_path / "second.json").write_text(json.dumps(brief))
-    solution = sw.solve(sw.read(tmp_path / "second.json"), steps=1)
+    solution = sw.solve(sw.read(tmp_path / "second.json"), preset="quick")
     assert len(new(solution)) == 4
     assert len(solution.pieces) == 16
     assert solution_json.loads(solution_json.dumps(solution)).pieces == solution.pieces
@@ -225,7 +227,7 @@ def test_what_is_wrong_with_a_source_is_left_out_by_name() -> None:
         {"id": "line", "outline": [[0, 90], [9, 90], [18, 90]]},
         {"id": "inside", "outline": box(1, 1, 4, 4)},
     ]
-    solution = sw.solve(extension({"buildings": [*rows(), *bad]}, count=3), steps=1)
+    solution = sw.solve(extension({"buildings": [*rows(), *bad]}, count=3), preset="quick")
     told = {out.what: out for out in solution.left_out}
     assert not any(out.required for out in told.values())
     assert {"line: has no usable footprint", "inside: overlaps another building"} == set(told)
@@ -248,7 +250,7 @@ def test_bad_input_is_refused_in_one_line(
     source: dict[str, object] | None, area: dict[str, object], message: str
 ) -> None:
     with pytest.raises(InputError, match=message) as caught:
-        sw.solve(extension(source, **area), steps=1)
+        sw.solve(extension(source, **area), preset="quick")
     assert "\n" not in str(caught.value)
 
 
@@ -267,7 +269,7 @@ def test_maps_in_unknown_systems_are_refused(tmp_path: Path) -> None:
 
 def test_a_scene_of_models_is_a_source(tmp_path: Path) -> None:
     """A GLB of ours: every building is found where it stood, copies share a model and a kind."""
-    first = sw.solve(extension(count=4), steps=1)
+    first = sw.solve(extension(count=4), preset="quick")
     sw.write(first, tmp_path / "first.glb")
     outline = [[202, -4], [300, -4], [300, 46], [202, 46]]
     for path in (tmp_path / "first.glb", tmp_path):
@@ -276,7 +278,7 @@ def test_a_scene_of_models_is_a_source(tmp_path: Path) -> None:
         before = sorted(p.pose[:2] for p in first.pieces if p.category == "building")
         found = sorted(tuple(np.mean(one.outline, axis=0)) for one in scene.buildings)
         assert np.allclose(found, before, atol=0.3)
-        second = sw.solve(brief, steps=1)
+        second = sw.solve(brief, preset="quick")
         assert len(new(second)) == 4
         assert sw.check(second).valid
         assert {p.asset.partition("/")[0] for p in new(second)} == {"model:first"}
@@ -297,14 +299,16 @@ def test_a_source_away_from_its_borders_grows() -> None:
     """Nothing stands along an edge: nothing is learned of edges, and that is no fault."""
     far = [[-90, -90], [86, -90], [86, 130], [-90, 130]]
     source = {"buildings": rows(), "outline": far}
-    solution = sw.solve(extension(source, count=6), steps=2)
+    solution = sw.solve(extension(source, count=6), preset="quick", steps=2)
     assert len(new(solution)) == 6
     assert sw.check(solution).valid
 
 
 def test_models_without_surface_are_left_out_by_name(tmp_path: Path) -> None:
     kinds = [{"outline": box(24.0 * k, 0.0, 10.0 + k % 2), "height": 7.0} for k in range(6)]
-    sw.write(sw.solve(extension({"buildings": kinds}, count=2), steps=1), tmp_path / "first.glb")
+    sw.write(
+        sw.solve(extension({"buildings": kinds}, count=2), preset="quick"), tmp_path / "first.glb"
+    )
     content = (tmp_path / "first.glb").read_bytes()
     end = 20 + int.from_bytes(content[12:16], "little")
     document = json.loads(content[20:end])
@@ -320,7 +324,7 @@ def test_models_without_surface_are_left_out_by_name(tmp_path: Path) -> None:
     assert 0 < len(bare) < 7
     outline = [[202, -4], [300, -4], [300, 46], [202, 46]]
     brief = extension({"path": str(tmp_path / "bare.glb")}, outline=outline, count=3)
-    told = {out.what for out in sw.solve(brief, steps=1).left_out}
+    told = {out.what for out in sw.solve(brief, preset="quick").left_out}
     assert {f"{name}: has no surface" for name in bare} <= told
 
 

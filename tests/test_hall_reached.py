@@ -8,6 +8,7 @@ import pytest
 
 import scenewright
 from scenewright.core.brief import Brief
+from thoroughness import only_thorough
 
 
 def _solve(room: dict[str, Any], seed: int) -> Any:
@@ -29,7 +30,7 @@ CAFE: dict[str, Any] = {
 }
 
 
-@pytest.mark.parametrize("seed", [0, 1])
+@pytest.mark.parametrize("seed", [0, pytest.param(1, marks=only_thorough)])
 def test_a_crowded_cafe_gives_up_a_few_tables_only(seed: int) -> None:
     found = _solve(CAFE, seed)
     count = {
@@ -93,7 +94,7 @@ LIBRARY: dict[str, Any] = {
 }
 
 
-@pytest.mark.parametrize("seed", [1, 5])
+@pytest.mark.parametrize("seed", [1, pytest.param(5, marks=only_thorough)])
 def test_a_library_too_full_gives_up_what_no_way_reaches(seed: int) -> None:
     """However many first places find no room for what is left, some of it goes until one does."""
     found = _solve(LIBRARY, seed)

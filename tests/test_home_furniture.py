@@ -27,6 +27,7 @@ from scenewright.domains.home.cases.own_library import library_of, taste_of
 from scenewright.domains.home.cases.refit import CARRIED, Chosen, reach, refit_case
 from scenewright.domains.home.groups import GROUPS
 from test_catalogues import obj
+from thoroughness import only_thorough
 
 CATALOG = shipped()
 MODELS = {
@@ -239,6 +240,7 @@ def furnished(real_data: Path, tmp_path_factory: pytest.TempPathFactory) -> Furn
     return Furnished(catalog_of([library]), solution, scene, names)
 
 
+@only_thorough
 @pytest.mark.realdata
 def test_a_flat_of_a_whole_library_is_valid_light_and_credits_everybody(
     furnished: Furnished,
@@ -257,6 +259,7 @@ def test_a_flat_of_a_whole_library_is_valid_light_and_credits_everybody(
     assert [assets[a].author for a in used if assets[a].author not in told] == []
 
 
+@only_thorough
 @pytest.mark.realdata
 def test_its_scene_is_as_the_standard_asks(furnished: Furnished) -> None:
     assert errors(furnished.scene) == 0

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -157,11 +158,15 @@ FIGURES = {
 }
 
 
+_report = cache(read_report)
+"""What a file of a real building holds, read once."""
+
+
 @pytest.mark.realdata
 @pytest.mark.parametrize("name", FIGURES)
 def test_real_buildings(name: str, real_data: Path) -> None:
     path = real_data / "indoor_osm" / f"{name}.geojson"
-    found = read_report(path)
+    found = _report(path)
     brief = formats.read(path)
     assert brief == found.brief
     assert (
@@ -186,7 +191,7 @@ def test_real_buildings(name: str, real_data: Path) -> None:
 def test_areas_of_real_rooms(name: str, real_data: Path) -> None:
     """Within a thousandth of those on the plane touching the earth at each room."""
     path = real_data / "indoor_osm" / f"{name}.geojson"
-    found = read_report(path)
+    found = _report(path)
     changed = {row.feature for row in found.changed if "level" not in row.reason}
     compared = 0
     by_id = {r.id: r for r in found.brief.rooms}

@@ -67,23 +67,54 @@ DAMAGES: list[Callable[[Path], object]] = [
 ]
 
 
-@pytest.fixture(scope="module")
-def compiled_once(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    folder = tmp_path_factory.mktemp("kernels")
-    assert run(folder) == [ANSWER, "1"]
-    return folder
+SERVING = """
+import os, sys
+import numba
+from scenewright.geometry.compile_clock import compile_clock
+from scenewright.geometry.boxes import wrap
+numba.njit(lambda x: x + 1.0)(1.0)
+for _ in sys.stdin:
+    if os.fork():
+        os.wait()
+        continue
+    with compile_clock() as clock:
+        print(round(float(wrap(7.0)), 6), clock.kernels, flush=True)
+    os._exit(0)
+"""
+"""The answer and how many were compiled for each line it reads, in a process of its own that has
+all modules loaded, a compiler that is ready, and no kernel."""
 
 
-@pytest.mark.parametrize("damage", DAMAGES)
-def test_a_broken_file_heals(compiled_once: Path, damage: Callable[[Path], object]) -> None:
-    assert run(compiled_once) == [ANSWER, "0"]
-    damage(kernels(compiled_once)[0])
-    assert run(compiled_once)[0] == ANSWER
-    for path in kernels(compiled_once):
-        if path.is_dir():
-            path.rmdir()
-    run(compiled_once)
-    assert run(compiled_once) == [ANSWER, "0"]
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="forks a process for each run")
+def test_a_broken_file_heals(tmp_path: Path) -> None:
+    program = [sys.executable, "-W", "error", "-c", SERVING]
+    with subprocess.Popen(
+        program,
+        env=command(tmp_path),
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    ) as server:
+
+        def served() -> list[str]:
+            assert server.stdin is not None
+            assert server.stdout is not None
+            server.stdin.write("\n")
+            server.stdin.flush()
+            return server.stdout.readline().split()
+
+        assert served() == [ANSWER, "1"]
+        for number, damage in enumerate(DAMAGES):
+            assert served() == [ANSWER, "0"], number
+            damage(kernels(tmp_path)[0])
+            assert served()[0] == ANSWER, number
+            for path in kernels(tmp_path):
+                if path.is_dir():
+                    path.rmdir()
+            served()
+            assert served() == [ANSWER, "0"], number
+        assert server.communicate()[1] == ""
 
 
 def test_a_folder_that_cannot_be_made_costs_time_only(tmp_path: Path) -> None:

@@ -248,7 +248,7 @@ FINE: dict[str, Ground] = {
     "forty roads across each other": site(
         outline=box(0, 0, 1000, 800),
         roads=[
-            {"line": [[k * 79 % 997, -5], [k * 47 % 991, 805]], "width": 0.5} for k in range(100)
+            {"line": [[k * 79 % 997, -5], [k * 47 % 991, 805]], "width": 0.5} for k in range(40)
         ],
     ),
     "a road there and back": road([0, 40], [120, 40], [0, 40], [120, 40]),

@@ -224,24 +224,39 @@ def test_every_console_is_a_harmless_one() -> None:
         assert len(made) == (file.name == "terminal.py"), file.name
 
 
+NAMED = {"name": "居間 \U0001f6cb"}
+WORDS = ("arrange", "brief.json", "--steps", "50")
+
+
 @pytest.mark.parametrize("encoding", ["cp1252", "ascii", "cp437", "utf-8"])
-def test_what_an_encoding_cannot_hold_is_replaced(encoding: str, tmp_path: Path) -> None:
-    brief = sound_brief() | {"name": "居間 \U0001f6cb"}
-    (tmp_path / "brief.json").write_text(json.dumps(brief))
+def test_what_an_encoding_cannot_hold_is_replaced(
+    encoding: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("brief.json").write_text(json.dumps(sound_brief() | NAMED))
+    for more in (["-o", "居間.json"], ["--json"]):
+        out, err = io.BytesIO(), io.BytesIO()
+        for name, kept in (("sys.stdout", out), ("sys.stderr", err)):
+            stream = io.TextIOWrapper(kept, encoding, "replace", write_through=True)
+            monkeypatch.setattr(name, stream)
+        assert cli.run([*WORDS, *more]) in (0, 1), err.getvalue()
+        assert b"Traceback" not in err.getvalue()
+    assert Path("居間.json").exists()
+    found = json.loads(out.getvalue().decode(encoding))
+    assert found["input"] == "brief.json"
+
+
+def test_a_process_replaces_what_its_encoding_cannot_hold(tmp_path: Path) -> None:
+    (tmp_path / "brief.json").write_text(json.dumps(sound_brief() | NAMED))
     environment = os.environ | {
-        "PYTHONIOENCODING": encoding,
+        "PYTHONIOENCODING": "ascii",
         "PYTHONPATH": os.pathsep.join(sys.path),
     }
-    words = [sys.executable, "-m", "scenewright", "arrange", "brief.json", "--steps", "50"]
-    for more in (["-o", "居間.json"], ["--json"]):
-        done = subprocess.run(
-            [*words, *more], cwd=tmp_path, env=environment, capture_output=True, check=False
-        )
-        assert done.returncode in (0, 1), done.stderr
-        assert b"Traceback" not in done.stderr
+    command = [sys.executable, "-m", "scenewright", *WORDS, "-o", "居間.json"]
+    done = subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, check=False)
+    assert done.returncode in (0, 1), done.stderr
+    assert b"Traceback" not in done.stderr
     assert (tmp_path / "居間.json").exists()
-    found = json.loads(done.stdout.decode(encoding))
-    assert found["input"] == "brief.json"
 
 
 def test_cells_are_no_formulas(tmp_path: Path) -> None:

@@ -4,7 +4,11 @@ from __future__ import annotations
 
 import os
 
+import pytest
+
 THOROUGH = bool(os.environ.get("SCENEWRIGHT_THOROUGH"))
+only_thorough = pytest.mark.skipif(not THOROUGH, reason="in make test-all")
+"""A test, or a row of one, for the thorough check: a quicker one beside it guards the same."""
 
 
 def few_or_many(few: int, many: int) -> int:
