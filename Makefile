@@ -33,7 +33,7 @@ test-learn: .venv/checked
 types:
 	$(BIN)/mypy
 
-tests:
+tests: .venv/warmed
 	$(BIN)/pytest -n auto --maxprocesses 8 --dist worksteal
 
 site: .venv/installed
@@ -48,6 +48,11 @@ clean:
 	$(PYTHON) -c 'import sys; sys.exit("Scenewright needs Python 3.11 or newer; this is " + sys.version.split()[0] + "; try make PYTHON=python3.12" if sys.version_info < (3, 11) else 0)'
 	test -x $(BIN)/python || $(PYTHON) -m venv .venv
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable .
+	touch $@
+
+# Compiled once, before every worker would compile the same; later on only what was edited is.
+.venv/warmed: .venv/installed
+	$(BIN)/scenewright warm
 	touch $@
 
 .venv/checked: .venv/installed
