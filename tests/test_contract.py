@@ -33,8 +33,12 @@ STEPS = {"home": 500, "hall": 1500, "site": 2, "village": 1, "extend": 1}
 OUTDOORS = ("site", "village", "extend")
 
 
+QUICK = {"extend": "quick"}
+"""Presets of those whose default takes long to polish a layout."""
+
+
 def arrange(domain: str, brief: sw.Brief, seed: int = 0) -> sw.Solution:
-    return sw.solve(brief, seed=seed, steps=STEPS[domain])
+    return sw.solve(brief, seed=seed, steps=STEPS[domain], preset=QUICK.get(domain, "default"))
 
 
 @pytest.fixture(scope="module", params=SAMPLES)

@@ -14,6 +14,7 @@ from scenewright.core.layout import corners
 from scenewright.domains.site.brief import Site
 from scenewright.domains.site.plan import site_plan, site_plans
 from scenewright.ground.fit import corners_of, fits, main_direction
+from thoroughness import few_or_many
 
 FIELD = [(0, 0), (100, 0), (100, 60), (0, 60)]
 
@@ -163,9 +164,9 @@ def test_a_box_that_fits_in_a_bent_block_by_exact_search():
     """Against a slow search: boxes set at many places of an L."""
     corner = [(0, 0), (60, 0), (60, 20), (20, 20), (20, 60), (0, 60)]
     plan = site_plan(site(outline=corner, setback=0))
-    ell = shapely.Polygon(corner).buffer(1e-6)
+    ell, step = shapely.Polygon(corner).buffer(1e-6), few_or_many(2, 1)
     for width, depth in [(20, 60), (21, 40), (26, 26), (15, 34), (10, 45), (25, 25)]:
-        places = np.stack(np.meshgrid(np.arange(0, 60, 1.0), np.arange(0, 60, 1.0)), -1)
+        places = np.stack(np.meshgrid(np.arange(0, 60, step), np.arange(0, 60, step)), -1)
         turned = np.linspace(0, math.pi, 24, endpoint=False)
         tried = [
             corners_of((x, y, t, width, depth)) for x, y in places.reshape(-1, 2) for t in turned

@@ -79,7 +79,7 @@ def test_every_format_of_a_site_takes_the_one_plan(monkeypatch: pytest.MonkeyPat
     assert len(calls) == 1
 
 
-@pytest.mark.parametrize("source", [ROOM, "sample:hall-irregular"])
+@pytest.mark.parametrize("source", [ROOM, "sample:hall-shop"])
 def test_alternatives_plan_once(source: str, monkeypatch: pytest.MonkeyPatch) -> None:
     calls = plan_calls(monkeypatch, source)
     given = ["--steps", "60", "--alternatives", "2", "-o", "a.svg"]
