@@ -13,7 +13,7 @@ import scenewright as sw
 from catalogs import city, flat, saved
 from scenewright.core.piece_outlines import polygons_of
 from scenewright.ground.reading import read_built
-from thoroughness import few_or_many
+from thoroughness import only_thorough
 
 WING = [(0, 0), (14, 0), (14, 6), (6, 6), (6, 16), (0, 16)]
 """An L: its box covers far more than it does."""
@@ -85,10 +85,11 @@ def test_roads_of_a_city_model_are_read_and_continued(tmp_path):
     assert sw.check(solution).figures["areas"]["area-1"]["streets_continued"] >= 1
 
 
+@only_thorough
 @pytest.mark.realdata
 def test_delft_continued_is_valid(real_data):
     """160 real buildings, many wall to wall, with 143 roads."""
     path = real_data / "citymodels_cityjson" / "delft.json"
     assert len(read_built(path).roads) >= 143
-    solution = continued(path, count=few_or_many(6, 40))
+    solution = continued(path, count=40)
     assert [f.message for f in sw.check(solution).findings if f.is_blamed] == []

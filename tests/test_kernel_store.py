@@ -57,13 +57,17 @@ def replace_by_folder(path: Path) -> None:
     path.mkdir()
 
 
+def shut(path: Path) -> None:
+    path.chmod(0)
+
+
 DAMAGES: list[Callable[[Path], object]] = [
     cut_short,
     flip_a_bit,
     replace_by_folder,
     lambda path: path.write_bytes(b""),
     lambda path: path.write_bytes(b"\x80\x04K\x01."),
-    lambda path: path.chmod(0),
+    shut,
 ]
 
 
@@ -108,7 +112,9 @@ def test_a_broken_file_heals(tmp_path: Path) -> None:
         for number, damage in enumerate(DAMAGES):
             assert served() == [ANSWER, "0"], number
             damage(kernels(tmp_path)[0])
-            assert served()[0] == ANSWER, number
+            answer, compiled = served()
+            assert answer == ANSWER, number
+            assert compiled == "1" or damage is shut, number
             for path in kernels(tmp_path):
                 if path.is_dir():
                     path.rmdir()

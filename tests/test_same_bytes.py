@@ -8,6 +8,8 @@ from pathlib import Path
 
 import pytest
 
+from thoroughness import only_thorough
+
 PROGRAM = """
 import sys
 from scenewright import domains, formats
@@ -28,6 +30,9 @@ def digests(name: str, threads: int, folder: Path) -> dict[str, str]:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", ["home-studio", "hall-shop", "site-30"])
+@pytest.mark.parametrize(
+    "name",
+    ["home-studio", *(pytest.param(n, marks=only_thorough) for n in ("hall-shop", "site-30"))],
+)
 def test_the_same_seed_gives_the_same_bytes(name: str, tmp_path: Path) -> None:
     assert digests(name, 1, tmp_path / "one") == digests(name, 2, tmp_path / "two")
