@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from itertools import pairwise
 from pathlib import Path
 
@@ -148,3 +149,21 @@ def test_other_methods_do_not_share_a_log(tmp_path: Path) -> None:
         evolve(AREA, log, method="sga")
     with evolve(AREA, log) as kept:
         assert kept.method == "siga"
+
+
+def test_an_extension_runs_from_classes_to_the_person_as_one(tmp_path: Path) -> None:
+    out = tmp_path / "court.json"
+    told = ["evolve", AREA, "--method", "ciga", "-o", str(out), "--say", "1=5; next; done", "-q"]
+    assert cli.run(told) in (0, 1)
+    kept = json.loads((tmp_path / "court-stages.json").read_text("utf-8"))
+    assert list(kept) == ["cluster", "grammar", "symmetry", "ants"]
+    letters = set(kept["cluster"]["classes"])
+    assert kept["grammar"]["productions"][0].startswith("LayoutConstruction → ")
+    assert letters & set(kept["grammar"]["productions"][0].split("(")[1].replace(")", "").split())
+    assert kept["symmetry"]["values"][0] > 0.0
+    assert kept["ants"]["ants"] == 6000
+    with resume_evolution(tmp_path / "court.evolution") as evolution:
+        first = evolution._archive.bred[0].genome
+        assert first == tuple(np.ravel(kept["ants"]["layouts"][0]).tolist())
+        assert evolution.champion is not None
+        assert evolution.champion.number == 0

@@ -109,7 +109,7 @@ def _run(request: EvolveRequest, as_json: bool, quiet: bool) -> int:
     from scenewright.workflow.evolve import evolve as begin
     from scenewright.workflow.evolve import resume_evolution
 
-    pictures = (request.sheet, name_picture(request.sheet))
+    pictures = (request.sheet, name_picture(request.sheet), name_stages(request.sheet))
     check_outputs(request.outputs)
     check_targets(pictures)
     check_distinct([request.log, *request.outputs, *pictures])
@@ -121,6 +121,7 @@ def _run(request: EvolveRequest, as_json: bool, quiet: bool) -> int:
             str(request.source), request.log, seed=request.seed, method=request.method
         )
     with evolution:
+        show_stages(evolution, request, console)
         ended = _converse(evolution, request, console)
         code = _write(evolution, request, console) if ended == "done" else 0
         if as_json:
@@ -129,6 +130,32 @@ def _run(request: EvolveRequest, as_json: bool, quiet: bool) -> int:
             advice = f"nothing written; go on with --from {request.log}"
             tables.print_line(console, advice, "dim", whole=True)
     return code
+
+
+def show_stages(evolution: Evolution, request: EvolveRequest, console: Console) -> None:
+    """Show what a method did before the first sheet, and keep it beside the sheet."""
+    from json import dumps
+
+    from scenewright.cli.tables import print_line
+    from scenewright.core.atomic_file import write_atomically
+
+    if request.resumed or not (stages := evolution.stages):
+        return
+    for stage in stages:
+        for line in stage.lines:
+            print_line(console, f"{stage.name}: {line}", "dim")
+    kept, path = {stage.name: dict(stage.facts) for stage in stages}, name_stages(request.sheet)
+    write_atomically(path, dumps(kept, ensure_ascii=False, indent=1) + "\n")
+    print_line(console, f"stages: {path}", whole=True)
+
+
+def name_stages(sheet: Path) -> Path:
+    """The file that stages are kept in, beside a sheet.
+
+    >>> name_stages(Path("court-sheet.png")).name
+    'court-stages.json'
+    """
+    return sheet.with_name(sheet.stem.removesuffix("-sheet") + "-stages.json")
 
 
 def _converse(evolution: Evolution, request: EvolveRequest, console: Console) -> str:

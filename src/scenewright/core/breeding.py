@@ -31,6 +31,14 @@ class Breeder(NamedTuple):
     measure: Callable[[Genome], tuple[Mapping[str, float], int]] | None = None
 
 
+class BreedingStage(NamedTuple):
+    """What was done before the first layouts are shown: its name, lines to read, facts to keep."""
+
+    name: str
+    lines: tuple[str, ...]
+    facts: Mapping[str, Any]
+
+
 class MatrixBreeder(NamedTuple):
     """Layouts of a brief coded as matrices, a whole number a cell, line by line, for the genetic
     algorithms that a person rates: the ``breeder`` of such genomes; the visual quality τ of each
@@ -41,7 +49,8 @@ class MatrixBreeder(NamedTuple):
     other, points, rng)`` exchanges what lies between two points, or behind one, or a block;
     ``mutate(genome, rng, worth)`` mutates with the chance of the domain, by what alleles are
     ``worth`` (cells, kinds) if that is known; ``vary(genome, rng)`` makes a neighbour; ``read``
-    gives the kind that is anchored at each cell.
+    gives the kind that is anchored at each cell. ``stages`` tells what led to the first layouts
+    that are ``led``.
     """
 
     breeder: Breeder
@@ -53,3 +62,4 @@ class MatrixBreeder(NamedTuple):
     mutate: Callable[[Genome, Any, Any], Genome]
     vary: Callable[[Genome, Any], Genome]
     read: Callable[[Genome], tuple[int, ...]]
+    stages: Callable[[], tuple[BreedingStage, ...]] = tuple

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import cache
 from typing import NamedTuple
 
 import numpy as np
 
-from scenewright.core.breeding import Breeder, Gene, Genome, MatrixBreeder
+from scenewright.core.breeding import Breeder, BreedingStage, Gene, Genome, MatrixBreeder
 from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
 from scenewright.core.plan import Plan
@@ -15,40 +17,41 @@ from scenewright.domains.extend.models import check_models
 from scenewright.domains.extend.presets import PRESETS
 from scenewright.domains.extend.printed import Floats, Genes, PlotGrid
 from scenewright.domains.extend.rating import rate_layout
-from scenewright.domains.extend.solvers.ants import look_ahead, walk_ants
+from scenewright.domains.extend.solvers.ants import run_ants
 from scenewright.domains.extend.solvers.colony import (
+    BredPlots,
     ColonySettings,
     draw_plot_matrix,
     mutate,
     step_plots,
     swap_blocks,
 )
-from scenewright.domains.extend.solvers.paper import build_plots, grid_of
+from scenewright.domains.extend.solvers.paper import WEIGHTS, build_plots, grid_of
 from scenewright.domains.extend.solving import assemble_solution, furnish_area, pose_problem
+from scenewright.domains.extend.stages import cluster_kinds, read_sources, tell_ants
+from scenewright.engine.trace import Step
 
 QUALITY = 0.5
 """Visual quality of every kind of building: the paper measures none."""
 
 
 class PlotMatrix(NamedTuple):
-    """The plots of an area, ready to be bred."""
+    """The plots of an area, ready to be bred; ``ants`` finds layouts by the colony, once."""
 
     grid: PlotGrid
     settings: ColonySettings
+    ants: Callable[[], BredPlots]
 
     def shape(self, genome: Genome) -> Genes:
         """A genome as a matrix (m, n)."""
         return np.array(genome, np.int64).reshape(self.grid.free.shape)
 
     def draw(self, count: int, led: bool, rng: np.random.Generator) -> list[Genome]:
-        """First layouts: what so many ants build, or by chance."""
-        kinds, plots = len(self.grid.areas), self.grid.middles[self.grid.free]
-        if not led or not len(plots):
-            drawn = [draw_plot_matrix(self.grid, kinds, rng) for _ in range(count)]
-        else:
-            trails = np.full((len(plots), len(plots)), self.settings.start)
-            sight = look_ahead(plots, self.settings)
-            drawn = [*walk_ants(self.grid, plots, trails, sight, self.settings, count, rng).genes]
+        """First layouts: the best that the ants found, or by chance."""
+        drawn = list(self.ants().few[:count]) if led else []
+        kinds = len(self.grid.areas)
+        while len(drawn) < count:
+            drawn.append(draw_plot_matrix(self.grid, kinds, rng))
         return [_flatten(genes) for genes in drawn]
 
     def cross(
@@ -82,14 +85,27 @@ def make_matrix_breeder(brief: Brief, plan: Plan, seed: int = 0) -> MatrixBreede
         raise InputError(fault, "leave --method out, or the other areas")
     (area,), catalog = made.areas, check_models(brief, made)
     problem = pose_problem(made, area, PRESETS["paper"].settings, catalog)
-    matrix = PlotMatrix(grid_of(problem), ColonySettings())
+    grid, rule = grid_of(problem), ColonySettings()
+
+    @cache
+    def ants() -> tuple[BredPlots, list[Step]]:
+        heard = list[Step]()
+        rng = np.random.default_rng([seed, 11])
+        return run_ants(grid, WEIGHTS, None, rng, rule, hear=heard.append), heard
+
+    def stages() -> tuple[BreedingStage, ...]:
+        classes = cluster_kinds(brief, problem.pattern, catalog)
+        found, heard = ants()
+        return (*read_sources(made, problem.pattern, classes), tell_ants(found, heard))
+
+    matrix = PlotMatrix(grid, rule, lambda: ants()[0])
 
     def develop(genome: Genome) -> Solution:
         layout = rate_layout(problem, build_plots(problem, matrix.grid, matrix.shape(genome)))
         found = furnish_area(brief, area, problem, layout, catalog, 1)
         return assemble_solution(brief, made, [found], catalog, "paper", "colony", seed, 0.0)
 
-    kinds, rule = len(matrix.grid.areas) + 1, matrix.settings
+    kinds = len(matrix.grid.areas) + 1
     genes = (Gene("plot", kinds),) * matrix.grid.free.size
     return MatrixBreeder(
         Breeder(genes, develop),
@@ -101,6 +117,7 @@ def make_matrix_breeder(brief: Brief, plan: Plan, seed: int = 0) -> MatrixBreede
         matrix.mutate,
         matrix.vary,
         lambda genome: genome,
+        stages,
     )
 
 

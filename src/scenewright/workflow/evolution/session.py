@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from scenewright import domains
-from scenewright.core.breeding import Genome
+from scenewright.core.breeding import BreedingStage, Genome
 from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
 from scenewright.core.solution import Solution
@@ -136,6 +136,12 @@ class Evolution:
     def method(self) -> str:
         """The method it is evolved by; empty: ours."""
         return self._run.method.name if self._run else ""
+
+    @property
+    def stages(self) -> tuple[BreedingStage, ...]:
+        """What a method did before its first sheet, where it begins with more than chance."""
+        led = self._run is not None and self._run.method.led
+        return self._run.matrix.stages() if self._run is not None and led else ()
 
     @property
     def notes(self) -> tuple[str, ...]:

@@ -20,6 +20,8 @@ Flags = NDArray[np.bool_]
 ELITES = 20
 """Past elites that allele values are taken of."""
 
+FEW = 32
+"""Best matrices that are kept of a search."""
 ALIKE = 0.95
 """Share of equal genes from which on a population hardly differs."""
 HOT = 5e-4
@@ -54,11 +56,13 @@ class ColonySettings(NamedTuple):
 
 
 class BredPlots(NamedTuple):
-    """The best matrix (m, n), its fitness, and the best after each evaluation."""
+    """The best matrix (m, n), its fitness, the best after each evaluation, and the best few that
+    differ, the best first."""
 
     genes: Genes
     value: float
     history: tuple[float, ...]
+    few: tuple[Genes, ...] = ()
 
 
 OnPlots = Callable[[float, Genes], bool]
@@ -76,6 +80,7 @@ class PlotJudge:
         self.on_plots, self.stopped = on_plots, False
         self.best = np.zeros(grid.free.shape, np.int64)
         self.value, self.history = -1.0, list[float]()
+        self._few = dict[bytes, tuple[float, Genes]]()
 
     def spent(self) -> bool:
         """Whether as much has been looked at as may be."""
@@ -95,13 +100,21 @@ class PlotJudge:
         if value > self.value:
             self.best, self.value = genes.copy(), value
         self.history.append(self.value)
+        self._few[genes.tobytes()] = value, genes
+        if len(self._few) > 8 * FEW:
+            self._few = self._best_few()
         if self.on_plots is not None:
             self.stopped = self.on_plots(len(self.history) / self.most, self.best)
         return value
 
     def found(self) -> BredPlots:
         """What was found."""
-        return BredPlots(self.best, self.value, tuple(self.history))
+        few = tuple(genes for _, genes in self._best_few().values())
+        return BredPlots(self.best, self.value, tuple(self.history), few)
+
+    def _best_few(self) -> dict[bytes, tuple[float, Genes]]:
+        ranked = sorted(self._few.items(), key=lambda one: -one[1][0])
+        return dict(ranked[:FEW])
 
 
 class PlotBrood(NamedTuple):

@@ -87,7 +87,7 @@ def _ask(run: _Run, crowd: Crowd) -> Crowd:
             return crowd._replace(asked=tuple(new[:many]))
         crowd = _breed(run, crowd, _value(run, crowd))
     rng = run.chance(crowd.age)
-    fresh = tuple(run.matrix.draw(run.matrix.population, run.method.led, rng))
+    fresh = tuple(run.matrix.draw(run.matrix.population, False, rng))
     note = f"nothing new in {BARREN} generations: drawn by chance"
     return crowd._replace(genomes=fresh, asked=fresh, notes=(*crowd.notes, note))
 

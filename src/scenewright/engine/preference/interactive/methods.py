@@ -61,6 +61,7 @@ ROWS = (
         "matrix blocks; half rated, the others from the elites' alleles (21), (23), by which genes "
         "mutate; the best replaces the worst; local search once genes hardly differ",
         "Zhang, Fei 2017",
+        led=True,
         tournament=True,
         asked=4,
         estimate=estimate_by_elites,
