@@ -1,7 +1,8 @@
 """Faults of composition over real flats: ``scenewright bench composition``.
 
 Every fourth flat of ``floorplans_r2v`` (every fiftieth if quick) is furnished and its faults are
-counted by simple geometry. Beside them stands what an improvement could have been paid with: flats
+counted by simple geometry; after them come the rows of homes, by the rooms that break each (no
+row was counted before). Beside them stands what an improvement could have been paid with: flats
 that are valid, kitchens that are whole, beds, sofas, seats, tables, metres of worktop and storage.
 The baseline is what was counted before any of it was worked on (:data:`BEFORE`, seed 0). With
 ``--full`` as many flats that nobody looked at while it was worked on are counted instead
@@ -37,6 +38,7 @@ from benchmarks.composition_faults import (
     list_rooms,
 )
 from benchmarks.composition_kitchen import is_under
+from benchmarks.composition_rows import count_rows
 from benchmarks.plans_r2v import PLANS, adapt, raw_plans
 from benchmarks.real_data import data_set
 from benchmarks.rescaled_r2v import rescale
@@ -116,6 +118,7 @@ def furnish_flat(number: int, rescaled: bool = False) -> Seen | None:
     report = check(solution, spaces=spaces)
     home = list_rooms(spaces, solution.pieces)
     faults = {name: count(home) for name, count in FAULTS.items()}
+    faults |= count_rows(spaces, solution.pieces)
     return Seen(
         faults, hold(home) | {"valid flats": float(not report.findings)}, seconds, reference
     )
@@ -167,8 +170,9 @@ def tally_flats(flats: list[Seen], before: Mapping[str, float] = BEFORE) -> list
     """Shares of those that have each fault, then what a flat holds on the average, beside what was
     counted ``before``."""
     found = []
-    for name in FAULTS:
-        faulty, of = (sum(flat.faults[name][k] for flat in flats) for k in (0, 1))
+    for name in dict.fromkeys(name for flat in flats for name in flat.faults):
+        counts = [flat.faults[name] for flat in flats if name in flat.faults]
+        faulty, of = (sum(each) for each in zip(*counts, strict=True))
         found.append(_record(name, "share", faulty / max(of, 1), of, before))
     for name in flats[0].held:
         mean = sum(flat.held[name] for flat in flats) / len(flats)

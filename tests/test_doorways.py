@@ -23,7 +23,6 @@ from scenewright.domains.home.composing.doorways import clear_doorways
 from scenewright.domains.home.composing.forms import cost_of_case, list_further
 from scenewright.domains.home.composing.moving import dress_group, make_unplaced
 from scenewright.domains.home.composing.placed_faults import (
-    FIRMNESS,
     cost_of_group,
     cost_of_openings,
     measure_before_doors,
@@ -34,6 +33,7 @@ from scenewright.domains.home.composing.widening import widen_groups
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.programme import Wish
+from scenewright.domains.home.rules.every import FIRMNESS
 from scenewright.domains.home.second_try import sum_lacks
 from scenewright.domains.home.settings import FaultCosts
 from scenewright.domains.home.solving import prepare_rooms

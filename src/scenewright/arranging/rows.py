@@ -61,6 +61,28 @@ class Relation(NamedTuple):
     full: float = 1.0
 
 
+class Place(NamedTuple):
+    """A piece of a kind at a place, turned by so many degrees, metres."""
+
+    kind: str
+    x: float
+    y: float
+    turn: float
+    width: float
+    depth: float
+    above: float = 0.0
+
+
+class Example(NamedTuple):
+    """Pieces among which a row is broken and among which it holds, and those it is broken among
+    once they are mended: in a room of 5 by 4 m from the origin on, with a door that opens inwards
+    in the middle of its lower wall and a window in the middle of its upper one."""
+
+    broken: tuple[Place, ...]
+    held: tuple[Place, ...]
+    mended: tuple[Place, ...]
+
+
 class Row(NamedTuple):
     """One rule. ``cost`` is a number, or the name of one in the settings of a preset, that many
     ``times``; in rooms of less than ``area`` square metres ``tight`` times that. ``only`` in rooms
@@ -87,6 +109,7 @@ class Row(NamedTuple):
     late: bool = False
     joined: bool = False
     moves: bool = True
+    example: Example | None = None
 
 
 def clear(

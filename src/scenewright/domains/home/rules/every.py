@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from scenewright.arranging.rows import (
     ALONG,
+    BACK,
     FLAT,
     FRONT,
     METRES,
     PIECE,
     Class,
+    Example,
+    Place,
     Row,
     clear,
     lit,
@@ -30,7 +33,7 @@ from scenewright.domains.home.rules.classes import (
     TO_WALLS,
     stand,
 )
-from scenewright.domains.home.rules.sources import DAYLIGHT, FLATS, NEUFERT
+from scenewright.domains.home.rules.sources import APPLETON, DAYLIGHT, FLATS, NEUFERT
 
 CHESTS = ("chest_of_drawers", "sideboard")
 FIRM, TALL = 1.9, 2.6
@@ -89,6 +92,15 @@ EVERY = (
     Row(
         "dark", stand("a desk", *DESKS), lit(DAYLIT), BY_GLASS, BRIGHT, "dark",
         "{of} is more than {metres} m from {to}", DAYLIGHT,
+    ),
+    Row(
+        "back_to_door", stand("the chair of a desk", "office_chair"), clear(BACK, each=True),
+        AT_DOORS, 1.5, 2.0, "{of} has its back to {to} within {metres} m", APPLETON, late=True,
+        example=Example(
+            broken=(Place("office_chair", 2.5, 1.6, 90.0, 0.58, 0.58),),
+            held=(Place("office_chair", 2.5, 3.2, 90.0, 0.58, 0.58),),
+            mended=(Place("office_chair", 4.0, 1.6, 0.0, 0.58, 0.58),),
+        ),
     ),
     Row(
         "wardrobe_front", stand("a wardrobe", "wardrobe"), clear(FRONT, each=True), ANYTHING, 0.5,

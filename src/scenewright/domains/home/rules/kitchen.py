@@ -7,6 +7,8 @@ from scenewright.arranging.rows import (
     FLAT,
     FRONT,
     Class,
+    Example,
+    Place,
     Row,
     apart,
     beside,
@@ -80,6 +82,18 @@ KITCHEN = (
     Row(
         "across_run", stand("a unit", *(RUN - {"fridge"})), clear(FRONT, each=True),
         stand("a cupboard", *CUPBOARDS), 0.4, 6.0, _OPENS, NKBA, late=True,
+    ),
+    Row(
+        "shelf_at_hob", stand("a hob", "hob_cabinet"), apart(), stand("a bookcase", "bookcase"),
+        0.3, 6.0, _NEAR, NKBA, late=True,
+        example=Example(
+            broken=(Place("hob_cabinet", 1.0, 3.7, -90.0, 0.6, 0.6),
+                    Place("bookcase", 1.75, 3.8, -90.0, 0.8, 0.3)),
+            held=(Place("hob_cabinet", 1.0, 3.7, -90.0, 0.6, 0.6),
+                  Place("bookcase", 2.1, 3.8, -90.0, 0.8, 0.3)),
+            mended=(Place("hob_cabinet", 1.0, 3.7, -90.0, 0.6, 0.6),
+                    Place("bookcase", 4.8, 2.0, 180.0, 0.8, 0.3)),
+        ),
     ),
     Row(
         "fridge_front", stand("a fridge", "fridge"), clear(FRONT, each=True),

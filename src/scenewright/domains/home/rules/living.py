@@ -8,6 +8,8 @@ from scenewright.arranging.rows import (
     FRONT,
     WALLS,
     Class,
+    Example,
+    Place,
     Row,
     apart,
     clear,
@@ -17,8 +19,8 @@ from scenewright.arranging.rows import (
 from scenewright.catalog.classes import RUN, SOFAS, SOFT_SEATS
 from scenewright.domains.home.groups.classes import RUNS, TABLES
 from scenewright.domains.home.measures import ON_FLOOR, RAISED
-from scenewright.domains.home.rules.classes import ANYTHING, BY_WALLS, stand
-from scenewright.domains.home.rules.sources import FLATS, PANERO
+from scenewright.domains.home.rules.classes import ANYTHING, AT_WINDOWS, BY_WALLS, stand
+from scenewright.domains.home.rules.sources import DGUV, FLATS, PANERO
 
 AHEAD, WIDE = 1.2, 0.8
 """The floor before the middle of a sofa that it looks over, metres: a low table and those who pass
@@ -72,6 +74,15 @@ LIVING = (
     Row(
         "back_before", _ARMCHAIR, no_back(FRONT, 0.5, 0.5, UNSEEN),
         stand("the back of a seat", *SOFAS, "dining_chair"), 1.6, BEHIND, _LOOKS, PANERO, late=True,
+    ),
+    Row(
+        "mirrored", Class("a screen", frozenset(("tv",))), clear(FRONT, each=True), AT_WINDOWS, 3.0,
+        3.0, "{of} looks at {to} within {metres} m, which is mirrored in it", DGUV, late=True,
+        example=Example(
+            broken=(Place("tv", 2.5, 1.3, 90.0, 1.2, 0.1, 0.6),),
+            held=(Place("tv", 2.5, 0.3, 90.0, 1.2, 0.1, 0.6),),
+            mended=(Place("tv", 0.3, 2.0, 0.0, 1.2, 0.1, 0.6),),
+        ),
     ),
     Row(
         "sofa_wall", _SOFA, clear(FRONT, 0.03), BY_WALLS, FEET, 5.0, _LOOKS, PANERO, late=True,

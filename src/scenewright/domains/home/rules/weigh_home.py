@@ -159,5 +159,5 @@ def read_room(known: Same[Ground]) -> RoomParts:
     turns = np.unique(np.remainder(np.arctan2(way[:, 1], way[:, 0]), np.pi / 2).round(4))
     parts.append((np.eye(1, 5, HEADING) * turns[:, None], TURNS))
     boxes = np.concatenate([np.pad(b, ((0, 0), (0, 1)), constant_values=p) for b, p in parts])
-    lines = (np.ascontiguousarray(each) for each in (ground.edges, ground.paths, ground.walls))
-    return RoomParts(*lines, boxes, ground.area)
+    lines = [np.ascontiguousarray(each) for each in (ground.edges, ground.paths, ground.walls)]
+    return RoomParts(lines[0], lines[1], lines[2], boxes, ground.area)

@@ -18,7 +18,7 @@ from scenewright.domains.home.composing.case_faults import (
     TOUCH,
     lie_across,
 )
-from scenewright.domains.home.composing.forms import WHOLE_FROM, share_in
+from scenewright.domains.home.composing.forms import share_in
 from scenewright.domains.home.composing.kitchens.fitted import FACING
 from scenewright.domains.home.composing.modest import CORNER_RUN, EXPECTED
 from scenewright.domains.home.groups.fitted_kitchen import (
@@ -32,6 +32,7 @@ from scenewright.domains.home.groups.fitted_kitchen import (
 )
 from scenewright.domains.home.groups.kitchen import FRIDGE, UNIT_DEPTH, Unit
 from scenewright.domains.home.groups.low_fridges import LOW
+from scenewright.domains.home.rules.kitchen import WHOLE_FROM
 from scenewright.domains.home.settings import ComposingSettings, CompositionCosts
 
 TOPS = WORKTOP | {LOW}
