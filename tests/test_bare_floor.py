@@ -19,7 +19,7 @@ from scenewright.core.piece_outlines import polygons_of
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains import check
 from scenewright.domains.home.attempt import FurnishedGroup
-from scenewright.domains.home.composing.bare_floor import APART, list_other
+from scenewright.domains.home.composing.bare_floor import PAIRS_APART, list_other
 from scenewright.domains.home.composing.placed_faults import cost_of_group
 from scenewright.domains.home.furnishing.furnish import FurnishedPatch
 from scenewright.domains.home.furnishing.obstacles import standing_of
@@ -92,7 +92,7 @@ def test_two_pairs_of_armchairs_are_no_rows_of_seats() -> None:
     home = sw.solve(sw.read("sample:home-loft"), seed=41)
     lamps = [p.pose for p in home.pieces if p.category == "side_table" and "reading" in p.id]
     away = [hypot(a.x - b.x, a.y - b.y) for a, b in combinations(lamps, 2)]
-    assert min(away, default=APART) >= APART - 0.3
+    assert min(away, default=PAIRS_APART) >= PAIRS_APART - 0.3
 
 
 def test_a_bare_kitchen_has_a_second_zone() -> None:

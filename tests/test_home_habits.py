@@ -17,7 +17,7 @@ from scenewright.domains import check
 from scenewright.domains.home import solving as home
 from scenewright.domains.home.learned import habits
 from scenewright.domains.home.learned.groups import Learned, write
-from scenewright.domains.home.learned.habits import MOST, TRUST, habits_of
+from scenewright.domains.home.learned.habits import TRUST, WISHED_MOST, habits_of
 from scenewright.domains.home.learned.learning import FurnishedSpace, found_in
 from scenewright.domains.home.learned.rows import Beside, Clearance, Distance, Share, Targets
 from scenewright.domains.home.learned.targets import targets_of
@@ -61,7 +61,7 @@ def test_clearances_stay_between_a_walking_route_and_what_one_can_wish() -> None
 
     assert clear(1.0, 5)[0] == pytest.approx(0.875)
     assert clear(0.0, 10**6)[0] == pytest.approx(0.6)
-    assert clear(20.0, 10**6)[0] == pytest.approx(MOST, abs=1e-3)
+    assert clear(20.0, 10**6)[0] == pytest.approx(WISHED_MOST, abs=1e-3)
     assert clear(0.4, 5, "beside") == pytest.approx((0.75, 0.2, 0.0, 0.2))
     known = told((), (Clearance("desk", "front", 0.0, 0.0, 10**6),))
     assert habits.clear(known, "desk", (0.25, 0, 0, 0))[0] == 0.25, "never below the least usual"

@@ -57,7 +57,7 @@ def test_floor_behind_a_sofa_is_got_to(x, length, cut):
     ground = ground_of(space_of(), (), 30.0)
     groups = row_at(x, length)
     pieces = [p for g in groups for p in g.pieces]
-    assert (cut_off.measure_cut_off(pieces, ground) > cut_off.SEEN) == cut
+    assert (cut_off.measure_cut_off(pieces, ground) > cut_off.CUT_UNSEEN) == cut
     costs = [c.cost for c in rules.list_close(groups, (), ground) if c.cost >= cut_off.COST]
     assert bool(costs) == cut
 
@@ -103,7 +103,7 @@ def test_what_stands_already_is_nobodys_fault():
 def test_small_rooms_do_not_mind():
     ground = ground_of(space_of(outline=[[0, 0], [5, 0], [5, 1.8], [0, 1.8]]), (), 9.0)
     wall = [group("shelf", "bookcase", 2.0, 0.9, 0.0, 1.8, 0.2).pieces[0]]
-    assert cut_off.measure_cut_off(wall, ground) > cut_off.SEEN
+    assert cut_off.measure_cut_off(wall, ground) > cut_off.CUT_UNSEEN
     assert cut_off.cost_of_cut_off(wall, ground) == 0.0
 
 

@@ -31,7 +31,7 @@ from scenewright.engine.rows import preset_named
 Progress = Callable[[float, str], None]
 Cancel = Callable[[], bool]
 
-FAR = 2.0
+MOVED_BY = 2.0
 """A group that lies this far from where it did counts as standing elsewhere, metres."""
 
 MAKES = {"sleeping": "bed", "single": "bed", "bunk": "bunk bed", "seating": "sofa", "desk": "desk"}
@@ -173,7 +173,9 @@ def _measure_move(one: Patch, other: Patch) -> float:
     """How much a group stands elsewhere, 0 to 1: wholly if it looks another way."""
     if cos(one.box[2] - other.box[2]) < 0.7:
         return 1.0
-    return min(float(np.hypot(one.box[0] - other.box[0], one.box[1] - other.box[1])) / FAR, 1.0)
+    return min(
+        float(np.hypot(one.box[0] - other.box[0], one.box[1] - other.box[1])) / MOVED_BY, 1.0
+    )
 
 
 def sides(solution: Solution, plan: Plan | None = None) -> str:

@@ -34,7 +34,7 @@ from scenewright.domains.home.wall_places import free_boxes, free_places
 SINGLE = "single"
 LEAST_FLOOR = 1.8
 """On less floor, square metres, no bed leaves a step before it."""
-APART, PLACES = 0.05, 80
+BED_PLACES_APART, PLACES = 0.05, 80
 """Metres between places of one form, and how many of them are walked past."""
 
 
@@ -85,7 +85,7 @@ def list_placed(
     room = (case, task.ground, standing, task.catalog, task.space.height)
     ends = list_wall_ends(task, case, standing)
     boxes = np.concatenate([ends, free_places(*room), free_boxes(*room)])
-    unlike = np.unique((boxes / APART).round(), axis=0, return_index=True)[1]
+    unlike = np.unique((boxes / BED_PLACES_APART).round(), axis=0, return_index=True)[1]
     for k in sorted(unlike.tolist()):
         bed = dress_group(task, group, case, boxes[k], standing)
         if bed is not None:

@@ -8,12 +8,12 @@ import shapely
 
 from scenewright.core.space import Space
 
-LEAST = 0.45
+LEAST_CLOSET = 0.45
 """Square metres of a closet that holds more clothes than a wardrobe of 0.6 m."""
 
 
 def has_closet(space: Space, rooms: Sequence[Space]) -> bool:
-    """Whether a storage room of :data:`LEAST` is entered from a room and from no other.
+    """Whether a storage room of :data:`LEAST_CLOSET` is entered from a room and from no other.
 
     >>> import numpy as np
     >>> from scenewright.core.space import Opening
@@ -33,4 +33,4 @@ def _is_closet_of(space: Space, other: Space) -> bool:
     doors = [opening for opening in other.openings if opening.kind != "window"]
     if not doors or any(set(door.spaces) != {space.id, other.id} for door in doors):
         return False
-    return float(shapely.Polygon(other.outline, list(other.holes)).area) >= LEAST
+    return float(shapely.Polygon(other.outline, list(other.holes)).area) >= LEAST_CLOSET

@@ -25,7 +25,7 @@ WIDTH = 0.7
 """How wide a way is, metres."""
 MARGINS = (0.35, 0.2, 0.05)
 """Metres a way keeps from walls and fixed pieces, the widest that joins two doors first."""
-FAR = 0.6
+BEGINS_OFF = 0.6
 """How far off the line through a door its way may begin, metres."""
 MOST_BENDS = 160
 """Corners that ways are led round, where a floor has more: those nearest to the straight lines
@@ -78,7 +78,7 @@ def _start(free: shapely.Geometry, door: DoorApproach, margin: float) -> Floats:
     """Where a way leaves a door: straight in, or the nearest free floor; NaN if that is far."""
     ahead = door.face + max(margin, MARGINS[0]) * door.inward
     nearest = np.array(shapely.shortest_line(free, shapely.Point(ahead)).coords[0])
-    return nearest if np.hypot(*(nearest - ahead)) <= FAR else np.full(2, np.nan)
+    return nearest if np.hypot(*(nearest - ahead)) <= BEGINS_OFF else np.full(2, np.nan)
 
 
 def _inner_corners(free: shapely.Geometry) -> Floats:

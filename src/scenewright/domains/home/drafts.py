@@ -27,7 +27,7 @@ USUAL, FAIR = 4, 100.0
 """After so many drafts one that costs less than this is good enough."""
 FIRST = 11
 """Drafts are numbered from here on; smaller numbers are those of second tries."""
-LEAST = 24.0  # square metres from which on a room is furnished several times
+DRAFTED_FROM = 24.0  # square metres from which on a room is furnished several times
 UNSEEN = 20.0  # what it costs that nobody sees the screen of a room
 
 Furnish = Callable[[RoomTask], RoomAnswer]
@@ -82,7 +82,7 @@ def is_composed(task: RoomTask) -> bool:
     """Whether a room is one of those that are composed by us, and large."""
     exact = task.preset.settings.exact
     composed = exact and not task.accessible and not task.library.own
-    return composed and task.ground.area >= LEAST
+    return composed and task.ground.area >= DRAFTED_FROM
 
 
 def _lacks(wishes: tuple[Wish, ...], answer: RoomAnswer) -> bool:

@@ -32,7 +32,7 @@ PLACES = {
 WORDS = ("to window", "to door", "looks east", "looks north")
 PLACE_NAMES = tuple(f"{name} {word}" for name in PLACES for word in WORDS)
 TERM_NAMES = tuple(MEANINGS)
-FAR = 3.0
+FAR_IN_ROOM = 3.0
 """Metres that count as far in a room."""
 
 REASONS: dict[str, dict[str, float]] = {
@@ -124,7 +124,7 @@ def _largest_of_groups(pieces: Sequence[Piece]) -> list[Piece]:
 
 
 def _distance_to(piece: Piece, room: Space, kind: str) -> float:
-    """Metres over :data:`FAR` from a piece to the nearest opening of a kind, at most 2."""
+    """Metres over :data:`FAR_IN_ROOM` from a piece to the nearest opening of a kind, at most 2."""
     ways: list[Opening] = [o for o in room.openings if o.kind == kind]
-    far = [np.hypot(o.x - piece.pose.x, o.y - piece.pose.y) / FAR for o in ways]
+    far = [np.hypot(o.x - piece.pose.x, o.y - piece.pose.y) / FAR_IN_ROOM for o in ways]
     return float(min(far, default=2.0))

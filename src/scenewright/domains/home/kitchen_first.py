@@ -22,7 +22,7 @@ from scenewright.domains.home.attempt import (
     find_blocked,
 )
 from scenewright.domains.home.bed_first import list_placed, with_narrow_ways
-from scenewright.domains.home.composing.case_faults import TOUCH
+from scenewright.domains.home.composing.case_faults import ONE_LINE
 from scenewright.domains.home.composing.judging import Placed
 from scenewright.domains.home.groups.classes import RUNS
 from scenewright.domains.home.groups.mini_kitchens import mini_kitchens
@@ -75,7 +75,7 @@ def _has_gap(run: FurnishedGroup) -> bool:
         return False
     s, c = sin(units[0].pose.heading), cos(units[0].pose.heading)
     ends = sorted((p.pose.x * s - p.pose.y * c, p.size.width / 2) for p in units)
-    return any(b - a > half + more + TOUCH for (a, half), (b, more) in pairwise(ends))
+    return any(b - a > half + more + ONE_LINE for (a, half), (b, more) in pairwise(ends))
 
 
 def _list_before(task: RoomTask, others: Placed, wish: Wish) -> Iterator[Placed]:

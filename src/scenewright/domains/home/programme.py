@@ -243,7 +243,7 @@ HEARTH = PlacementPreference(
 VIEW = PlacementPreference(draws=(Attraction(("outlook",), facing=0.1),))
 """Who sits on a balcony looks out or along it, not at the house."""
 PRIVATE = PlacementPreference(draws=(Attraction(("door",), near=3.0),))
-ROOMY = 40.0
+BED_APART_FROM = 40.0
 """A bed in a room of so many square metres that is also lived or cooked in is away from doors."""
 
 DOUBLE_BEDROOM = 8.8
@@ -295,7 +295,7 @@ def programme(
     there is no dining room. ``have`` are the categories that stand there already.
     """
     functions = resolve_bedrooms(space.functions, area)
-    shared = area >= ROOMY and bool({"living", "kitchen"} & set(functions))
+    shared = area >= BED_APART_FROM and bool({"living", "kitchen"} & set(functions))
     area = part_of(functions, area)
     avoid = set(functions) | {f"home:{f}" for f in home}
     if home or len(functions) > 1:

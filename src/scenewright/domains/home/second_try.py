@@ -25,7 +25,7 @@ from scenewright.engine.solve import Budget
 
 OTHERWISE = 7919
 """Added to the seed of a room for each further try."""
-LEAST = 0.7
+LEAST_FLOOR = 0.7
 """A room of less floor has hardly another place for anything, square metres."""
 
 Opened = Callable[[Sequence[RoomAnswer]], list[RoomAnswer]]
@@ -45,7 +45,7 @@ def tried_again(
     for room, task in enumerate(tasks):
         rule, costs = task.preset.settings.retry, task.costs
         wanted = _lacks(before[room], costs)
-        if task.ground.area < LEAST or task.cancelled():
+        if task.ground.area < LEAST_FLOOR or task.cancelled():
             continue
         most = 0 if budgets[room].seconds is not None else 1 if before[room].unreached else None
         for number, wider in enumerate(rule.wider[:most], 1):

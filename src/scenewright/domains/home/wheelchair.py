@@ -33,7 +33,7 @@ from scenewright.geometry.fit import COLLIDES, faults
 Floats = NDArray[np.float64]
 
 TURN = 1.5  # the circle a wheelchair turns in, metres
-BESIDE = 0.9  # free floor beside a bed or toilet, metres
+TRANSFER = 0.9  # free floor beside a bed or toilet, metres
 ALONG = 1.2  # length of it along a bed, from its foot, metres
 SPARE = 0.03  # what is reserved more than needed, metres
 TRANSFER_BEDS = ("double_bed", "single_bed")
@@ -66,7 +66,7 @@ def _with_strip(case: Group, category: str, left: bool) -> list[Group]:
         return []
     sign = -1.0 if left else 1.0
     room = case.width / 2 - (sign * main.x + main.size.width / 2)
-    more = max(BESIDE + SPARE - room, 0.0)
+    more = max(TRANSFER + SPARE - room, 0.0)
     moved = tuple(m._replace(x=m.x - sign * more / 2) for m in case.members)
     wide = case._replace(width=case.width + more, members=moved)
     return [wide] if _strip_free(wide, category, sign) else []
@@ -90,7 +90,7 @@ def _strip(main: Member, sign: float) -> tuple[float, float, float, float]:
     """The strip in the group's frame: left, right, back, front."""
     w, d = main.size.width / 2, main.size.depth
     long = min(ALONG, d) if main.category in TRANSFER_BEDS else d
-    inner, outer = main.x + sign * w, main.x + sign * (w + BESIDE)
+    inner, outer = main.x + sign * w, main.x + sign * (w + TRANSFER)
     return min(inner, outer), max(inner, outer), main.y + d / 2 - long, main.y + d / 2
 
 

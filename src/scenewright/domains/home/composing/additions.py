@@ -10,7 +10,7 @@ from scenewright.core.catalog import Group
 from scenewright.domains.home.attempt import FurnishedGroup, Missing, RoomTask
 from scenewright.domains.home.cases.library import cases, shipped_cases
 from scenewright.domains.home.composing.case_faults import find_case_faults
-from scenewright.domains.home.composing.forms import ROOMY, list_further
+from scenewright.domains.home.composing.forms import SEATS_FROM, list_further
 from scenewright.domains.home.composing.judging import Placed
 from scenewright.domains.home.groups.classes import DESK_GROUPS, RUNS
 from scenewright.domains.home.groups.kitchen import short_counters
@@ -48,7 +48,7 @@ def list_additions(
         yield Wish("counter", 2), ()
     shared = task.elsewhere or task.instead
     if "living" in task.space.functions and task.welcome is None and not shared:
-        if task.ground.area >= ROOMY and "reading" not in task.elsewhere:
+        if task.ground.area >= SEATS_FROM and "reading" not in task.elsewhere:
             yield Wish("reading", 2), ()
         for group, least in FULLER:
             if task.ground.area >= least and group not in task.elsewhere:

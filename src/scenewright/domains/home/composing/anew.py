@@ -27,7 +27,7 @@ from scenewright.domains.home.composing.judging import (
     sum_faults,
 )
 from scenewright.domains.home.composing.kitchens.reform import (
-    AMPLE,
+    MORE_FROM,
     as_whole,
     list_fitted,
     may_reform,
@@ -133,7 +133,7 @@ def _list_kitchens(
     washes = is_mere_kitchen(task) and any(p.wish.group == "washer" for p in placed)
     for step in list_fitted(task, (), run, frozenset(), machine=MACHINE if washes else 0.0):
         better = [j for j in step(inf) if sum_faults(task, j.placed) < faults]
-        yield from better[: rule.starts if task.ground.area < AMPLE else 2 * rule.starts]
+        yield from better[: rule.starts if task.ground.area < MORE_FROM else 2 * rule.starts]
         steps += bool(better)
         if steps == 2:
             break

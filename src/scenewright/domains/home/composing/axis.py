@@ -20,7 +20,7 @@ from scenewright.domains.home.wall_places import stand_free
 
 Floats = NDArray[np.float64]
 
-ENOUGH, MOST = 0.1, 1.6
+ENOUGH, MENDED_WITHIN = 0.1, 1.6
 """What is less off the axis stays, and what is farther off is not mended so, metres."""
 
 
@@ -31,7 +31,7 @@ def slide_to_axis(task: RoomTask, best: JudgedRoom, barred: frozenset[str]) -> J
     if len(pair) < 2 or any(name in task.library.own for name in pair):
         return best
     off = _measure_off(pair["seating"], pair["media"])
-    if not ENOUGH < np.hypot(*off) <= MOST:
+    if not ENOUGH < np.hypot(*off) <= MENDED_WITHIN:
         return best
     for group, way in ((pair["media"], -off), (pair["seating"], off)):
         moved = take_first(task, best, _list_moved(task, best.placed, group, way), barred)

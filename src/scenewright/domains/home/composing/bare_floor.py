@@ -42,18 +42,21 @@ from scenewright.geometry.fit import is_backed
 
 Floats = NDArray[np.float64]
 
-LARGE = 12.0  # rooms of so many square metres have a second zone
+SECOND_ZONE_FROM = 12.0  # rooms of so many square metres have a second zone
 BARE = 1.0  # an empty circle of so many metres of radius is bare
 LESS = 0.1  # by so many metres a group is to make it smaller
 TWO = 24.0  # from so many square metres on two armchairs stand where one stood by itself
 ZONES = 3  # groups that are added to a room at most
 TWICE = 2  # of one kind a room has at most so many
 TRIED = 16  # places of one form that are furnished
-STEP, BACKED = 0.4, 0.05  # how far before its wall something stands, and how near at it, metres
+OFF_WALL, NEAR_AT_WALL = (
+    0.4,
+    0.05,
+)  # how far before its wall something stands, and how near at it, metres
 AMID = (
     0.3  # by so many metres a circle is to be smaller with something amid the room than at a wall
 )
-APART = 4.5  # nearer middles of two pairs of armchairs are rows of seats, metres
+PAIRS_APART = 4.5  # nearer middles of two pairs of armchairs are rows of seats, metres
 NOWHERE: Floats = np.empty((0, 5))
 FREE = frozenset(form.name for form in talking())
 """Forms that also stand a step before their wall, as before a window, or amid the room."""
@@ -82,7 +85,7 @@ ZONED: dict[str, Zones] = {
 
 def furnish_bare_floor(task: RoomTask, answer: RoomAnswer, barred: frozenset[str]) -> RoomAnswer:
     """The answer with further groups in the bare part of a large room that is left to us."""
-    if task.ground.area < LARGE or not is_left_to_us(task):
+    if task.ground.area < SECOND_ZONE_FROM or not is_left_to_us(task):
         return answer
     answer, added = _seat_two(task, answer, barred), 0
     for group, forms in next((ZONED[f] for f in task.space.functions if f in ZONED), ()):
@@ -166,7 +169,7 @@ def _list_smaller(
         if may_stand_free(task, pieces, box):
             radius = find_circle(free_beside(task, floor, pieces, added.pieces)).radius
             if radius <= void.radius - LESS:
-                amid = not is_backed(box, task.ground.walls, STEP + BACKED)
+                amid = not is_backed(box, task.ground.walls, OFF_WALL + NEAR_AT_WALL)
                 yield radius + AMID * amid, number, added
 
 
@@ -211,14 +214,14 @@ def _are_near_pairs(boxes: Floats, placed: Placed) -> NDArray[np.bool_]:
     """Which of boxes (n, 5) for two armchairs are so near to two others that those look at the
     backs of these."""
     pairs = (p.dressed.box[:2] for p in placed if p.dressed.case.name in FREE)
-    near = [np.hypot(*(boxes[:, :2] - pair).T) < APART for pair in pairs]
+    near = [np.hypot(*(boxes[:, :2] - pair).T) < PAIRS_APART for pair in pairs]
     return np.any(np.reshape(near, (len(near), len(boxes))), axis=0)
 
 
 def _step_before(task: RoomTask, case: Group, standing: StandingObstacles) -> Floats:
     """The boxes (n, 5) a step before each wall on which a case stands free."""
     boxes = along_walls(case, task.ground, task.preset.settings.composing.step)
-    boxes[:, :2] += STEP * np.column_stack([np.cos(boxes[:, 2]), np.sin(boxes[:, 2])])
+    boxes[:, :2] += OFF_WALL * np.column_stack([np.cos(boxes[:, 2]), np.sin(boxes[:, 2])])
     return stand_at(task, case, boxes, standing)
 
 

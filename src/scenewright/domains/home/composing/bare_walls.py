@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask, bars_no_more
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.bare_floor import (
-    LARGE,
     NOWHERE,
+    SECOND_ZONE_FROM,
     is_left_to_us,
     order_boxes,
     pieces_of,
@@ -46,7 +46,7 @@ class BareWalls(NamedTuple):
 
 
 BARE_WALLS = {
-    "living": BareWalls(LARGE, 1.2, 0.6, (("sideboard", 1), ("shelf", 2))),
+    "living": BareWalls(SECOND_ZONE_FROM, 1.2, 0.6, (("sideboard", 1), ("shelf", 2))),
     "bedroom": BareWalls(9.0, 0.65, 1.2, (("chest", 1), ("reading", 1), ("shelf", 1))),
     "child_bedroom": BareWalls(9.0, 0.65, 1.2, (("shelf", 1), ("chest", 1))),
 }

@@ -13,7 +13,7 @@ from scenewright.domains.home.problem import Ground
 from scenewright.domains.home.rules.classes import MOVED
 from scenewright.geometry.boxes import area_in_polygon, common_area, make_frame
 
-GAP, BESIDE = 0.01, 0.45
+OFF_BED, GOT_IN_FROM = 0.01, 0.45
 """The floor beside a bed from which one gets in begins and ends so far from it, metres."""
 FREE = 0.91  # share of that floor, from the middle of the bed to its foot, that is free
 
@@ -36,9 +36,9 @@ def _list_sides(bed: Piece) -> Iterator[Box]:
     (x, y, _, turn), (wide, long, _) = bed.pose, bed.size
     c, s, ahead = cos(turn), sin(turn), long / 4
     for side in (-1.0, 1.0):
-        aside = side * (wide + GAP + BESIDE) / 2
+        aside = side * (wide + OFF_BED + GOT_IN_FROM) / 2
         at = x + ahead * c + aside * s, y + ahead * s - aside * c
-        yield *at, turn, BESIDE - GAP, long / 2
+        yield *at, turn, GOT_IN_FROM - OFF_BED, long / 2
 
 
 def _measure_free(side: Box, others: Sequence[Piece], ground: Ground) -> float:

@@ -19,7 +19,7 @@ WAY, BEYOND = 0.4, 0.4
 foot, metres."""
 SPOT, PILLOW = 0.34, 0.4
 """Room for a nightstand, metres, and how much it counts that there is none."""
-SEEN = 0.03  # share of the way that is not noticed
+WAY_UNSEEN = 0.03  # share of the way that is not noticed
 
 
 def cost_of_bed_ways(groups: Sequence[FurnishedGroup], ground: Ground, cost: float) -> float:
@@ -46,11 +46,11 @@ def _list_closed(
                 ways = zip((-1.0, 1.0), list_aisles(bed, WAY, BEYOND), strict=True)
                 used = [way for side, way in ways if _has_stand(group, bed, side)]
                 taken = [_find_taken(way, group, groups) for way in used]
-                yield from ((names, share, 1.0) for names, share in taken if share > SEEN)
+                yield from ((names, share, 1.0) for names, share in taken if share > WAY_UNSEEN)
             elif bed.category == SINGLE and len(group.pieces) == 1:
                 spots = [spot for spot in list_spots(bed) if _is_floor(spot, ground)]
                 taken = [_find_taken(spot, group, groups) for spot in spots]
-                if taken and all(share > SEEN for _, share in taken):
+                if taken and all(share > WAY_UNSEEN for _, share in taken):
                     yield *min(taken, key=lambda each: each[1]), PILLOW
 
 
@@ -65,7 +65,7 @@ def list_spots(bed: Piece) -> Iterator[Box]:
 def _is_floor(spot: Box, ground: Ground) -> bool:
     """Whether a box is on the floor of the room as a whole."""
     free = float(area_in_polygon(make_frame(*spot), ground.edges))
-    return free > (1.0 - SEEN) * spot[3] * spot[4]
+    return free > (1.0 - WAY_UNSEEN) * spot[3] * spot[4]
 
 
 def _has_stand(group: FurnishedGroup, bed: Piece, side: float) -> bool:

@@ -32,10 +32,10 @@ Floats = NDArray[np.float64]
 SINGLE, BUNK, STAND = "single_bed", "bunk_bed", "nightstand"
 SIZES = ((0.42, 0.4), (0.35, 0.35), (0.3, 0.3))
 """Widths and depths of a nightstand, the preferred first, metres."""
-GAP = 0.02  # between a bed and its nightstand, metres
+BED_TO_STAND = 0.02  # between a bed and its nightstand, metres
 NOWHERE = 0.75  # a nightstand farther from the wall behind it stands in nowhere, metres
 LAMP = Size(0.24, 0.24, 0.42)
-NEAR = 0.8  # a nightstand whose middle is nearer to a bed's pillow serves it, metres
+AT_PILLOW = 0.8  # a nightstand whose middle is nearer to a bed's pillow serves it, metres
 
 
 def add_nightstands(
@@ -65,7 +65,7 @@ def _lacks_stand(group: FurnishedGroup, placed: Placed) -> bool:
         return False
     x, y = _pillow(group.pieces[0])
     stands = (p.pose for g in placed for p in g.pieces if p.category == STAND)
-    return all((p.x - x) ** 2 + (p.y - y) ** 2 > NEAR**2 for p in stands)
+    return all((p.x - x) ** 2 + (p.y - y) ** 2 > AT_PILLOW**2 for p in stands)
 
 
 def _pillow(bed: Piece) -> tuple[float, float]:
@@ -134,9 +134,9 @@ def _list_stands(bed: Member) -> Iterator[Member]:
     half, head = bed.size.width / 2, -bed.size.depth / 2
     for width, depth in SIZES:
         size = Size(width, depth, 0.5)
-        aside = half + GAP + width / 2
+        aside = half + BED_TO_STAND + width / 2
         for side in (-1.0, 1.0):
-            yield _member_at(bed, side * aside, head + GAP + depth / 2, size)
+            yield _member_at(bed, side * aside, head + BED_TO_STAND + depth / 2, size)
 
 
 def _member_at(bed: Member, x: float, y: float, size: Size) -> Member:

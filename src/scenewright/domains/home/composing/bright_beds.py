@@ -37,7 +37,7 @@ from scenewright.domains.home.furnishing.obstacles import StandingObstacles, fla
 Floats = NDArray[np.float64]
 
 STEP = 0.05  # between places of the bed along a wall, metres
-APART = 0.3  # nearer places of a form no larger and no worse are one, metres
+BRIGHT_PLACES_APART = 0.3  # nearer places of a form no larger and no worse are one, metres
 STARTS = 16  # places of the bed from which the others follow
 DEAR = 300.0
 """What the others may not take: another window, a wide door."""
@@ -115,7 +115,7 @@ def _rank(task: RoomTask, bright: Sequence[tuple[Group, Floats]]) -> Iterator[tu
 
 def _is_like(one: tuple[float, Group, Floats], other: tuple[float, Group, Floats]) -> bool:
     (cost, case, box), (less, form, there) = one, other
-    near = np.abs(box[:2] - there[:2]).max() < APART and abs(box[2] - there[2]) < 0.1
+    near = np.abs(box[:2] - there[:2]).max() < BRIGHT_PLACES_APART and abs(box[2] - there[2]) < 0.1
     return bool(near and cost >= less and case.width >= form.width and case.depth >= form.depth)
 
 

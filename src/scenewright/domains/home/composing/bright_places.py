@@ -39,11 +39,11 @@ from scenewright.domains.home.wall_places import along_walls
 Floats = NDArray[np.float64]
 
 STEP = 0.05  # between places along a wall, metres
-NEAR = 0.15  # nearer places of a form no larger are one, metres
+SAME_PLACE = 0.15  # nearer places of a form no larger are one, metres
 PLACED, PAIRS = 15, 100  # places that are furnished, and pairs beside what is not in their way
 FOLLOWED = 3  # pairs which a third group follows
 WAYS = 2  # sets of groups in the way that are tried
-AHEAD, LARGE = 0.31, 9.0
+SEAT_TO_WINDOW, AT_GLASS_FROM = 0.31, 9.0
 """Seats stand so far before a window at their back, metres, in rooms of so many square metres."""
 DEAR = 1000.0
 """What a pair may not have: a window behind it, a bed adrift."""
@@ -93,16 +93,16 @@ def _list_bright(
     forms = list(list_unlike(list_bright_forms(task, group)))
     for case, boxes in find_places(task, forms, standing, group, STEP):
         yield from _keep_bright(task, group, case, boxes)
-    if group.wish.group == "seating" and task.ground.area >= LARGE:
+    if group.wish.group == "seating" and task.ground.area >= AT_GLASS_FROM:
         for case in forms:
             boxes = stand_at(task, case, _list_ahead(task, case), standing)
             yield from _keep_bright(task, group, case, boxes)
 
 
 def _list_ahead(task: RoomTask, case: Group) -> Floats:
-    """Boxes (n, 5) along the walls, :data:`AHEAD` from the wall at their back."""
+    """Boxes (n, 5) along the walls, :data:`SEAT_TO_WINDOW` from the wall at their back."""
     boxes = along_walls(case, task.ground, 2 * STEP)
-    boxes[:, :2] += AHEAD * np.column_stack([np.cos(boxes[:, 2]), np.sin(boxes[:, 2])])
+    boxes[:, :2] += SEAT_TO_WINDOW * np.column_stack([np.cos(boxes[:, 2]), np.sin(boxes[:, 2])])
     return boxes
 
 
@@ -160,7 +160,7 @@ def _thin_out(found: Sequence[tuple[float, int, Group, Floats]]) -> Iterator[tup
     seen: list[tuple[Group, Floats]] = []
     for _, _, case, box in found:
         like = (
-            np.abs(box[:2] - other[:2]).max() < NEAR
+            np.abs(box[:2] - other[:2]).max() < SAME_PLACE
             and abs(box[2] - other[2]) < 0.1
             and case.width >= form.width
             and case.depth >= form.depth

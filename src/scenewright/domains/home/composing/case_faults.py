@@ -19,7 +19,7 @@ from scenewright.domains.home.measures import HAIR, RAISED, SOFA_OF_THREE
 
 Faults = dict[str, float]
 
-AMPLE, BESIDE = 0.6, 0.3  # worktop in one piece, and beside a hob, metres
+TOP_IN_ONE, HOB_TOP = 0.6, 0.3  # worktop in one piece, and beside a hob, metres
 FOUR_RINGS = 0.6  # width of a hob of four rings, metres
 FULL_SINK = 0.6  # width of a sink for a household, metres
 MANY = 3  # seats of a room that is roomy
@@ -33,7 +33,7 @@ ACROSS, PAST = 2.45, 1.2
 the other along it."""
 LONE_SINK = 6.0  # what a sink by itself across from the hob counts of one beside worktop
 LEG = (1.2, 2.7)  # of a work triangle, metres
-TOUCH, IN_LINE = 0.03, 0.3  # units nearer, and less far ahead, than this are in one line, metres
+ONE_LINE, IN_LINE = 0.03, 0.3  # units nearer, and less far ahead, than this are in one line, metres
 TURNED = 0.1  # units turned by more are not in one line, radians
 
 
@@ -110,7 +110,7 @@ def _of_kitchen(members: tuple[Member, ...]) -> list[tuple[str, float]]:
     sink = next((m for m in units if m.category == "sink_cabinet"), None)
     if hob is None:
         return []
-    apart = BESIDE
+    apart = HOB_TOP
     if sink is not None:
         apart = hypot(hob.x - sink.x, hob.y - sink.y) - (hob.size.width + sink.size.width) / 2
     beside = min(_worktop(hob, units, side) for side in (-1, 1))
@@ -118,12 +118,12 @@ def _of_kitchen(members: tuple[Member, ...]) -> list[tuple[str, float]]:
     tops = (m for m in units if _is_top(m) and not (m in cold and _is_alone(m, units)))
     longest = max((m.size.width + _worktop(m, units, 1) for m in tops), default=0.0)
     return [
-        ("worktop", max(0.0, 1.0 - longest / AMPLE)),
-        ("hob_at_sink", max(0.0, 1.0 - apart / BESIDE)),
-        ("hob_at_end", max(0.0, 1.0 - beside / BESIDE)),
+        ("worktop", max(0.0, 1.0 - longest / TOP_IN_ONE)),
+        ("hob_at_sink", max(0.0, 1.0 - apart / HOB_TOP)),
+        ("hob_at_end", max(0.0, 1.0 - beside / HOB_TOP)),
         ("few_rings", 1.0 - hob.size.width / FOUR_RINGS),
         ("triangle", _off_triangle(units)),
-        ("sink_alone", 0.0 if sink is None else 1.0 - _longest_beside(sink, units) / BESIDE),
+        ("sink_alone", 0.0 if sink is None else 1.0 - _longest_beside(sink, units) / HOB_TOP),
         (
             "fridge_at_sink",
             float(sink is not None and any(_meet(sink, m) for m in cold if not _is_top(m))),
@@ -225,7 +225,7 @@ def _touches(one: Member, other: Member, side: int) -> bool:
     dx, dy = other.x - one.x, other.y - one.y
     along, ahead = side * (c * dx + s * dy), c * dy - s * dx
     gap = along - (one.size.width + other.size.width) / 2
-    return abs(gap) < TOUCH and abs(ahead) < IN_LINE
+    return abs(gap) < ONE_LINE and abs(ahead) < IN_LINE
 
 
 def _off_triangle(units: list[Member]) -> float:

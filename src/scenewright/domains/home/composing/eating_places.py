@@ -40,7 +40,7 @@ from scenewright.domains.home.second_try import Opened
 
 LEAST, USUAL, MOST = 2, 4, 6
 """Places at a table: at the very least, where there is floor for them, and at most."""
-WIDE = 0.95
+USUAL_FLOOR = 0.95
 """With an empty circle of so many metres of radius a room has floor for :data:`USUAL` places."""
 BARE = 0.9
 """A kitchen without a table is bare from an empty circle of so many metres of radius on."""
@@ -179,7 +179,7 @@ def _list_trials(
     orders = product(range(len(EATEN_IN)), yields, wanted)
     for tier, gives, seats in orders:
         for place in rooms:
-            wide = seats <= most or place.radius >= WIDE
+            wide = seats <= most or place.radius >= USUAL_FLOOR
             if place.tier == tier and wide:
                 yield from _list_set(tasks[place.room], answers[place.room], place, seats, gives)
 

@@ -16,7 +16,7 @@ from scenewright.domains.home.wall_places import WallRows
 Floats = NDArray[np.float64]
 
 AT = 0.06  # what begins nearer to a wall than this stands at it, metres
-APART = 0.001  # between pieces that touch, metres
+FLUSH_GAP = 0.001  # between pieces that touch, metres
 NARROWEST, WIDEST = 0.03, 0.4  # between these a gap is a slot, metres
 LOW = 0.05  # what begins so low stands on the floor, metres
 
@@ -43,8 +43,8 @@ def list_flush(
     for (x, y, ux, uy, length), heading in zip(walls.rows, walls.heading, strict=True):
         along, out, half, deep = seen_from(boxes, x, y, ux, uy)
         there = (out - deep < AT) & (out > 0) & (along + half > 0) & (along - half < length)
-        after = (along + half)[there] + APART + case.width / 2
-        before = (along - half)[there] - APART - case.width / 2
+        after = (along + half)[there] + FLUSH_GAP + case.width / 2
+        before = (along - half)[there] - FLUSH_GAP - case.width / 2
         middles = np.concatenate([after, before])
         middles = middles[(middles >= case.width / 2) & (middles <= length - case.width / 2)]
         found.append(boxes_along(middles, (x, y, ux, uy), heading, case))

@@ -44,7 +44,7 @@ IN_TURN = frozenset(("media", "single"))
 """Groups of which usual and further forms are tried in turn."""
 SCREEN = 0.38
 """Width of a screen watched from wall to wall of a square room, as a share of its side."""
-ROOMY = 14.0
+SEATS_FROM = 14.0
 """From so many square metres on a living room has seats for more than two."""
 
 
@@ -55,7 +55,7 @@ TALL_FROM = 8.0
 BED_FROM = 8.0
 """From so many square metres on a bed for one is of full width."""
 FROM = {
-    "seats": ROOMY,
+    "seats": SEATS_FROM,
     "narrow_bed": BED_FROM,
     "few_rings": RINGS_FROM,
     "triangle": WHOLE_FROM,

@@ -14,7 +14,7 @@ from scenewright.domains.home.composing.placed_faults import cost_of_group
 from scenewright.domains.home.composing.widths import CONSOLE
 from scenewright.domains.home.programme import WELCOME, Wish
 
-LEAST = 4.0  # square metres of a hall from which on it has a table
+TABLE_FROM = 4.0  # square metres of a hall from which on it has a table
 WAY = 0.9  # left free before it, metres
 LOW = frozenset(("shoes", "console", "chest", "shelf", "storage"))
 """What else stands along the walls of a hall."""
@@ -22,7 +22,7 @@ LOW = frozenset(("shoes", "console", "chest", "shelf", "storage"))
 
 def furnish_hall(task: RoomTask, answer: RoomAnswer, barred: frozenset[str]) -> RoomAnswer:
     """The answer for a hall without a cabinet with a console table, where that bars no way."""
-    bare = task.space.functions == ("hall",) and task.ground.area >= LEAST
+    bare = task.space.functions == ("hall",) and task.ground.area >= TABLE_FROM
     if not bare or not is_left_to_us(task) or "console_table" in task.forbidden:
         return answer
     if LOW.intersection(p.wish.group for p in answer.placed) or task.cancelled():

@@ -48,7 +48,7 @@ REACHED_IN = 1.5
 """A room of less floor, square metres, is used through its door: nobody stands before what is in
 it."""
 
-AMPLE, AMID = 16.0, 0.4
+WALL_BEHIND_FROM, AMID = 16.0, 0.4
 """In a room of so many square metres a wall behind the sofa counts so much of what it usually
 does."""
 
@@ -181,7 +181,7 @@ def _judge(same: Same[RoomTask], wishes: tuple[Wish, ...]) -> RoomJudge:
     counts = REWEIGHED | ({"clear_room": 0.0} if task.ground.area < REACHED_IN else {})
     weights = {name: w * counts.get(name, 1.0) for name, w in problem.weights.items()}
     items = problem.items
-    if task.ground.area >= AMPLE:
+    if task.ground.area >= WALL_BEHIND_FROM:
         seats = np.array([wish.group == "seating" for wish in wishes])
         items = items._replace(back_to_wall=np.where(seats, AMID, 1.0) * items.back_to_wall)
     problem = problem._replace(weights=weights, items=items)

@@ -27,8 +27,8 @@ from scenewright.domains.home.wall_places import stand_free
 Floats = NDArray[np.float64]
 
 AWAY = (2.1, 2.5, 2.9)  # from the screen to the sofa, metres
-NEAR = (1.8, 2.2, 2.6)  # from the front of a fireplace to it
-FAR = 3.6  # to a sofa with its back at the wall across, at most
+FIRE_TO_SOFA = (1.8, 2.2, 2.6)  # from the front of a fireplace to it
+FIRE_TO_SOFA_ACROSS = 3.6  # to a sofa with its back at the wall across, at most
 SPACED = 0.8  # between places of the screen that are tried, metres
 STANDS, HUNG, SCREENS, SEATS = 4, 1, 6, 10
 """Forms of the screen on stands and on walls, places of each, and forms of the seats that are
@@ -109,7 +109,7 @@ def _seat_before(
     standing = standing_of(pieces, flat_kinds(task.catalog))
     found = []
     for case in forms:
-        boxes = _look_at(spot, case, _list_distances(task, spot, case) if screen else NEAR)
+        boxes = _look_at(spot, case, _list_distances(task, spot, case) if screen else FIRE_TO_SOFA)
         boxes = boxes[_stand(task, case, boxes, standing)]
         seated = (dress_group(task, seating, case, box, standing) for box in boxes)
         each = judge.cost_each([(*screen, seats) for seats in seated if seats is not None])
@@ -119,11 +119,11 @@ def _seat_before(
 
 def _list_distances(task: RoomTask, spot: Floats, case: Group) -> tuple[float, ...]:
     """How far from a spot (x, y, heading) of a screen seats are tried: at :data:`AWAY`, and with
-    their back at the wall across where that is no farther than :data:`FAR`."""
+    their back at the wall across where that is no farther than :data:`FIRE_TO_SOFA_ACROSS`."""
     sofa = _find_sofa(case)
     across = _measure_across(spot, task.ground.walls) - sofa.y - case.depth / 2
     near = all(abs(across - away) > UNLIKE for away in AWAY)
-    return (*AWAY, across) if AWAY[0] / 2 < across < FAR and near else AWAY
+    return (*AWAY, across) if AWAY[0] / 2 < across < FIRE_TO_SOFA_ACROSS and near else AWAY
 
 
 def _measure_across(spot: Floats, walls: Floats) -> float:

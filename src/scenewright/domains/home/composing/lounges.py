@@ -29,7 +29,7 @@ from scenewright.domains.home.programme import WELCOME
 
 Floats = NDArray[np.float64]
 
-LEAST = 9.0  # rooms of so many square metres have seats and screen placed together
+LOUNGE_FROM = 9.0  # rooms of so many square metres have seats and screen placed together
 WALKED = 60  # pairs of places that are walked past
 MOVED, ESSENTIAL, KITCHEN = 6.0, 25.0, 60.0
 """What a pair of places costs for each group it is in the way of, one the room fails without, and a
@@ -39,7 +39,7 @@ GIVEN_UP = frozenset(("plant", "shelf", "sideboard"))
 """What gives up its place where it is merely welcome: it finds another, or none is missed."""
 PLACE = 6.0  # what a place at a table is worth that is given up for the view
 PLACES = {"dining_chair": 1.0, "stool": 0.5}
-APART = 0.8  # nearer places of a screen are one, metres
+SCREENS_APART = 0.8  # nearer places of a screen are one, metres
 
 
 def gather_seats(task: RoomTask, best: JudgedRoom, barred: frozenset[str]) -> JudgedRoom:
@@ -47,7 +47,7 @@ def gather_seats(task: RoomTask, best: JudgedRoom, barred: frozenset[str]) -> Ju
     between them, or the seats before a fireplace that they do not look at, or as they were."""
     rule = task.preset.settings.composing
     pair = _find_pair(task, best.placed)
-    if not pair or task.ground.area < LEAST or task.cancelled():
+    if not pair or task.ground.area < LOUNGE_FROM or task.cancelled():
         return best
     view = (
         0.0
@@ -113,7 +113,7 @@ def _list_starts(
     margin, kept = with_margin(task), list[tuple[float, float]]()
     for start in (listed[k] for k in order):
         x, y = start.placed[0].dressed.box[:2].tolist()
-        like = sum(hypot(x - a, y - b) < APART for a, b in kept)
+        like = sum(hypot(x - a, y - b) < SCREENS_APART for a, b in kept)
         if like < ONE_WAY and bars_no_more(margin, start.placed, barred):
             yield start
             kept.append((x, y))

@@ -31,9 +31,9 @@ NOWHERE: Floats = np.empty((0, 5))
 AMID = 0.3  # what is farther from the wall behind it stands free in the room, metres
 FREE = frozenset(("dining",))
 """Groups that stand amid a room."""
-LARGE, GRID = 14.0, 0.3
+AMID_FROM, GRID = 14.0, 0.3
 """Square metres from which places amid the floor are tried, and metres between them."""
-BACKED = 0.04  # a unit nearer than this is at its wall, metres
+UNIT_AT_WALL = 0.04  # a unit nearer than this is at its wall, metres
 
 
 def with_margin(task: RoomTask) -> RoomTask:
@@ -93,7 +93,7 @@ def stand_at(task: RoomTask, case: Group, boxes: Floats, standing: StandingObsta
 
 def _may_stand_amid(task: RoomTask) -> bool:
     """Whether a room is large, and no wish for a place needs the middle of its floor."""
-    return task.ground.area >= LARGE and not (task.asked and task.asked.wishes)
+    return task.ground.area >= AMID_FROM and not (task.asked and task.asked.wishes)
 
 
 def list_amid(task: RoomTask, case: Group, standing: StandingObstacles) -> Floats:
@@ -119,7 +119,7 @@ def _free(
     if not side:
         return free
     gaps = np.array([side_gaps(box, task.ground.walls) for box in free])
-    return free[gaps[:, int(side > 0.0)] < BACKED]
+    return free[gaps[:, int(side > 0.0)] < UNIT_AT_WALL]
 
 
 @lru_cache(maxsize=4096)
@@ -149,7 +149,7 @@ def _is_at_wall(unit: Piece, task: RoomTask) -> bool:
     """Whether a unit of a kitchen that stands on the floor has its back at a wall."""
     (x, y, z, heading), size = unit.pose, unit.size
     box = np.array([x, y, heading, size.width, size.depth])
-    return z > BACKED or bool(is_backed(box, task.ground.walls, BACKED))
+    return z > UNIT_AT_WALL or bool(is_backed(box, task.ground.walls, UNIT_AT_WALL))
 
 
 def make_unplaced(task: RoomTask, placed: Placed, wish: Wish, case: Group) -> FurnishedGroup:

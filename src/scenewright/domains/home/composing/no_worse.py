@@ -10,7 +10,7 @@ from scenewright.domains.home.composing.spacing.rules import measure_closeness
 from scenewright.domains.home.composing.views import cost_of_view
 from scenewright.domains.home.composing.windows import count_faults
 
-NEARER, SEEN = 4.5, 1.0
+NEARER, SIGHT_WORSE = 4.5, 1.0
 """By how much groups may stand nearer to one another for it, and screens be seen less well."""
 
 
@@ -27,7 +27,7 @@ def is_no_worse(task: RoomTask, before: Placed, after: Placed, worth: float) -> 
         return False
     sight = [_cost_of_sight(task, placed) for placed in (after, before)]
     costs = [judge_of(task, placed).cost_of(placed).cost for placed in (after, before)]
-    return sight[0] <= sight[1] + SEEN and costs[0] + near[0] <= costs[1] + near[1] + worth
+    return sight[0] <= sight[1] + SIGHT_WORSE and costs[0] + near[0] <= costs[1] + near[1] + worth
 
 
 def _cost_of_sight(task: RoomTask, placed: Placed) -> float:

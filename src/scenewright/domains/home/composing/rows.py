@@ -16,7 +16,7 @@ from scenewright.geometry.fit import side_gaps
 Floats = NDArray[np.float64]
 
 SHELVES = frozenset(("shelf", "storage"))
-TOUCH, MOST = 0.03, 1.0
+SHELVES_TOUCH, ONE_ROW = 0.03, 1.0
 """Shelves nearer to each other touch, and those farther apart are not one row, metres."""
 IN_LINE, TURNED = 0.1, 0.05  # what is farther before its wall, or turned, is in no row, m and rad
 CORNER = 2.0  # metres to a corner count so many times those to the next shelf
@@ -48,9 +48,9 @@ def _list_gaps(
     found = []
     for group in rows if len(rows) > 1 else ():
         gaps = _measure_gaps(task, group, [p for p in rows if p is not group])
-        if group.name in tried or any(abs(gap) <= TOUCH for gap, _ in gaps):
+        if group.name in tried or any(abs(gap) <= SHELVES_TOUCH for gap, _ in gaps):
             continue
-        near = [(abs(gap) * worse, gap) for gap, worse in gaps if abs(gap) < MOST]
+        near = [(abs(gap) * worse, gap) for gap, worse in gaps if abs(gap) < ONE_ROW]
         found += [(*min(near), group)] if near else []
     return [(off, group.name, group, gap) for off, gap, group in found]
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from scenewright.domains.home.attempt import RoomTask
 from scenewright.domains.home.composing.case_faults import MANY, count_seats
-from scenewright.domains.home.composing.forms import ROOMY, list_forms
+from scenewright.domains.home.composing.forms import SEATS_FROM, list_forms
 from scenewright.domains.home.composing.judging import JudgedRoom, judge_of
 from scenewright.domains.home.composing.placed_faults import measure_before_doors
 from scenewright.domains.home.composing.trials import take_best
@@ -31,7 +31,7 @@ def seat_three(task: RoomTask, best: JudgedRoom, barred: frozenset[str]) -> Judg
     if seats.wish.group in own or count_seats(seats.dressed.case) >= MANY:
         return best
     forms = (f for f in (*list_forms(task, seats), plain_sofa()) if count_seats(f) >= MANY)
-    worth = WORTH if task.ground.area < ROOMY else 0.0
+    worth = WORTH if task.ground.area < SEATS_FROM else 0.0
     most = best.cost + worth - task.preset.settings.composing.least
     found = try_places(judge_of(task, best.placed), best.placed, at, forms, most)
     metres = measure_before_doors(seats, task.ground)

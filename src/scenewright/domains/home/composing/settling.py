@@ -55,7 +55,7 @@ Floats = NDArray[np.float64]
 
 BACK: Floats = np.array([0.0, 0.0, np.pi, 0.0, 0.0])
 NOWHERE: Floats = np.empty((0, 5))
-APART = 0.3  # places of one form are so many metres from one another
+SETTLED_APART = 0.3  # places of one form are so many metres from one another
 PLACES = 5  # of one form that are furnished
 YIELDING = frozenset(("plant", "console"))
 """What makes room for a first table."""
@@ -95,12 +95,12 @@ def list_placed(
 
 
 def _pick(boxes: Floats) -> Iterator[Floats]:
-    """Of boxes (n, 5) those :data:`APART` from all before them, or turned otherwise."""
+    """Of boxes (n, 5) those :data:`SETTLED_APART` from all before them, or turned otherwise."""
     left = np.ones(len(boxes), bool)
     while left.any():
         box = boxes[left.argmax()]
         off = np.abs(boxes[:, :3] - box[:3])
-        left &= (np.hypot(off[:, 0], off[:, 1]) >= APART) | (off[:, 2] > 0.1)
+        left &= (np.hypot(off[:, 0], off[:, 1]) >= SETTLED_APART) | (off[:, 2] > 0.1)
         yield box
 
 

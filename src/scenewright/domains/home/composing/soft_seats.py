@@ -17,7 +17,7 @@ from scenewright.core.catalog import Group, Member
 from scenewright.core.scene import Size
 from scenewright.domains.home.attempt import RoomAnswer, RoomTask
 from scenewright.domains.home.cases.library import shipped_cases
-from scenewright.domains.home.composing.bare_floor import LARGE, pieces_of
+from scenewright.domains.home.composing.bare_floor import SECOND_ZONE_FROM, pieces_of
 from scenewright.domains.home.composing.judging import Placed
 from scenewright.domains.home.composing.settling import (
     is_home,
@@ -81,7 +81,7 @@ def _list_seated(task: RoomTask, before: Placed, forms: Sequence[Group]) -> Iter
         each = (_seat_in(task, before, case) for case in forms[:-1])
         yield from (placed for placed in each if placed is not None)
         yield least
-    elif task.ground.area >= LARGE:
+    elif task.ground.area >= SECOND_ZONE_FROM:
         pairs = (_seat_in(task, before, case, amid=True) for case in talking())
         yield from (placed for placed in pairs if placed is not None)
 

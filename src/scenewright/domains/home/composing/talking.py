@@ -11,7 +11,7 @@ from scenewright.domains.home.composing.judging import Placed
 
 TALK = 2.5
 """People talk at most so many metres from seat to seat (Panero, Zelnik 1979)."""
-AHEAD = 0.9  # where those on a sofa look at one another, metres before its middle
+TALKED_AT = 0.9  # where those on a sofa look at one another, metres before its middle
 
 
 def joins_sofa(added: FurnishedGroup, placed: Placed) -> bool:
@@ -34,6 +34,6 @@ def _talks(chair: Piece, sofa: Piece) -> bool:
     """Within :data:`TALK` metres and not behind its back, with what the sofa looks at before the
     armchair's sides."""
     (u, v, _, turn), (a, b, _, way) = sofa.pose, chair.pose
-    x, y = u + AHEAD * cos(turn) - a, v + AHEAD * sin(turn) - b
+    x, y = u + TALKED_AT * cos(turn) - a, v + TALKED_AT * sin(turn) - b
     beside = (a - u) * cos(turn) + (b - v) * sin(turn) >= -sofa.size.depth / 2
     return hypot(u - a, v - b) <= TALK and beside and x * cos(way) + y * sin(way) >= 0.0

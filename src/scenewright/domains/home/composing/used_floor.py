@@ -23,7 +23,7 @@ BEFORE = {
     "kids_desk": 0.6,
 }
 """Metres of floor before what is opened, worked or sat at."""
-BESIDE = 0.5
+BESIDE_FOOT = 0.5
 """Metres of floor beside the foot half of a bed for two, from which one gets in."""
 
 
@@ -59,8 +59,8 @@ def _list_floors(pieces: Iterable[Piece]) -> Iterator[tuple[Frame, bool]]:
             yield _make_floor(piece, 0.0, (depth + deep) / 2, width, deep), False
         elif piece.category == "double_bed":
             for side in (-1.0, 1.0):
-                aside = side * (width + BESIDE) / 2
-                yield _make_floor(piece, aside, depth / 4, BESIDE, depth / 2), True
+                aside = side * (width + BESIDE_FOOT) / 2
+                yield _make_floor(piece, aside, depth / 4, BESIDE_FOOT, depth / 2), True
 
 
 def _make_floor(piece: Piece, aside: float, ahead: float, width: float, depth: float) -> Frame:

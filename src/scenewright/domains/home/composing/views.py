@@ -25,7 +25,7 @@ head turns 30 to 45 degrees with ease (Panero, Zelnik 1979)."""
 ON_AXIS, OFF_AXIS = 0.15, 1.2
 """A screen so many metres beside the axis of a sofa counts as on it, and so many as off it."""
 
-NEAR, FAR, MOST = 1.5, 4.0, 2.0
+WATCHED_FROM, WATCHED_TO, OFF_COUNTED = 1.5, 4.0, 2.0
 """Nearer to a screen, and farther from it, nobody sits with comfort, metres; by how many metres at
 most that counts."""
 
@@ -47,7 +47,7 @@ in metres, as a fridge round a corner of the run."""
 COLUMN = 4.0
 """A column or wall hides more than its floor says, as nobody looks over it: so many times as
 much."""
-MIDST, WIDE, SHORT = 0.5, 0.9, 0.4
+MIDST, BETTER_SIGHT, BEFORE_SCREEN = 0.5, 0.9, 0.4
 """Width of the sight without which a screen is hidden by walls, that which is better free of them,
 and by how much both end before the screen, whose own wall hides nothing, metres."""
 
@@ -75,13 +75,15 @@ def cost_of_view(
     off = min(measure_turn(sofa.pose, screen.pose) for sofa in sofas)
     degree = min((off - ASIDE) / (AWAY - ASIDE), 1.0)
     if degree == 1.0:  # it sees nothing, wherever the screen is
-        return costs.view + costs.axis + costs.between + MOST * costs.distance
+        return costs.view + costs.axis + costs.between + OFF_COUNTED * costs.distance
     turned = costs.view * (1.0 + degree) / 2 if degree > 0.0 else 0.0
     (x, y, _, turn), away = sofas[0].pose, _measure_distance(sofas[0].pose, screen.pose)
     aside = abs((screen.pose.x - x) * sin(turn) - (screen.pose.y - y) * cos(turn))
     beside = min(max(aside - ON_AXIS, 0.0) / (OFF_AXIS - ON_AXIS), 1.0)
-    reach = min(max(NEAR - away, away - FAR, 0.0), MOST) + KNEES * max(CRAMPED - away, 0.0)
-    between = min(_measure_hidden(sofas[0], screen, groups, edges, WIDE) / FILLED, 1.0)
+    reach = min(max(WATCHED_FROM - away, away - WATCHED_TO, 0.0), OFF_COUNTED) + KNEES * max(
+        CRAMPED - away, 0.0
+    )
+    between = min(_measure_hidden(sofas[0], screen, groups, edges, BETTER_SIGHT) / FILLED, 1.0)
     return turned + costs.axis * beside + costs.distance * reach + costs.between * between
 
 
@@ -126,7 +128,7 @@ def _measure_hidden(
     if edges is None:
         return filled
     a, b = sofa.pose, screen.pose
-    turn, long = atan2(b.y - a.y, b.x - a.x), _measure_distance(a, b) - SHORT
+    turn, long = atan2(b.y - a.y, b.x - a.x), _measure_distance(a, b) - BEFORE_SCREEN
     if long <= 0.0:
         return filled
     x, y = a.x + long / 2 * cos(turn), a.y + long / 2 * sin(turn)

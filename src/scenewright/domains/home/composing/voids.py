@@ -21,7 +21,7 @@ Floats = NDArray[np.float64]
 
 EXACT = 0.05  # a radius is found to so many metres
 SIGHT = 1.0  # width of the floor between seats and screen that is left free, metres
-AHEAD = 1.2  # what stands free has so many metres of floor before it
+FREE_BEFORE = 1.2  # what stands free has so many metres of floor before it
 TURNED = 3.0  # it turns its back on nobody's seat that is nearer than this, metres
 COOKS, EATS = 1.2, 0.6  # and keeps so many metres from a kitchen, and from chairs at a table
 TOUCH = 0.05
@@ -79,8 +79,8 @@ def may_stand_free(task: RoomTask, pieces: tuple[Piece, ...], box: Floats) -> bo
     and no kitchen or table beside them; ``pieces`` are all others."""
     x, y, heading, width, depth = box.tolist()
     c, s = cos(heading), sin(heading)
-    out = (depth + AHEAD) / 2
-    front = _outline(np.array([x + out * c, y + out * s, heading, width / 2, AHEAD]))
+    out = (depth + FREE_BEFORE) / 2
+    front = _outline(np.array([x + out * c, y + out * s, heading, width / 2, FREE_BEFORE]))
     seats = (p for p in pieces if p.category in SOFAS or p.category == "armchair")
     sofas = ((p.pose.x - x, p.pose.y - y) for p in seats)
     if any(hypot(dx, dy) < TURNED and dx * c + dy * s < 0.0 for dx, dy in sofas):

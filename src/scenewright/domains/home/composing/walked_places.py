@@ -24,7 +24,7 @@ from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_o
 Floats = NDArray[np.float64]
 
 FORMS, WALKED = 12, 30  # unlike forms, and places of all of them that are walked past
-APART = 0.15  # places of like size nearer to one another are one, metres
+WALKED_APART = 0.15  # places of like size nearer to one another are one, metres
 
 
 class WalkedPlace(NamedTuple):
@@ -100,7 +100,7 @@ def _thin_out(places: Iterable[WalkedPlace]) -> Iterator[WalkedPlace]:
 def _is_like(place: WalkedPlace, other: WalkedPlace) -> bool:
     off = np.abs(place.box - other.box)
     larger = place.case.width >= other.case.width and place.case.depth >= other.case.depth
-    return bool(larger and off[:2].max() < APART and off[2] < 0.1)
+    return bool(larger and off[:2].max() < WALKED_APART and off[2] < 0.1)
 
 
 def furnish_places(

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from scenewright.core.catalog import Group
 from scenewright.domains.home.composing.flush import (
-    APART,
     AT,
+    FLUSH_GAP,
     NARROWEST,
     WIDEST,
     boxes_along,
@@ -118,7 +118,7 @@ def _list_seen(taken: Floats, row: list[float]) -> list[tuple[float, float, floa
     """Each of boxes (k, 5) as a wall sees it: from where to where along it and before it."""
     along, ahead, half, deep = (part.tolist() for part in seen_from(taken, *row[:4]))
     rows = zip(along, ahead, half, deep, strict=True)
-    return [(a - h - APART, a + h + APART, o - d, o + d) for a, o, h, d in rows]
+    return [(a - h - FLUSH_GAP, a + h + FLUSH_GAP, o - d, o + d) for a, o, h, d in rows]
 
 
 def _list_spans(

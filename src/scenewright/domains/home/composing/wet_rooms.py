@@ -60,7 +60,7 @@ MOVED = {
     "basket": Movable(basket, 0.0),
 }
 """By group, in the order in which they are moved; a machine once more when all others stand."""
-NEAR = 0.06  # a side nearer than this to a wall or a neighbour touches it, metres
+TOUCHES_WITHIN = 0.06  # a side nearer than this to a wall or a neighbour touches it, metres
 TOUCHING = 0.15  # what a side that touches something is worth
 SLOT = 0.5  # what a metre of slots beside it costs
 FRONT = 0.5  # free before what is used from its front, metres
@@ -151,6 +151,6 @@ def _measure_worth(name: str, stretch: FreeStretch, starts: Floats, width: float
     """What places (n,) along a stretch are worth to a group so wide: its width, the sides that
     touch something, less the slots beside it."""
     gaps = np.column_stack([starts, stretch.length - width - starts])
-    slots = np.where((gaps > NEAR) & (gaps < WIDEST), gaps, 0.0).sum(1)
-    touching = (gaps <= NEAR).sum(1)
+    slots = np.where((gaps > TOUCHES_WITHIN) & (gaps < WIDEST), gaps, 0.0).sum(1)
+    touching = (gaps <= TOUCHES_WITHIN).sum(1)
     return np.asarray(MOVED[name].gain * width + TOUCHING * touching - SLOT * slots)

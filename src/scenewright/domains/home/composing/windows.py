@@ -35,7 +35,7 @@ from scenewright.domains.home.second_try import Opened
 
 WORTH = 30.0
 """What a room may cost more for a window that is free, or a bed along a wall."""
-SEEN = 4.0  # by how much the screen of a studio may be seen less well for it
+SIGHT_GIVEN = 4.0  # by how much the screen of a studio may be seen less well for it
 TRIED = 2  # rooms that are walked through with their home
 COUNTED = ("nightstand", "wardrobe", "seats", "worktop", "hob_at_sink", "hob_at_end")
 """Faults of cases that no window is worth, but the first: a bed for two with one nightstand is, if
@@ -43,7 +43,7 @@ one gets in from both of its sides."""
 
 GIVEN = (2, 4)
 """The numbers of wide doors and nightstands among what :func:`count_faults` counts."""
-SLIVER, ROOMY = 0.1, 8.0
+SLIVER, BED_WINDOW_FROM = 0.1, 8.0
 """A bed's window is worth so much of a wide door, metres, in rooms of so many square metres."""
 DOUBLE = "sleeping"
 
@@ -108,7 +108,7 @@ def _is_worth_it(task: RoomTask, new: Placed, old: Placed, counted: Counted) -> 
     now, before = (
         sum(measure_before_doors(p, task.ground) for p in placed) for placed in (new, old)
     )
-    return now <= before + (SLIVER if task.ground.area >= ROOMY else 0.0)
+    return now <= before + (SLIVER if task.ground.area >= BED_WINDOW_FROM else 0.0)
 
 
 def _clear(
@@ -133,7 +133,7 @@ def _list_open(task: RoomTask, placed: Placed, at: int) -> Iterator[Placed]:
     barred: frozenset[str] = frozenset()
     narrow, dearer = with_narrow_ways(task), list[Placed]()
     is_bed = placed[at].wish.group in BED_GROUPS
-    seen = _cost_of_view(task, placed) + SEEN
+    seen = _cost_of_view(task, placed) + SIGHT_GIVEN
     for other in chain(_list_moved(task, placed, at), _list_around(task, placed, at)):
         if not counted:
             counted = count_faults(task, placed)

@@ -15,7 +15,7 @@ BEHIND = {"fridge": 0.3}
 """Share of the depth by which letters stand behind the middle, where the symbol has a sign there;
 a round door holds them."""
 
-HEIGHT, LEAST = 1.6, 8.0
+HEIGHT, LEAST_LETTERED = 1.6, 8.0
 """Millimetres: height of the letters, and of an appliance that holds them."""
 
 
@@ -23,7 +23,7 @@ def short_names_mark(view: PaperView, pieces: Sequence[Piece]) -> Mark:
     """The letters, upright; what is stacked shares one place."""
     found: dict[tuple[float, float], list[str]] = {}
     for piece in pieces:
-        if piece.category in LETTERS and min(piece.size[:2]) * view.scale >= LEAST:
+        if piece.category in LETTERS and min(piece.size[:2]) * view.scale >= LEAST_LETTERED:
             back = (0.0, -BEHIND.get(piece.category, 0.05) * piece.size.depth)
             x, y = to_paper(view, to_plan_coordinates(piece, back)).tolist()
             found.setdefault((round(x, 1), round(y, 1)), []).append(LETTERS[piece.category])

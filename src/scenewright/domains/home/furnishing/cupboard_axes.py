@@ -15,13 +15,13 @@ from scenewright.domains.home.groups.classes import UNITS
 
 Floats = NDArray[np.float64]
 
-TOUCH = 0.05  # cupboards nearer to one another are one, metres
+ONE_CUPBOARD = 0.05  # cupboards nearer to one another are one, metres
 LOW = 0.05  # what begins higher stands on something, metres
 TURNED = 0.1  # sine of the angle by which a cupboard may be off square to the rug
 DOORS = 0.3  # floor before a wardrobe in which a rug would lie tight before its doors, metres
 STANDING = 0.6
 """Groups before which one stands and works, and the floor that takes, metres."""
-NEAR = 1.0  # a rug farther before a cupboard does not lie along it, metres
+RUG_BEFORE = 1.0  # a rug farther before a cupboard does not lie along it, metres
 
 
 def find_cupboard_axis(rug: Floats, pieces: Sequence[Piece]) -> Floats | None:
@@ -42,7 +42,7 @@ def find_cupboard_axis(rug: Floats, pieces: Sequence[Piece]) -> Floats | None:
         ahead = (p.pose.x - x) * c + (p.pose.y - y) * s
         turned = abs(sin(p.pose.heading - heading)) > TURNED
         far = abs(ahead) - (depth + p.size.depth) / 2
-        if p.pose.z < LOW and not turned and p.category != "rug" and 0.0 <= far < NEAR:
+        if p.pose.z < LOW and not turned and p.category != "rug" and 0.0 <= far < RUG_BEFORE:
             spans[1 if ahead > 0 else -1].append(
                 (along - p.size.width / 2, along + p.size.width / 2)
             )
@@ -73,7 +73,7 @@ def _join(spans: list[tuple[float, float]]) -> list[tuple[float, float]]:
     """Spans with those that touch made one."""
     found = list[tuple[float, float]]()
     for low, high in sorted(spans):
-        if found and low - found[-1][1] < TOUCH:
+        if found and low - found[-1][1] < ONE_CUPBOARD:
             found[-1] = (found[-1][0], max(high, found[-1][1]))
         else:
             found.append((low, high))

@@ -37,7 +37,7 @@ from scenewright.domains.home.problem import Ground
 Floats = NDArray[np.float64]
 
 THICK = 0.012  # of a mat, metres
-GAP = 0.04  # between a bath and the mat before it, metres
+BATH_TO_MAT = 0.04  # between a bath and the mat before it, metres
 STEP = 0.1  # between places looked at, metres
 HALL = (
     (2.4, 0.8),
@@ -55,9 +55,9 @@ BATH = ((1.2, 0.7), (1.0, 0.6), (0.9, 0.6), (0.8, 0.5), (0.6, 0.5), (0.5, 0.4))
 USUAL = 0.9  # width of a mat that may be longer than what it lies before, metres
 BATHS = ("bathtub", "shower", "basin", "pedestal_basin")
 """What one steps from onto a mat, the first there is."""
-BESIDE = 0.05  # free round a rug at a bed, metres
+ROUND_RUG = 0.05  # free round a rug at a bed, metres
 DOUBLE = "double_bed"
-LARGE = 2.8  # a rug of so many square metres may lie amid a room with a bed for one
+RUG_FROM = 2.8  # a rug of so many square metres may lie amid a room with a bed for one
 ON_AXIS = 1.2  # a runner that is shorter need not lie before the middle of a cupboard, metres
 
 
@@ -134,7 +134,7 @@ def _choose_boxes(
     beds = [p for p in here if p.category in BEDS]
     for bed in sorted(beds, key=lambda p: -p.size.width):
         boxes, others = list_bed_rugs(bed), standing_of(_without(solid, bed), frozenset())
-        yield from boxes[_lie_free(boxes, walked, join_standing(others, fronts), BESIDE)]
+        yield from boxes[_lie_free(boxes, walked, join_standing(others, fronts), ROUND_RUG)]
 
 
 def _without_thresholds(space: Space, keep_free: Floats) -> Floats:
@@ -150,7 +150,7 @@ def _fit_beside(rug: Margin, here: Sequence[Piece]) -> Margin:
     """The rugs that may lie amid a room: beside a bed for two none, as they belong to it, beside
     one for one a large one, to play on."""
     beds = {p.category for p in here if p.category in BEDS}
-    least = inf if DOUBLE in beds else LARGE if beds else 0.0
+    least = inf if DOUBLE in beds else RUG_FROM if beds else 0.0
     return rug._replace(sizes=tuple(s for s in rug.sizes if s[0] * s[1] >= least))
 
 
@@ -174,7 +174,7 @@ def _before(
     """Mats before a piece, the first of the ``sizes`` first, at its middle or aside."""
     (x, y, _, heading), c, s = piece.pose, cos(piece.pose.heading), sin(piece.pose.heading)
     for width, depth in sizes:
-        ahead = piece.size.depth / 2 + GAP + depth / 2
+        ahead = piece.size.depth / 2 + BATH_TO_MAT + depth / 2
         room = abs(piece.size.width - width) / 2
         aside = sorted(np.arange(-room, room + 1e-9, STEP), key=abs)
         boxes = np.array(

@@ -41,19 +41,19 @@ LAMPS = frozenset(
     ("ceiling_lamp", "pendant_lamp", "wall_lamp", "floor_lamp", "table_lamp", "desk_lamp")
 )
 SEATS = ("sofa", "loveseat", "corner_sofa", "armchair", "double_bed", "single_bed")
-BACKED = 0.03  # what is this near to a wall hangs on it, metres
+HANGS_WITHIN = 0.03  # what is this near to a wall hangs on it, metres
 ADORNED = 5.0  # rooms of so many square metres have something on a wall
 LIT = 12.0  # rooms of so many have a second lamp
 SHOULDER = 1.1  # what rises above this takes a wall from what hangs on it, metres
 AGAINST = 0.15  # what is nearer than this leaves no way between it and the wall, metres
 PASSED = 0.9  # where nothing stands at the wall, so much floor is left free before it, metres
-BESIDE = 0.6  # and to either side of it
-NEAR = 0.4  # what is nearer than this to a wall stands before it, metres
+ASIDE_OF_IT = 0.6  # and to either side of it
+STANDS_BEFORE = 0.4  # what is nearer than this to a wall stands before it, metres
 LOWEST = 0.8  # nothing hangs lower, as it would under a slope, metres
 EYES = 1.55  # height of a picture's middle, metres
 MARGIN = 0.1  # what hangs stays this far from openings and tall things, metres
 WIDEST, SHARE = 1.2, 0.5  # a picture's greatest width, and what it takes of its stretch
-LEAST = 0.45  # a narrower picture is not hung, metres
+NARROWEST_PICTURE = 0.45  # a narrower picture is not hung, metres
 LAMP = Size(0.16, 0.14, 0.26)
 
 
@@ -94,7 +94,7 @@ def _pictures(space: Space, ground: Ground, pieces: Sequence[Piece]) -> Iterator
         middle = stretch.length / 2
         for share in (1.0, 0.7, 0.5):
             wide = round(share * min(WIDEST, SHARE * stretch.length), 2)
-            if wide < LEAST:
+            if wide < NARROWEST_PICTURE:
                 break
             size = Size(wide, 0.04, round(0.62 * wide, 2))
             over = [(a + b) / 2 for a, b in stretch.low if b - a >= wide]
@@ -163,7 +163,7 @@ def find_stretches(
         low: list[tuple[float, float]] = []
         for piece, outline in outlines:
             ahead, beside = (outline - start) @ inward, (outline - start) @ along
-            if ahead.min() > NEAR or ahead.max() < 0 or piece.pose.z > EYES + 0.5:
+            if ahead.min() > STANDS_BEFORE or ahead.max() < 0 or piece.pose.z > EYES + 0.5:
                 continue
             if piece.pose.z + piece.size.height > SHOULDER:
                 taken.append((beside.min() - MARGIN, beside.max() + MARGIN))
@@ -184,7 +184,7 @@ def _between(
     """What ``taken`` leaves of a wall, from MARGIN to its length less that."""
     at = MARGIN
     for first, last in (*sorted(taken), (length - MARGIN, length)):
-        if first - at >= LEAST:
+        if first - at >= NARROWEST_PICTURE:
             inside = tuple((a - at, b - at) for a, b in low if at < (a + b) / 2 < first)
             yield FreeStretch(start + along * at, start + along * first, inward, first - at, inside)
         at = max(at, last)
@@ -210,7 +210,7 @@ def _first_free(
 def _is_free(piece: Piece, ground: Ground, standing: StandingObstacles) -> bool:
     """Whether a piece hangs on a wall and meets nothing."""
     box, _, codes = find_faults_of(piece, ground, standing)
-    return bool(codes[0] == 0) and bool(is_backed(box[0], hanging_walls(ground), BACKED))
+    return bool(codes[0] == 0) and bool(is_backed(box[0], hanging_walls(ground), HANGS_WITHIN))
 
 
 def _is_passed(
@@ -227,7 +227,7 @@ def _is_passed(
         if wide and -0.1 < ahead.min() < AGAINST and low.size.height > 0.1 and low.pose.z < 0.1:
             return True
     x, y = middle + (PASSED - piece.size.depth) / 2 * np.array([c, s])
-    box = np.array([[x, y, piece.pose.heading, piece.size.width + 2 * BESIDE, PASSED]])
+    box = np.array([[x, y, piece.pose.heading, piece.size.width + 2 * ASIDE_OF_IT, PASSED]])
     none, span = np.zeros((0, 6)), np.array([[0.05, 2.0]])
     others = (standing.boxes, standing.spans)
     codes, _ = faults(box, span, np.zeros(1, bool), ground.edges, none[:, :5], none, *others, 0.005)

@@ -25,7 +25,10 @@ from scenewright.geometry.boxes import common_area, make_frame
 
 DEPTH = {"curtain": 0.09, "blind": 0.06}
 """How far each stands out from its wall, metres."""
-REACH, SEEN = 0.15, 0.005  # floor below a curtain, metres, and what of it is not noticed, m²
+CURTAIN_REACH, SEEN = (
+    0.15,
+    0.005,
+)  # floor below a curtain, metres, and what of it is not noticed, m²
 LET_DOWN = 0.35  # of a window's height that a blind covers
 RESTING = 0.2  # a curtain ends at least so far above a desk or chest that stands below it, metres
 OFF_UNITS = 0.8  # no curtain nearer than this to kitchen units, metres
@@ -90,9 +93,9 @@ def _cooked_at(gate: DoorApproach, pieces: tuple[Piece, ...]) -> bool:
 
 def _would_lie(gate: DoorApproach, low: float, pieces: tuple[Piece, ...]) -> bool:
     """Whether a curtain whose foot is at ``low`` would lie on what stands below the window."""
-    x, y = gate.face + gate.inward * REACH / 2
+    x, y = gate.face + gate.inward * CURTAIN_REACH / 2
     heading = float(np.arctan2(gate.inward[1], gate.inward[0]))
-    below = make_frame(x, y, heading, gate.opening.width, REACH)
+    below = make_frame(x, y, heading, gate.opening.width, CURTAIN_REACH)
     tops = (p for p in pieces if p.on is None and abs(p.pose.z + p.size.height - low) < RESTING)
     boxes = ((p.pose.x, p.pose.y, p.pose.heading, *p.size[:2]) for p in tops)
     return any(float(common_area(make_frame(*box), below)) > SEEN for box in boxes)

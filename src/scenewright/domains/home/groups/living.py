@@ -11,7 +11,7 @@ from scenewright.core.scene import Size
 
 SOFA_DEPTH, SOFA_HEIGHT = 0.9, 0.8
 OUT = 0.6  # how far an armchair is turned out of its corner, radians
-GAP = 0.62  # the way in between a sofa and the armchair beside its table, metres
+WAY_TO_SEAT = 0.62  # the way in between a sofa and the armchair beside its table, metres
 BETWEEN = 0.68  # the same where armchairs on both sides leave no other way, metres
 HUNG, BOARD = 0.55, 0.15  # where the shelf below a screen on the wall is, and its height, metres
 STEP_IN = 0.4  # how far a sofa reaches beyond its table at each end, so that one gets to it, metres
@@ -115,7 +115,7 @@ def _corner(model: str, side: float, wide: float, deep: float, armchair: bool) -
     nook = wide - lounge
     table = Size(min(0.8, nook - 0.55), 0.55, 0.4)
     depth = max(deep, seat + 0.35 + table.depth + 0.1)
-    more = GAP + 0.8 - 0.3 if armchair else 0.0
+    more = WAY_TO_SEAT + 0.8 - 0.3 if armchair else 0.0
     width, back = wide + more, -depth / 2
     x = -side * more / 2
     middle = x + side * lounge / 2
@@ -224,7 +224,7 @@ def _armchair(x: float, depth: float, heading: float) -> Member:
 
 
 def _one_armchair(sofa: float) -> Group:
-    table, depth = 0.5 * sofa, SOFA_DEPTH + GAP + 0.8
+    table, depth = 0.5 * sofa, SOFA_DEPTH + WAY_TO_SEAT + 0.8
     reach = table / 2 + 0.3 + 0.8
     width = sofa / 2 + max(reach, sofa / 2)
     x = sofa / 2 - width / 2

@@ -21,7 +21,7 @@ from scenewright.domains.home.measures import ROUNDING
 
 LOW = "low fridge"
 """The unit that is a fridge under the worktop."""
-WIDE, SLIM = 0.6, 0.5  # widths of fridges under a worktop, metres
+WIDE_FRIDGE, SLIM = 0.6, 0.5  # widths of fridges under a worktop, metres
 FILLED = 0.05  # a fridge's place is up to so much wider than the fridge, metres
 SHORTEST = LEAST_SINK + SLIM + SMALL_HOB
 """The shortest run with a fridge under its worktop, metres."""
@@ -33,8 +33,8 @@ def pantry(length: float) -> list[Unit]:
     >>> [(name, round(wide, 2)) for name, wide in pantry(1.5)]
     [('sink_cabinet', 0.45), ('low fridge', 0.6), ('hob_cabinet', 0.3), ('drawer_cabinet', 0.15)]
     """
-    sink = SMALL_SINK if length >= SMALL_SINK + WIDE + SMALL_HOB - ROUNDING else LEAST_SINK
-    cold = min(WIDE, length - sink - SMALL_HOB)
+    sink = SMALL_SINK if length >= SMALL_SINK + WIDE_FRIDGE + SMALL_HOB - ROUNDING else LEAST_SINK
+    cold = min(WIDE_FRIDGE, length - sink - SMALL_HOB)
     beyond = length - sink - cold - SMALL_HOB
     if beyond < BEYOND / 2 - ROUNDING:
         sink, beyond = sink + beyond, 0.0
@@ -52,7 +52,13 @@ def take_in(units: tuple[Unit, ...]) -> tuple[Unit, ...] | None:
     start, end, wide = max(pieces, key=lambda piece: piece[2], default=(0, 0, 0.0))
     if wide < SLIM - ROUNDING:
         return None
-    cold = wide if wide <= WIDE + FILLED else SLIM if wide < WIDE + 4 * FILLED else WIDE
+    cold = (
+        wide
+        if wide <= WIDE_FRIDGE + FILLED
+        else SLIM
+        if wide < WIDE_FRIDGE + 4 * FILLED
+        else WIDE_FRIDGE
+    )
     part: list[Unit] = [(LOW, cold), *fill(wide - cold)]
     if start > 0 and units[start - 1][0] == "hob_cabinet":
         part.reverse()

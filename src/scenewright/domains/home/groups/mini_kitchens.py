@@ -21,7 +21,7 @@ from scenewright.domains.home.groups.kitchen import (
     fill,
     hang_above,
 )
-from scenewright.domains.home.groups.low_fridges import LOW, SHORTEST, WIDE, pantry
+from scenewright.domains.home.groups.low_fridges import LOW, SHORTEST, WIDE_FRIDGE, pantry
 from scenewright.domains.home.measures import ROUNDING
 
 WIDTHS = (1.65, 1.6, 1.5, 1.35, SHORTEST, 1.1, 1.0, 0.9, 0.8)
@@ -44,11 +44,16 @@ def with_fridge(length: float) -> list[Unit]:
     >>> [(name, round(wide, 2)) for name, wide in with_fridge(1.6)]
     [('sink_cabinet', 0.4), ('low fridge', 0.6), ('hob_cabinet', 0.3), ('drawer_cabinet', 0.3)]
     """
-    narrow = LEAST_SINK + WIDE + SMALL_HOB + BEYOND
+    narrow = LEAST_SINK + WIDE_FRIDGE + SMALL_HOB + BEYOND
     if not narrow - ROUNDING <= length < narrow + SMALL_SINK - LEAST_SINK - ROUNDING:
         return pantry(length)
-    beyond = length - LEAST_SINK - WIDE - SMALL_HOB
-    return [("sink_cabinet", LEAST_SINK), (LOW, WIDE), ("hob_cabinet", SMALL_HOB), *fill(beyond)]
+    beyond = length - LEAST_SINK - WIDE_FRIDGE - SMALL_HOB
+    return [
+        ("sink_cabinet", LEAST_SINK),
+        (LOW, WIDE_FRIDGE),
+        ("hob_cabinet", SMALL_HOB),
+        *fill(beyond),
+    ]
 
 
 def bare(length: float) -> list[Unit]:

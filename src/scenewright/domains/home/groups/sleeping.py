@@ -9,7 +9,7 @@ from scenewright.core.catalog import Group, Member
 from scenewright.core.scene import Size
 
 BED_LENGTH = 2.05
-SHORT = 1.9  # a mattress of 140 x 190 cm without a footboard, metres
+SHORT_BED = 1.9  # a mattress of 140 x 190 cm without a footboard, metres
 NARROW = 0.34  # room for a narrow nightstand, metres
 SHALLOW = 14  # wardrobes of so many decimetres or fewer may be shallow
 
@@ -57,21 +57,21 @@ def _along(bed: float, length: float, stand: float, side: float) -> Group:
 
 def narrow_sides() -> Iterator[Group]:
     """Double beds with a narrow nightstand on one side or both, where two usual ones have no
-    place, and short beds (:data:`SHORT`) past whose foot one walks where a longer one bars the
+    place, and short beds (:data:`SHORT_BED`) past whose foot one walks where a longer one bars the
     way."""
     for bed in (1.4, 1.6):
         yield _bed("sleeping", "double_bed", bed, NARROW, 0.5)
         yield _bed("sleeping", "double_bed", bed, NARROW, 0.5, mirrored=True)
         yield _bed("sleeping", "double_bed", bed, NARROW, NARROW)
     for wing in (0.45, NARROW):
-        yield _bed("sleeping", "double_bed", 1.4, wing, wing, SHORT)
+        yield _bed("sleeping", "double_bed", 1.4, wing, wing, SHORT_BED)
 
 
 def beside_walls() -> Iterator[Group]:
     """Beds of 1.4 m with one nightstand, usual or narrow, where a corner or a door leaves no place
     for a second one."""
     for wing in (0.45, NARROW):
-        for length in (BED_LENGTH, SHORT):
+        for length in (BED_LENGTH, SHORT_BED):
             for mirrored in (False, True):
                 yield _bed("sleeping", "double_bed", 1.4, 0.0, wing, length, mirrored)
 

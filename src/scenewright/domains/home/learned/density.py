@@ -25,7 +25,7 @@ from scenewright.domains.home.tasks import wishes_of
 
 FACTORS = tuple(sorted(np.geomspace(0.5, 2.0, 17).tolist(), key=lambda f: abs(np.log(f))))
 """Areas that are tried, as parts of the room's, the nearest to it first."""
-SEEN = 0.5
+SEEN_SHARE = 0.5
 """What fewer such rooms have is not welcome, as a share of them."""
 BESIDE = frozenset(row.group for rows in PROGRAMME.values() for row in rows if row.rank > 0)
 """Groups that come beside what makes a room."""
@@ -70,7 +70,7 @@ def _welcome(task: RoomTask, usual: tuple[Wish, ...], wanted: float) -> tuple[st
     for group in sorted(common, key=lambda g: (-common[g], g)):
         standing = have | {k for w in (*must, *chosen) for k in STANDS_FOR.get(w.group, ())}
         named = group in BESIDE and not any(w.group == group for w in usual)
-        if named and common[group] >= SEEN and not standing & set(STANDS_FOR.get(group, ())):
+        if named and common[group] >= SEEN_SHARE and not standing & set(STANDS_FOR.get(group, ())):
             more = [*chosen, Wish(group, WELCOME)]
             chosen = more if off(more) < off(chosen) else chosen
     return tuple(wish.group for wish in chosen)

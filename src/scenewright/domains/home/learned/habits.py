@@ -24,9 +24,9 @@ TRUST = 5.0
 """k: how many sights the usual value is worth."""
 LIKE = 0.3
 """Rooms that differ in area by this much, as a logarithm, are alike."""
-WALKED = 0.6
+WALKED_WIDTH = 0.6
 """Floor the referee's walking route needs, metres: learned clearances do not go below."""
-MOST = 1.5
+WISHED_MOST = 1.5
 """Free floor that one can wish for, metres; more is only a large room."""
 
 
@@ -106,8 +106,8 @@ def clear(habits: Habits, function: str, usual: Sides) -> Sides:
 def _clear(habits: Habits, function: str, side: str, usual: float) -> float:
     depth = usual
     for row in habits.clearances.get((function, side), ()):
-        depth = shrunk(min(row.low, MOST), depth, row.seen)
-    return max(depth, min(usual, WALKED))
+        depth = shrunk(min(row.low, WISHED_MOST), depth, row.seen)
+    return max(depth, min(usual, WALKED_WIDTH))
 
 
 def share(habits: Habits, function: str, area: float, usual: float) -> float:

@@ -22,7 +22,7 @@ from scenewright.core.scene import Piece, Size
 from scenewright.core.space import Space
 from scenewright.domains.home.cases.trial import usable
 from scenewright.domains.home.learned.space import (
-    BACKED,
+    BACK_AT_WALL,
     TOP,
     above,
     apart,
@@ -178,7 +178,7 @@ def _identify_function(
             (name for name, needs, not_ in RUN_ROWS if needs <= kinds and not not_ & kinds), ""
         )
     seats = sum(piece.category in SEATS for piece in members)
-    at_wall = _wall_gap(anchor, _heading(anchor, room), room) < BACKED
+    at_wall = _wall_gap(anchor, _heading(anchor, room), room) < BACK_AT_WALL
     if function == "dining":
         return "" if seats < 2 - at_wall else "dining_wall" if at_wall else function
     return "" if function == "desk" and not seats else function
@@ -195,7 +195,7 @@ def _heading(anchor: Piece, room: FurnishedSpace) -> float:
         turns = (0.0, pi) if anchor.size.width >= anchor.size.depth else (pi / 2, -pi / 2)
     gaps = [(_wall_gap(anchor, heading + turn, room), k) for k, turn in enumerate(turns)]
     best = min(gaps)
-    return heading + turns[best[1] if best[0] < BACKED else 0]
+    return heading + turns[best[1] if best[0] < BACK_AT_WALL else 0]
 
 
 def _wall_gap(anchor: Piece, heading: float, room: FurnishedSpace) -> float:

@@ -12,7 +12,7 @@ from scenewright.core.catalog import Catalog
 from scenewright.core.scene import Piece
 
 TOP = 0.15  # a thing this near to a piece's top stands on it, metres
-BACKED = 0.25  # a back nearer to a wall than this belongs to it, metres
+BACK_AT_WALL = 0.25  # a back nearer to a wall than this belongs to it, metres
 BACKREST = 0.06  # of a seat this much stays out of the table it is pushed under, metres
 LAP = 0.3  # between a sofa and a table moved out of its corner, metres
 STEP, STEPS = 0.02, 30  # how a seat is drawn out, metres
@@ -35,7 +35,7 @@ def above(piece: Piece, standing: Sequence[Piece]) -> bool:
     """Whether a thing on the wall hangs behind one of the pieces, above it."""
     for below in standing:
         x, y = local(piece, below)
-        behind = -below.size.depth / 2 - BACKED < y < below.size.depth / 2
+        behind = -below.size.depth / 2 - BACK_AT_WALL < y < below.size.depth / 2
         if (
             abs(x) < below.size.width / 2 + TOP
             and behind

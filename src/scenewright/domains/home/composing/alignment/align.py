@@ -44,11 +44,11 @@ ROUNDS = 2
 BETTER = 0.06  # what is gained at least, metres off an axis
 SKEW, SKEWED = 0.002, 0.2  # from so many radians on a piece is skew, and what that costs
 SHARES = (0.0, 0.15, 0.3, 0.45, 0.6, 0.75, 0.9)  # of the way to an axis that may be left
-LESS, CUT, SHORT = 0.3, 0.3, 0.15
+LESS, CUT, STAND_SHORT = 0.3, 0.3, 0.15
 """By how many metres a stand of a screen may be narrower for its axis, what a metre of that costs,
 and how far off it the whole stand has to be for it."""
 ENOUGH = 0.02  # what is less off its axis is on it, metres
-MOST = 1.5  # metres off an axis that count
+OFF_COUNTED = 1.5  # metres off an axis that count
 
 
 class Slide(NamedTuple):
@@ -120,7 +120,7 @@ def _cost_at(span: Span, axes: list[Axis], case: Group, middle: float) -> float:
     cost, main = span.cost_at(middle, case.width), middle + find_aside(case)
     for axis in axes:
         off = abs(span.along(axis.x, axis.y) - main)
-        cost += axis.weight * min(off, MOST) if off > ENOUGH else 0.0
+        cost += axis.weight * min(off, OFF_COUNTED) if off > ENOUGH else 0.0
     return cost
 
 
@@ -154,7 +154,7 @@ def _list_forms(group: FurnishedGroup, span: Span, axes: list[Axis]) -> Iterator
     if aside and not any(m.asset for m in case.members):
         members = tuple(m._replace(x=-m.x, heading=-m.heading) for m in case.members)
         yield case._replace(name=f"{case.name}, mirrored", members=members)
-    room = case.width / 2 - SHORT
+    room = case.width / 2 - STAND_SHORT
     on = [span.along(axis.x, axis.y) for axis in axes]
     off = any(m < span.start + room or m > span.end - room for m in on)
     if off and case.members[0].category == "tv_stand" and group.wish.most is None:

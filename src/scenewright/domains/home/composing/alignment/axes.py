@@ -13,8 +13,8 @@ from scenewright.domains.home.attempt import FurnishedGroup
 from scenewright.domains.home.measures import ALIKE
 from scenewright.domains.home.problem import Ground
 
-FAR = 1.6  # what is farther aside belongs to something else, metres
-BESIDE = 0.9  # a desk so far beside a window still belongs to it, metres
+OFF_FROM = 1.6  # what is farther aside belongs to something else, metres
+BY_WINDOW = 0.9  # a desk so far beside a window still belongs to it, metres
 AT_BACK = 0.5  # a window so near to the back of a desk is in the wall behind it, metres
 SEATED, AT_FOOT, AT_WINDOW = 1.5, 1.0, 0.8
 """What a metre off the axis of a sofa or its screen, of a bed and of a window costs."""
@@ -55,7 +55,7 @@ def _of_window(
     for u, v, turn, width, _, _ in ground.windows.tolist():
         along = abs((u - x) * sin(heading) - (v - y) * cos(heading))
         ahead = (u - x) * cos(heading) + (v - y) * sin(heading) + depth / 2
-        if cos(turn - heading) > ALIKE and abs(ahead) < AT_BACK and along < width / 2 + BESIDE:
+        if cos(turn - heading) > ALIKE and abs(ahead) < AT_BACK and along < width / 2 + BY_WINDOW:
             found.append((along, Axis(u, v, AT_WINDOW)))
     yield from (axis for _, axis in sorted(found)[:1])
 
@@ -78,7 +78,7 @@ def _is_at_foot(group: FurnishedGroup, bed: Piece) -> bool:
     (x, y, heading), (u, v, _, turn) = group.dressed.box[:3].tolist(), bed.pose
     along = (x - u) * sin(turn) - (y - v) * cos(turn)
     ahead = (x - u) * cos(turn) + (y - v) * sin(turn)
-    return cos(turn - heading) < -ALIKE and ahead > bed.size.depth / 2 and abs(along) < FAR
+    return cos(turn - heading) < -ALIKE and ahead > bed.size.depth / 2 and abs(along) < OFF_FROM
 
 
 def _of_sofa(
@@ -107,7 +107,7 @@ def _facing(group: FurnishedGroup, other: Piece | None) -> Iterator[Axis]:
     (x, y, heading), (u, v, _, turn) = group.dressed.box[:3].tolist(), other.pose
     along = (u - x) * sin(heading) - (v - y) * cos(heading)
     ahead = (u - x) * cos(heading) + (v - y) * sin(heading)
-    if cos(turn - heading) < -ALIKE and ahead > 0.0 and abs(along) < FAR:
+    if cos(turn - heading) < -ALIKE and ahead > 0.0 and abs(along) < OFF_FROM:
         yield Axis(u, v, SEATED)
 
 

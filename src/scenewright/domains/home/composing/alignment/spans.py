@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.core.catalog import Group
-from scenewright.domains.home.composing.flush import APART, AT, boxes_along, seen_from
+from scenewright.domains.home.composing.flush import AT, FLUSH_GAP, boxes_along, seen_from
 from scenewright.domains.home.composing.wall_stretch import INSIDE, STOOD_OVER
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles
 from scenewright.domains.home.measures import ALIKE
@@ -29,7 +29,7 @@ CASES = frozenset(
     )
 )
 """Kinds with straight sides, beside which a slit shows."""
-SEEN, DEAD, SLIT = 0.02, 0.6, 0.3
+GAP_SHOWS, DEAD, SLIT = 0.02, 0.6, 0.3
 """From so many metres on a gap shows, up to so many it is of no use, and what one such gap costs,
 in metres off an axis."""
 OFF_DOOR = 0.15  # what ends nearer to the floor of a door is brushed by who passes, metres
@@ -75,7 +75,7 @@ class Span(NamedTuple):
     def holds(self, middle: float, width: float) -> bool:
         """Whether what is so wide and has its middle there is within the stretch."""
         room = min(middle - self.start, self.end - middle) - width / 2
-        return room > -APART
+        return room > -FLUSH_GAP
 
 
 def cost_of_gap(gap: float, end: int) -> float:
@@ -88,7 +88,7 @@ def cost_of_gap(gap: float, end: int) -> float:
     """
     if end == DOOR:
         return round(SLIT * max(OFF_DOOR - gap, 0.0) / OFF_DOOR, 9)
-    return SLIT if end != OPEN and SEEN < gap < DEAD else 0.0
+    return SLIT if end != OPEN and GAP_SHOWS < gap < DEAD else 0.0
 
 
 def find_span(
@@ -133,7 +133,7 @@ def _list_ends(
     taken = np.concatenate([standing.boxes[met], ground.keep_free, low, doors])
     along, out, half, deep = seen_from(taken, *row[:4])
     there = (out - deep < depth - INSIDE) & (out + deep > INSIDE)
-    lows, highs = (along - half - APART).tolist(), (along + half + APART).tolist()
+    lows, highs = (along - half - FLUSH_GAP).tolist(), (along + half + FLUSH_GAP).tolist()
     found = [(lows[k], highs[k], kinds[k]) for k in np.flatnonzero(there).tolist()]
     length, (first, last) = row[4], _list_corners(ground, row)
     return [*found, (-length - 1e3, 0.0, first), (length, 2 * length + 1e3, last)]

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from itertools import product
 
 from scenewright.domains.home.composing.kitchens.free_walls import (
-    TOUCH,
+    AT_CORNER,
     KitchenStretch,
     end_of,
     floor_length,
@@ -50,9 +50,9 @@ def _corners(low: list[KitchenStretch]) -> Iterator[tuple[KitchenStretch, Kitche
     """The stretches that meet in a corner of the room: the one that ends there, the one that
     begins."""
     for one, other in product(low, low):
-        meets = abs(end_of(one)[0] - other.wall.x) + abs(end_of(one)[1] - other.wall.y) < TOUCH
+        meets = abs(end_of(one)[0] - other.wall.x) + abs(end_of(one)[1] - other.wall.y) < AT_CORNER
         turns = one.wall.ux * other.wall.uy - one.wall.uy * other.wall.ux > 0.99
-        if meets and turns and one.end > one.length - TOUCH and other.start < TOUCH:
+        if meets and turns and one.end > one.length - AT_CORNER and other.start < AT_CORNER:
             yield one, other
 
 

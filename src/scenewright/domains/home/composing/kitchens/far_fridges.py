@@ -9,10 +9,12 @@ from scenewright.domains.home.composing.judging import Placed
 from scenewright.domains.home.measures import HAIR, RAISED
 from scenewright.geometry.boxes import common_area, make_frame
 
-FAR = 0.7  # a fridge farther than this from all other units is apart from its kitchen, metres
+FRIDGE_APART = (
+    0.7  # a fridge farther than this from all other units is apart from its kitchen, metres
+)
 
 
-def has_far_fridge(placed: Placed, far: float = FAR) -> bool:
+def has_far_fridge(placed: Placed, far: float = FRIDGE_APART) -> bool:
     """Whether a fridge is so ``far`` and more from all other units of its kitchen, metres.
 
     >>> has_far_fridge(())

@@ -15,7 +15,7 @@ from typing import NamedTuple
 from scenewright.domains.home.composing.case_faults import LEG
 from scenewright.domains.home.composing.kitchens.corners import list_round_corners, list_us
 from scenewright.domains.home.composing.kitchens.free_walls import (
-    TOUCH,
+    AT_CORNER,
     KitchenStretch,
     end_of,
     floor_length,
@@ -34,10 +34,10 @@ from scenewright.domains.home.groups.fitted_kitchen import (
     width_of_line,
 )
 from scenewright.domains.home.groups.kitchen import BEYOND, FRIDGE, Unit, fill
-from scenewright.domains.home.groups.low_fridges import LOW, SHORTEST, WIDE, pantry, take_in
+from scenewright.domains.home.groups.low_fridges import LOW, SHORTEST, WIDE_FRIDGE, pantry, take_in
 
 MORE = 3.0  # metres of front that a mere kitchen has beyond what its room asks for, at most
-BESIDE = 0.4  # the same where people live in the room as well
+LIVED_IN_TOP = 0.4  # the same where people live in the room as well
 LEAST_RUN = 3.0  # metres of front with its fridge that a run in any room may have
 LEAST = {"hs": 1.7, "h": 0.95, "s": 0.45, "": 0.6}
 """Metres that sink and hob take at least without a fault beside them, by what a line holds."""
@@ -177,7 +177,7 @@ def _with_low_fridge(free: FreeWalls, kitchens: Iterable[FittedKitchen]) -> Iter
     for kitchen in kitchens:
         for stretch in free.low:
             for start, end in _left_beside(kitchen, stretch):
-                wide = WIDE if end - start >= WIDE else SLIM_FRIDGE
+                wide = WIDE_FRIDGE if end - start >= WIDE_FRIDGE else SLIM_FRIDGE
                 for at in sorted({start, end - wide}):
                     line = UnitLine(stretch.wall, at, ((LOW, wide),))
                     yield FittedKitchen((*kitchen.lines, line), kitchen.corners)
@@ -213,7 +213,7 @@ def _left_beside(kitchen: FittedKitchen, stretch: KitchenStretch) -> list[tuple[
     for wall in kitchen.corners:
         if wall == stretch.wall:
             taken.append((0.0, CORNER))
-        elif abs(end_of(stretch)[0] - wall.x) + abs(end_of(stretch)[1] - wall.y) < TOUCH:
+        elif abs(end_of(stretch)[0] - wall.x) + abs(end_of(stretch)[1] - wall.y) < AT_CORNER:
             taken.append((stretch.length - CORNER, stretch.length))
     gaps, at = [], stretch.start
     for start, end in sorted(taken):

@@ -10,12 +10,12 @@ from typing import NamedTuple
 from scenewright.catalog.classes import WORKTOP
 from scenewright.core.same import Same
 from scenewright.domains.home.composing.case_faults import (
-    AMPLE,
-    BESIDE,
     FOUR_RINGS,
     FULL_SINK,
+    HOB_TOP,
     LEG,
-    TOUCH,
+    ONE_LINE,
+    TOP_IN_ONE,
     lie_across,
 )
 from scenewright.domains.home.composing.forms import share_in
@@ -105,16 +105,16 @@ def _measure_units(lines: tuple[tuple[Unit, ...], ...], corners: int, area: floa
     longest = max(f.longest for f in facts)
     if corners:
         beside, longest = max(cooks.before, cooks.after), inf
-    rinsed = BESIDE if corners else max(f.rinsed for f in facts)
+    rinsed = HOB_TOP if corners else max(f.rinsed for f in facts)
     sink = max(f.sink for f in facts)
     cold_sink = float(any(_has_cold_sink(units) for units in lines))
     found = (
-        ("worktop", 1.0, 1.0 - longest / AMPLE),
-        ("hob_at_end", 1.0, 1.0 - beside / BESIDE),
-        ("hob_at_sink", 1.0, 1.0 - cooks.between / BESIDE),
+        ("worktop", 1.0, 1.0 - longest / TOP_IN_ONE),
+        ("hob_at_end", 1.0, 1.0 - beside / HOB_TOP),
+        ("hob_at_sink", 1.0, 1.0 - cooks.between / HOB_TOP),
         ("few_rings", share_in(area, "few_rings"), 1.0 - cooks.hob / FOUR_RINGS),
         ("small_sink", share_in(area, "small_sink"), 1.0 - sink / FULL_SINK),
-        ("sink_alone", share_in(area, "sink_alone"), 1.0 - rinsed / BESIDE),
+        ("sink_alone", share_in(area, "sink_alone"), 1.0 - rinsed / HOB_TOP),
         ("fridge_at_sink", share_in(area, "fridge_at_sink"), cold_sink),
     )
     fronts = sum(chain.from_iterable(f.widths for f in facts)) + CORNER_RUN * corners
@@ -180,12 +180,12 @@ def _is_continued(lone: UnitLine, kitchen: FittedKitchen) -> bool:
     """Whether another line or a corner begins or ends where a line does."""
     start, wall = lone.start, lone.wall
     end = start + width_of_line(lone.units)
-    if wall in kitchen.corners and min(abs(start - CORNER), abs(end - CORNER)) <= TOUCH:
+    if wall in kitchen.corners and min(abs(start - CORNER), abs(end - CORNER)) <= ONE_LINE:
         return True
     for line in kitchen.lines:
         if line is not lone and line.wall == wall:
             after, before = line.start, line.start + width_of_line(line.units)
-            if abs(end - after) <= TOUCH or abs(start - before) <= TOUCH:
+            if abs(end - after) <= ONE_LINE or abs(start - before) <= ONE_LINE:
                 return True
     return False
 

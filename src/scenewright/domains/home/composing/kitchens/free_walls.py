@@ -15,7 +15,7 @@ from scenewright.domains.home.problem import Ground
 
 Floats = NDArray[np.float64]
 
-TOUCH = 0.02  # a stretch that begins nearer than this to its corner reaches it, metres
+AT_CORNER = 0.02  # a stretch that begins nearer than this to its corner reaches it, metres
 SHALLOW = 0.02  # what reaches less deep into the strip before a wall does not take it, metres
 
 

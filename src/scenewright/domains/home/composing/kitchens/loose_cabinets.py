@@ -26,7 +26,7 @@ from scenewright.domains.home.rules.kitchen import SECOND_AWAY
 from scenewright.domains.home.rules.weigh_home import compile_table, list_faults
 from scenewright.domains.home.second_try import Opened
 
-SHORT = 1.45  # a second run no longer than this belongs to the first, metres
+SHORT_RUN = 1.45  # a second run no longer than this belongs to the first, metres
 WORTH = 10.0  # what a room may cost more for it
 SINGLE = 0.61  # what is no wider is a single cabinet, metres
 REASON = "a single cabinet away from the kitchen is of little use"
@@ -50,7 +50,7 @@ def _list_loose(placed: Placed) -> Placed:
     """Short second runs that nobody asked for and that stand at no side of the first."""
     if not find_run(placed) or not list_faults(compile_table(SECOND_AWAY), placed):
         return ()
-    return tuple(p for p in placed if is_spare(p) and _measure(p) <= SHORT)
+    return tuple(p for p in placed if is_spare(p) and _measure(p) <= SHORT_RUN)
 
 
 def _measure(group: FurnishedGroup) -> float:

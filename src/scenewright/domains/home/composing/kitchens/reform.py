@@ -14,7 +14,7 @@ from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
 from scenewright.domains.home.composing.forms import is_mere_kitchen
 from scenewright.domains.home.composing.judging import JudgedRoom, Placed, RoomJudge, judge_of
 from scenewright.domains.home.composing.kitchens.fitted import (
-    BESIDE,
+    LIVED_IN_TOP,
     MORE,
     FreeWalls,
     list_bare_steps,
@@ -46,8 +46,8 @@ KitchenStep = Callable[[float], list[JudgedRoom]]
 
 LISTED, TRIED, KEPT = 900, 250, 4
 """Kitchens of one step that are listed, tried, and kept; of those twice as many in a room of
-:data:`AMPLE` square metres, where what follows tells more than what they cost by themselves."""
-AMPLE = 14.0
+:data:`MORE_FROM` square metres, where what follows tells more than what they cost by themselves."""
+MORE_FROM = 14.0
 SOUGHT = ((UNIT_DEPTH, WORKTOP_HEIGHT, 0.45), (FRIDGE.depth, FRIDGE.height, SLIM_FRIDGE))
 """Depth, height and least width of what stretches of wall are looked for, metres."""
 
@@ -127,7 +127,7 @@ def list_fitted(
     whole = as_whole(run)
     judge = judge_of(task, (*rest, whole))
     steps = list_steps if whole.wish.group == "kitchen" else list_bare_steps
-    more = MORE if is_mere_kitchen(task) else BESIDE
+    more = MORE if is_mere_kitchen(task) else LIVED_IN_TOP
     for kitchens in steps(FreeWalls(low, tall, task.ground.area, more, longest, machine)):
         known: dict[FittedKitchen, bool] = {}
 
@@ -150,7 +150,7 @@ def _take_step(
     """The kitchens of one step that cost less than ``most``, the cheapest first."""
     found: list[JudgedRoom] = []
     seen: set[Hashable] = set()
-    kept = KEPT if judge.task.ground.area < AMPLE else 2 * KEPT
+    kept = KEPT if judge.task.ground.area < MORE_FROM else 2 * KEPT
     for fitted in islice(_pick(judge, rest, islice(kitchens(), LISTED), most), TRIED):
         alike = likeness(fitted) if likeness else fitted
         if len(found) == kept or judge.task.cancelled():

@@ -7,7 +7,7 @@ from scenewright.domains.home.composing.forms import is_mere_kitchen
 from scenewright.domains.home.composing.placed_faults import cost_of_group
 from scenewright.domains.home.rules.weigh_home import sum_rows
 
-SHORT = 0.2
+SHORTER_BY = 0.2
 """The share by which a sound kitchen may be shorter than its room asks."""
 
 
@@ -20,4 +20,4 @@ def is_sound(task: RoomTask, run: FurnishedGroup, placed: tuple[FurnishedGroup, 
         rule = rule._replace(costs=rule.costs._replace(triangle=0.0))
     faults = cost_of_group(run, task.ground, rule)
     faults += sum_rows(("fridge_away",), placed, task.ground, (), rule.costs)
-    return faults <= SHORT * rule.costs.short_run
+    return faults <= SHORTER_BY * rule.costs.short_run

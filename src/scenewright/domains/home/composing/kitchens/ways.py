@@ -22,7 +22,7 @@ from scenewright.domains.home.ways import REACH, Walked, list_walked, walk
 
 UNIT = "unit "
 SAMPLE = 0.1  # between places along a wall, metres
-BESIDE = 0.32  # how far beside where one stands a unit may begin, metres
+UNIT_ASIDE = 0.32  # how far beside where one stands a unit may begin, metres
 
 
 class RoomWays(NamedTuple):
@@ -70,8 +70,8 @@ def trim_to_ways(
             at for (i, at), name in zip(owner, names, strict=True) if i == k and name not in far
         ]
         if near:
-            start = max(stretch.start, near[0] - BESIDE)
-            end = min(stretch.end, near[-1] + SAMPLE + BESIDE)
+            start = max(stretch.start, near[0] - UNIT_ASIDE)
+            end = min(stretch.end, near[-1] + SAMPLE + UNIT_ASIDE)
             if end - start >= least:
                 found.append(stretch._replace(start=start, end=end))
     return found

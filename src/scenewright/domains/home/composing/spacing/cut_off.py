@@ -17,23 +17,23 @@ from scenewright.domains.home.problem import Ground
 from scenewright.domains.home.ways import find_shut_off, walk_floor
 from scenewright.geometry.boxes import Floats
 
-LARGE = 10.0
+CUT_FROM = 10.0
 """In rooms of so many square metres floor is worth getting to."""
 SQUEEZE, STAND = 0.44, 0.6
 """Gaps through which one gets, and the floor one stands on, in metres."""
 SHUT = 15.0
 """What each door costs whose leaf shuts it off."""
-SEEN, COST, EACH, MOST = 0.1, 4.0, 5.0, 10.0
+CUT_UNSEEN, COST, EACH, CUT_COUNTED = 0.1, 4.0, 5.0, 10.0
 """Square metres of middles of such floor that are not noticed, what more costs, what each square
 metre of them costs besides, and the most that counts."""
 
 
 def cost_of_cut_off(pieces: Sequence[Piece], ground: Ground) -> float:
     """What it costs that some floor of a room is cut off by pieces."""
-    if ground.area < LARGE or not len(ground.doors):
+    if ground.area < CUT_FROM or not len(ground.doors):
         return 0.0
     area = measure_cut_off(pieces, ground)
-    return min(COST + EACH * area, MOST) if area > SEEN else 0.0
+    return min(COST + EACH * area, CUT_COUNTED) if area > CUT_UNSEEN else 0.0
 
 
 def cost_of_shut_off(pieces: Sequence[Piece], ground: Ground) -> float:

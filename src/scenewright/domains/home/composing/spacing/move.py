@@ -59,7 +59,7 @@ ORDER = (
 STEP = 0.05  # between places along a wall, metres
 WORTH = 3.0  # what a room may cost more by its energy for each unit that stands less near
 FAULTS = 0.7  # and by how much what is wrong with it otherwise may rise for that
-LEAST = 1.0  # what is gained at least, by energy if not by distance
+LEAST_GAIN = 1.0  # what is gained at least, by energy if not by distance
 CUT, HALF = 0.75, 0.5  # of its width a group keeps at least so much, and one for shoes
 KEPT = HOLDING - {"wardrobe"}
 """What keeps all of its width; of a wardrobe that cannot be opened that is no loss."""
@@ -168,7 +168,7 @@ def _list_apart(task: RoomTask, placed: Placed, at: int, fewer: int) -> Iterator
     for other, cost in _list_moved(judge, placed, at, fewer, before + WORTH * now):
         gain = now - _measure(task, other)
         worth = gain + max(before - cost, 0.0) / WORTH
-        if gain < 0.0 or worth <= LEAST or cost - before >= WORTH * gain:
+        if gain < 0.0 or worth <= LEAST_GAIN or cost - before >= WORTH * gain:
             continue
         if measure_before_doors(other[at], task.ground) > doors + HAIR:
             continue

@@ -18,7 +18,7 @@ Floats = NDArray[np.float64]
 
 SHIFTED = FREE | {"seating"}
 """What is shifted; a sofa is not turned."""
-FAR, STEP = 1.0, 0.1
+SHIFT_REACH, SHIFT_STEP = 1.0, 0.1
 """How far it is shifted along and across, and between two places, metres."""
 FARTHER, WIDER = 2.6, 0.2
 """The same of what may be turned as well, beyond that."""
@@ -52,9 +52,9 @@ def _shift(box: Floats, turned: bool) -> Floats:
     """Boxes (n, 5) of one box (5,) shifted along its sides, itself not among them, then the same
     ``turned`` by a quarter."""
     farther = _list_steps(FARTHER, WIDER)
-    farther = farther[(np.abs(farther).max(axis=1) > FAR + STEP / 2) & turned]
-    along, across = np.concatenate([_list_steps(FAR, STEP), farther]).T
-    moved = np.hypot(along, across) > STEP / 2
+    farther = farther[(np.abs(farther).max(axis=1) > SHIFT_REACH + SHIFT_STEP / 2) & turned]
+    along, across = np.concatenate([_list_steps(SHIFT_REACH, SHIFT_STEP), farther]).T
+    moved = np.hypot(along, across) > SHIFT_STEP / 2
     boxes = np.repeat(box[None], int(moved.sum()), axis=0)
     c, s = np.cos(box[2]), np.sin(box[2])
     boxes[:, 0] += along[moved] * c - across[moved] * s
