@@ -229,8 +229,8 @@ STANDS_FOR: dict[str, Collection[str]] = {
     "terrace": ("outdoor_table",),
 } | {name: tuple(kind.category for kind in kinds) for name, kinds in own_groups().items()}
 """Fixed pieces of these kinds (:func:`standing_kinds`) make a group unnecessary."""
-UNITS = frozenset(("base_cabinet", "drawer_cabinet", "corner_cabinet", "oven_cabinet"))
-RUN = 1.8
+BASE_UNITS = frozenset(("base_cabinet", "drawer_cabinet", "corner_cabinet", "oven_cabinet"))
+LONG_RUN = 1.8
 """Metres of kitchen units that are a kitchen, though no sink and no hob is named among them."""
 
 NOTED = frozenset(("shoes",))  # usual, and all that a hall is for
@@ -256,8 +256,10 @@ def standing_kinds(pieces: Iterable[Piece]) -> frozenset[str]:
     kinds, runs = set[str](), defaultdict[str, float](float)
     for piece in pieces:
         kinds.add(piece.category)
-        runs[piece.space] += piece.size.width if piece.category in UNITS else 0.0
-    return frozenset(kinds | ({"worktops"} if any(run >= RUN for run in runs.values()) else set()))
+        runs[piece.space] += piece.size.width if piece.category in BASE_UNITS else 0.0
+    return frozenset(
+        kinds | ({"worktops"} if any(run >= LONG_RUN for run in runs.values()) else set())
+    )
 
 
 def standing_groups(pieces: Iterable[Piece]) -> frozenset[str]:
