@@ -3,18 +3,22 @@
 from __future__ import annotations
 
 import json
+from hashlib import sha256
 from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+import scenewright as sw
 from scenewright import cli
 from scenewright.core.breeding import Breeder, Gene, Genome, MatrixBreeder
 from scenewright.core.errors import InputError
+from scenewright.domains import plan_of
 from scenewright.engine.preference.events import Lock, Stars
 from scenewright.engine.preference.interactive.crowd import Crowd, follow
 from scenewright.engine.preference.interactive.methods import INTERACTIVE_METHODS, method_named
+from scenewright.workflow.evolution.by_method import make_run
 from scenewright.workflow.evolve import Evolution, evolve, resume_evolution
 
 AREA, SITE = "sample:extend-court", "sample:site-square"
@@ -167,3 +171,22 @@ def test_an_extension_runs_from_classes_to_the_person_as_one(tmp_path: Path) -> 
         assert first == tuple(np.ravel(kept["ants"]["layouts"][0]).tolist())
         assert evolution.champion is not None
         assert evolution.champion.number == 0
+
+
+@pytest.mark.parametrize("name", ["vp", "siga"])
+def test_an_evolution_by_hand_gives_its_sheets_again(name: str) -> None:
+    """Stars that somebody gave looking at the sheets: rows and closed fronts liked, scatter not.
+    Developed are none: what is asked of is a matter of the matrices alone."""
+    kept = json.loads((Path(__file__).parent / "data" / "evolved_by_hand.json").read_text())[name]
+    brief = sw.read(kept["source"])
+    run = make_run(name, brief, plan_of(brief), 0)
+    heard: list[dict[Genome, float]] = []
+    for sheet in kept["sheets"]:
+        crowd = follow(run.method, run.matrix, run.seed, heard)
+        digests = [sha256(repr(one).encode()).hexdigest()[:12] for one in crowd.asked]
+        assert digests == [digest for digest, _ in sheet]
+        told = zip(crowd.asked, sheet, strict=True)
+        heard.append({genome: stars for genome, (_, stars) in told if stars is not None})
+    assert kept["champion"] >= len(kept["sheets"][0])
+    if name == "vp":
+        assert any("it rates generations 3 to 5 for you" in note for note in crowd.notes)
