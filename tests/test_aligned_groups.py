@@ -17,11 +17,10 @@ from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains import check
 from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask
 from scenewright.domains.home.cases.library import cases
-from scenewright.domains.home.composing.axis import slide_to_axis
+from scenewright.domains.home.composing.alignment.align import align_groups
 from scenewright.domains.home.composing.bare_floor import furnish_bare_floor
 from scenewright.domains.home.composing.bare_walls import furnish_bare_walls
 from scenewright.domains.home.composing.forms import list_further
-from scenewright.domains.home.composing.judging import judge_of
 from scenewright.domains.home.composing.moving import dress_group, make_unplaced
 from scenewright.domains.home.composing.rows import close_gaps
 from scenewright.domains.home.composing.views import cost_of_view, list_between
@@ -111,7 +110,7 @@ def test_a_screen_moves_along_its_wall_onto_the_axis_of_the_sofa(aside):
     seats = _stand(task, sofa, 2.5, sofa.depth / 2, pi / 2)
     media = _stand(task, stand, 2.5 + aside, 4.0 - stand.depth / 2, -pi / 2, seats)
     placed = (seats, media)
-    moved = slide_to_axis(task, judge_of(task, placed).cost_of(placed), frozenset()).placed
+    moved = align_groups(task, placed)
     screen = next(p for g in moved for p in g.pieces if p.category == "tv")
     assert screen.pose.x == pytest.approx(2.5, abs=0.05)
     assert screen.pose.y == pytest.approx(media.pieces[1].pose.y)

@@ -21,9 +21,9 @@ from scenewright.domains.home.composing.bed_ways import cost_of_bed_ways, list_c
 from scenewright.domains.home.composing.bedsides import add_nightstands
 from scenewright.domains.home.composing.case_faults import count_seats, find_case_faults
 from scenewright.domains.home.composing.forms import cost_of_case, list_further
-from scenewright.domains.home.composing.judging import judge_of, sum_faults
+from scenewright.domains.home.composing.judging import sum_faults
+from scenewright.domains.home.composing.mend_rooms import mend_rooms
 from scenewright.domains.home.composing.placed_faults import cost_of_group
-from scenewright.domains.home.composing.seats_for_three import seat_three
 from scenewright.domains.home.furnishing.furnish import FurnishedPatch, pieces_of
 from scenewright.domains.home.home_floor import join_floors
 from scenewright.domains.home.presets import PRESETS
@@ -156,11 +156,12 @@ def test_narrow_living_room_has_a_sofa_for_three():
     task = _task(5.9, 2.27, function="living")
     two = next(c for c in cases("seating").groups if c.name == "1.2 m sofa, side table")
     placed = (_place(task, "seating", two, [3.0, 0.42, np.pi / 2]),)
-    best = seat_three(task, judge_of(task, placed).cost_of(placed), frozenset())
+    answer = RoomAnswer(0.0, placed, (), (), None, 0.0, 0)
+    (best,) = mend_rooms([task], [answer], list)
     assert count_seats(best.placed[0].dressed.case) == 3
     small = _task(4.0, 2.27, function="living")
-    kept = judge_of(small, placed).cost_of(placed)
-    assert seat_three(small, kept, frozenset()) is kept
+    (kept,) = mend_rooms([small], [answer], list)
+    assert count_seats(kept.placed[0].dressed.case) == 2
 
 
 def test_bedroom_takes_in_storage_at_its_bare_walls(monkeypatch):

@@ -19,7 +19,7 @@ from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.case_faults import find_case_faults
 from scenewright.domains.home.composing.forms import cost_of_case
 from scenewright.domains.home.composing.judging import judge_of, sum_faults
-from scenewright.domains.home.composing.mend_bedrooms import mend_bedrooms
+from scenewright.domains.home.composing.mend_rooms import mend_rooms
 from scenewright.domains.home.composing.moving import make_unplaced, with_margin
 from scenewright.domains.home.composing.pairs import do_overlap, find_pair, list_pair_starts
 from scenewright.domains.home.composing.placed_faults import cost_of_group, cost_of_openings
@@ -161,7 +161,7 @@ def finished(narrow):
 
 def test_half_a_wardrobe_of_a_finished_home_becomes_a_whole_one(finished):
     task, answer = finished
-    (mended,) = mend_bedrooms([task], [answer], list)
+    (mended,) = mend_rooms([task], [answer], list)
     bed, wardrobe = mended.placed
     assert wardrobe.dressed.case.width >= 0.999
     assert {name for name, _ in find_case_faults(bed.dressed.case)} <= {"narrow_bed"}
@@ -173,7 +173,7 @@ def test_half_a_wardrobe_of_a_finished_home_becomes_a_whole_one(finished):
 def test_a_bedroom_is_mended_only_where_the_ways_of_the_home_allow_it(finished):
     task, answer = finished
     lost = answer._replace(placed=(), missing=tuple(Missing(g.wish, "") for g in answer.placed))
-    assert mend_bedrooms([task], [answer], lambda _: [lost]) == [answer]
+    assert mend_rooms([task], [answer], lambda _: [lost]) == [answer]
     asked = answer.placed[1].wish._replace(required=True)
     stated = answer._replace(placed=(answer.placed[0], answer.placed[1]._replace(wish=asked)))
-    assert mend_bedrooms([task], [stated], list) == [stated]
+    assert mend_rooms([task], [stated], list) == [stated]

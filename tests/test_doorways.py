@@ -19,8 +19,8 @@ from scenewright.core.piece_outlines import outline_of
 from scenewright.domains.home.attempt import Missing, RoomAnswer, find_blocked
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.case_faults import is_hung
-from scenewright.domains.home.composing.doorways import clear_doorways
 from scenewright.domains.home.composing.forms import cost_of_case, list_further
+from scenewright.domains.home.composing.mend_rooms import mend_rooms
 from scenewright.domains.home.composing.moving import dress_group, make_unplaced
 from scenewright.domains.home.composing.placed_faults import (
     cost_of_group,
@@ -78,7 +78,7 @@ def answer_of(*placed):
 
 
 def clear(task, *placed, opened=list):
-    (answer,) = clear_doorways([task], [answer_of(*placed)], opened)
+    (answer,) = mend_rooms([task], [answer_of(*placed)], opened)
     return answer
 
 

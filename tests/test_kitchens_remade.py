@@ -5,20 +5,20 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from scenewright.arranging.verdict import better
 from scenewright.building.plan import spaces
 from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief, Room
 from scenewright.domains.home.attempt import RoomAnswer, find_blocked
 from scenewright.domains.home.bed_first import with_narrow_ways
 from scenewright.domains.home.cases.library import cases
-from scenewright.domains.home.composing.held import holds_less, measure_held
-from scenewright.domains.home.composing.kitchens import remade
 from scenewright.domains.home.composing.kitchens.far_fridges import has_far_fridge
 from scenewright.domains.home.composing.kitchens.fridge_places import list_ends, list_fridge_moves
-from scenewright.domains.home.composing.kitchens.loose_cabinets import _join, join_cabinets
-from scenewright.domains.home.composing.kitchens.remade import find_faults, remake_kitchens
+from scenewright.domains.home.composing.kitchens.remade import find_faults
 from scenewright.domains.home.composing.kitchens.trades import list_moved
+from scenewright.domains.home.composing.mend_rooms import mend_rooms
 from scenewright.domains.home.composing.moving import dress_group, make_unplaced
+from scenewright.domains.home.composing.verdict import judge_room, measure_held
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.domains.home.groups.fitted_kitchen import (
     FittedKitchen,
@@ -57,6 +57,11 @@ def task_of(wide=WIDE):
     return prepare_rooms(brief, rooms, catalog_of(()), preset, preset.solver, 0)[0][0]
 
 
+def holds_less(after, before):
+    held = [measure_held(placed) for placed in (after, before)]
+    return any(held[0][k] < held[1][k] - 0.1 for k in held[0])
+
+
 def put(task, name, case, box, beside=()):
     group = make_unplaced(task, beside, Wish(name, 0), case)
     standing = standing_of([p for g in beside for p in g.pieces], flat_kinds(task.catalog))
@@ -78,7 +83,7 @@ def chest(task, x, beside):
 
 
 def join(task, *placed, opened=list):
-    (answer,) = remake_kitchens([task], [RoomAnswer(0.0, placed, (), (), None, 0.0, 0)], opened)
+    (answer,) = mend_rooms([task], [RoomAnswer(0.0, placed, (), (), None, 0.0, 0)], opened)
     return answer.placed
 
 
@@ -94,7 +99,7 @@ def test_a_fridge_stands_at_the_end_of_its_run_instead_of_across_the_room():
     after = join(task, before)
     assert not has_far_fridge(after)
     assert not find_blocked(with_narrow_ways(task), after)
-    assert not holds_less(measure_held(after), measure_held((before,)))
+    assert not holds_less(after, (before,))
 
 
 def test_a_fridge_takes_the_place_of_a_chest_beside_the_run_which_goes_elsewhere():
@@ -148,7 +153,7 @@ def test_a_hob_before_a_window_finds_a_place_beside_it():
     assert (find_faults(task, (before,)), find_faults(task, (bright,))) == ((0, 1, 0), (0, 0, 0))
     after = join(task, before)
     assert find_faults(task, after) == (0, 0, 0)
-    assert not holds_less(measure_held(after), measure_held((before,)))
+    assert not holds_less(after, (before,))
     assert join(task, bright) == (bright,)
 
 
@@ -160,7 +165,7 @@ def join_second_run(task, units, opened=list):
     box = [0.7, DEEP - case.depth / 2, -np.pi / 2, case.width, case.depth]
     placed = (run, put(task, "counter", case, box, (run,)))
     answer = RoomAnswer(0.0, placed, (), (), None, 0.0, 0)
-    return placed, join_cabinets([task], [answer], opened)[0]
+    return placed, mend_rooms([task], [answer], opened)[0]
 
 
 def test_a_single_cabinet_goes_beside_the_run():
@@ -179,21 +184,12 @@ def test_a_single_cabinet_with_no_place_there_stays_only_for_want_of_worktop(uni
     assert [m.wish.group for m in after.missing] == ([] if stays else ["counter"])
 
 
-def test_a_cabinet_that_moved_for_another_is_not_left_out():
-    task = task_of(2.8)
-    before, _ = join_second_run(task, RUN)
-    run, cabinet = before
-    again = cabinet._replace(name="elsewhere")
-    moved = RoomAnswer(0.0, (run, again), (), (), None, 0.0, 0)
-    assert _join(0, task, cabinet, [moved], list) == [moved]
-
-
 def test_neither_a_fridge_nor_a_window_is_worth_a_sink_away_from_its_hob():
     task = task_of()
     west = KitchenWall(0.0, DEEP, 0.0, -1.0)
     lines = (UnitLine(SOUTH, 2.0, RUN[:3]), UnitLine(west, 0.1, (("fridge", 0.6), RUN[3])))
     apart = put(task, "kitchen", *assemble(FittedKitchen(lines)))
-    assert find_faults(task, (apart,))[2] == 1
-    assert remade._are_fewer((0, 0, 0), (1, 0, 0))
-    assert not remade._are_fewer((0, 0, 1), (1, 0, 0))
-    assert not remade._are_fewer((0, 0, 0), (0, 0, 1))
+    verdict = judge_room(task, RoomAnswer(0.0, (apart,), (), (), None, 0.0, 0))
+    far = judge_room(task, RoomAnswer(0.0, (kitchen(task),), (), (), None, 0.0, 0))
+    assert (verdict.findings["split"], far.findings["far fridge"]) == (1, 1)
+    assert not better(verdict, far)

@@ -35,13 +35,15 @@ class Repaired(NamedTuple, Generic[State]):
 class Repair(NamedTuple, Generic[State]):
     """What the loop works with: the verdict on a state (``judge``), the ``moves`` by name and those
     each row names (``by_row``; any other row names all), what tells two states apart (``key``),
-    and by how much a cost falls at ``least``."""
+    by how much a cost falls at ``least``, and what a better state must hold besides that is too
+    dear to ask of all (``holds``)."""
 
     judge: Callable[[State], Verdict]
     moves: Mapping[str, Move[State]]
     by_row: Mapping[str, tuple[str, ...]]
     key: Callable[[State], Hashable]
     least: float = LEAST
+    holds: Callable[[State], bool] | None = None
 
 
 def repair(
@@ -68,7 +70,7 @@ def repair(
                 continue
             seen.add(key)
             found, weighed = by.judge(state), weighed + 1
-            if better(found, verdict, by.least):
+            if better(found, verdict, by.least) and (by.holds is None or by.holds(state)):
                 steps.append(Step(row, move, _gain(verdict, found)))
                 now, verdict = state, found
                 break

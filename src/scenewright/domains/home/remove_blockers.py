@@ -9,7 +9,7 @@ here: a fault of the search in anything else stays to be seen.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 from scenewright.core.catalog import Catalog
@@ -20,6 +20,9 @@ from scenewright.domains.home.barred import Barred, find_barred
 from scenewright.domains.home.furnishing.whole import Gone, is_whole, without
 from scenewright.domains.home.home_floor import HomeFloor
 from scenewright.domains.home.settings import FaultCosts, HomeSettings
+
+Opened = Callable[[Sequence[RoomAnswer]], list[RoomAnswer]]
+"""The answers for all rooms of a home without what bars its ways."""
 
 
 class Loss(NamedTuple):

@@ -8,7 +8,7 @@ less is taken.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from functools import partial
 from itertools import chain, islice
 
@@ -17,6 +17,7 @@ from scenewright.domains.home.bed_first import list_beds_first
 from scenewright.domains.home.composing.compose import compose
 from scenewright.domains.home.kitchen_first import has_gap, list_kitchens_first
 from scenewright.domains.home.programme import Wish, is_essential
+from scenewright.domains.home.remove_blockers import Opened
 from scenewright.domains.home.room import fill_rest, share_of
 from scenewright.domains.home.settings import FaultCosts
 from scenewright.domains.home.systematic import essential_layouts
@@ -27,8 +28,6 @@ OTHERWISE = 7919
 """Added to the seed of a room for each further try."""
 LEAST_FLOOR = 0.7
 """A room of less floor has hardly another place for anything, square metres."""
-
-Opened = Callable[[Sequence[RoomAnswer]], list[RoomAnswer]]
 
 
 def tried_again(

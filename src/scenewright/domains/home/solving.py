@@ -31,7 +31,7 @@ from scenewright.domains.home.cases.own_library import libraries_of, taste_of
 from scenewright.domains.home.closets import has_closet
 from scenewright.domains.home.composing.compose import compose
 from scenewright.domains.home.composing.home_passes import (
-    FINISHING,
+    ALIGNING,
     MENDING,
     SETTLING,
     HomeState,
@@ -165,7 +165,7 @@ def _walk_home(
     home = HomeState(every.tasks, opened, household)
     mended = finish_home(home, found, MENDING)
     fewer = measure_shortage(household, mended) > measure_shortage(household, found)
-    return finish_home(home, found if fewer else mended, (*SETTLING, *FINISHING))
+    return finish_home(home, found if fewer else mended, (*SETTLING, *ALIGNING))
 
 
 def problems(

@@ -23,7 +23,8 @@ from scenewright.domains.home.household import (
     count_places,
 )
 from scenewright.domains.home.programme import FALLBACK, WELCOME, Wish
-from scenewright.domains.home.second_try import Opened, lacks_essentials, try_otherwise
+from scenewright.domains.home.remove_blockers import Opened
+from scenewright.domains.home.second_try import lacks_essentials, try_otherwise
 from scenewright.domains.home.wheelchair import count_shut, furnish_by_use
 from scenewright.engine.solve import Budget
 

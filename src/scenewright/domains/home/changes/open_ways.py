@@ -15,8 +15,8 @@ from scenewright.domains.home.changes.revised import NOTHING, Revised
 from scenewright.domains.home.composing.home_passes import ALIGNING, MENDING, HomeState, finish_home
 from scenewright.domains.home.home_floor import HomeFloor
 from scenewright.domains.home.presets import PRESETS
-from scenewright.domains.home.remove_blockers import remove_blockers
-from scenewright.domains.home.second_try import Opened, tried_again
+from scenewright.domains.home.remove_blockers import Opened, remove_blockers
+from scenewright.domains.home.second_try import tried_again
 from scenewright.engine.rows import preset_named
 
 Answers = Sequence[RoomAnswer]

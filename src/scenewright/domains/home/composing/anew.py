@@ -39,6 +39,7 @@ from scenewright.domains.home.composing.moving import with_margin
 from scenewright.domains.home.composing.pairs import find_pair, list_pair_starts
 from scenewright.domains.home.composing.placed_faults import list_standing
 from scenewright.domains.home.composing.trials import take_best, try_forms
+from scenewright.domains.home.composing.verdict import find_rows
 from scenewright.domains.home.groups.classes import TABLES
 from scenewright.domains.home.rules.weigh_home import sum_rows
 
@@ -51,10 +52,11 @@ Judges = Callable[[int], RoomJudge]
 
 
 def compose_anew(task: RoomTask, best: JudgedRoom, barred: frozenset[str]) -> JudgedRoom:
-    """The groups of a room with few, or with a wish that is not met, laid out anew for the first of
-    the faulty ones, the worst first, or as they were."""
+    """The groups of a room in which an eye finds something, with few, or with a wish that is not
+    met, laid out anew for the first of the faulty ones, the worst first, or as they were."""
     rule = task.preset.settings.composing
-    if len(best.placed) > rule.few and count_unmet(task, best.placed) == 0:
+    many = len(best.placed) > rule.few and count_unmet(task, best.placed) == 0
+    if many or not any(find_rows(task, best.placed).values()):
         return best
     names = list_worst_first(task, best.placed)
     paired = {p.name for p in find_pair(best.placed)}

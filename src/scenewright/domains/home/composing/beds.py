@@ -1,4 +1,4 @@
-"""Beds for two: instead of a single one that was given for want of room, and with both sides."""
+"""Beds for two instead of a single one that was given for want of room."""
 
 from __future__ import annotations
 
@@ -17,9 +17,7 @@ from scenewright.domains.home.composing.anew import (
 from scenewright.domains.home.composing.forms import list_forms
 from scenewright.domains.home.composing.judging import JudgedRoom, judge_of
 from scenewright.domains.home.composing.moving import make_unplaced
-from scenewright.domains.home.composing.placed_faults import cost_of_group
 from scenewright.domains.home.composing.trials import take_first, try_forms
-from scenewright.domains.home.composing.walked_places import try_places
 from scenewright.domains.home.groups.classes import BED_GROUPS
 from scenewright.domains.home.programme import resolve_bedrooms
 from scenewright.domains.home.wished.beds import list_wished_beds
@@ -60,18 +58,3 @@ def wants_double_bed(task: RoomTask) -> bool:
     if task.asked and (wished := list_wished_beds(task.asked)):
         return DOUBLE in wished
     return "double_bedroom" in resolve_bedrooms(task.space.functions, floor_of(task.ground))
-
-
-def move_double_bed(task: RoomTask, best: JudgedRoom, barred: frozenset[str]) -> JudgedRoom:
-    """The groups with a double bed that has more wrong than its length at the cheapest place that
-    bars no further way, or as they were."""
-    rule = task.preset.settings.composing
-    at = next((i for i, p in enumerate(best.placed) if p.wish.group == DOUBLE), None)
-    if at is None or task.cancelled() or DOUBLE in task.library.own:
-        return best
-    bed, judge = best.placed[at], judge_of(task, best.placed)
-    if cost_of_group(bed, task.ground, rule) <= rule.costs.short_bed:
-        return best
-    forms = list_forms(task, bed)
-    found = try_places(judge, best.placed, at, forms, best.cost - rule.least)
-    return take_first(task, best, found, barred)

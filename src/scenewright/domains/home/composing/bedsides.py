@@ -23,8 +23,8 @@ from scenewright.domains.home.composing.placed_faults import measure_before_door
 from scenewright.domains.home.furnishing.furnish import world
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.domains.home.furnishing.whole import Gone
+from scenewright.domains.home.remove_blockers import Opened
 from scenewright.domains.home.rules.weigh_home import sum_rows
-from scenewright.domains.home.second_try import Opened
 from scenewright.geometry.fit import is_backed
 
 Floats = NDArray[np.float64]

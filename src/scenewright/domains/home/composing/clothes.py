@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from scenewright.domains.home.attempt import FurnishedGroup, Missing, RoomTask, bars_no_more
 from scenewright.domains.home.cases.library import cases
-from scenewright.domains.home.composing.case_faults import find_case_faults
 from scenewright.domains.home.composing.judging import JudgedRoom, Placed, judge_of
 from scenewright.domains.home.composing.moving import make_unplaced, with_margin
 from scenewright.domains.home.composing.walked_places import try_places
@@ -19,12 +18,6 @@ from scenewright.domains.home.programme import WELCOME
 METRE = 20.0  # what a metre of drawers is worth
 WARDROBE, CHEST = "wardrobe", "chest"
 REASON = "clothes hang in the closet of the room; a chest of drawers stands instead"
-
-
-def hang_in_closet(task: RoomTask, best: JudgedRoom, barred: frozenset[str]) -> JudgedRoom:
-    """The groups with a chest of drawers for a wardrobe under a metre that nobody asked for."""
-    narrow = _find_narrow(best.placed)
-    return best if narrow is None else hang_instead(task, best, barred, narrow)
 
 
 def hang_instead(
@@ -55,13 +48,6 @@ def list_hung(before: Placed, after: Placed) -> tuple[Missing, ...]:
         for p in gone
         if p.name not in there
     )
-
-
-def _find_narrow(placed: Placed) -> FurnishedGroup | None:
-    """The wardrobe under a metre that nobody asked for."""
-    wardrobes = (p for p in placed if p.wish.group == WARDROBE and not p.wish.required)
-    faulty = (p for p in wardrobes if dict(find_case_faults(p.dressed.case)).get(WARDROBE))
-    return next(faulty, None)
 
 
 def _may_stand(task: RoomTask) -> bool:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from scenewright.domains.home.attempt import Missing, RoomAnswer, RoomTask, find_blocked
-from scenewright.domains.home.composing.clothes import list_hung
 from scenewright.domains.home.composing.habitual import keep_habits
 from scenewright.domains.home.composing.improve import list_worst_first
 from scenewright.domains.home.composing.judging import JudgedRoom, Placed, count_unmet, judge_of
@@ -62,6 +61,5 @@ def _list_given_up(before: Placed, after: Placed) -> tuple[Missing, ...]:
     """What was given up for what was mended, and why."""
     return (
         *list_given_up(before, after, "the kitchen takes its wall"),
-        *list_hung(before, after),
         *list_yielded(before, after),
     )

@@ -36,7 +36,7 @@ from scenewright.domains.home.groups.classes import TABLES
 from scenewright.domains.home.household import Household
 from scenewright.domains.home.measures import TUCKED
 from scenewright.domains.home.programme import STANDS_FOR, Wish
-from scenewright.domains.home.second_try import Opened
+from scenewright.domains.home.remove_blockers import Opened
 
 LEAST, USUAL, MOST = 2, 4, 6
 """Places at a table: at the very least, where there is floor for them, and at most."""

@@ -11,18 +11,12 @@ from scenewright.domains.home.attempt import RoomAnswer, RoomTask
 from scenewright.domains.home.composing.alignment.homes import align_rooms
 from scenewright.domains.home.composing.bedsides import add_nightstands
 from scenewright.domains.home.composing.comparing import compare_homes
-from scenewright.domains.home.composing.doorways import clear_doorways
 from scenewright.domains.home.composing.eating_places import add_kitchen_tables, set_table
-from scenewright.domains.home.composing.kitchens.loose_cabinets import join_cabinets
 from scenewright.domains.home.composing.kitchens.mend import mend_kitchens
-from scenewright.domains.home.composing.kitchens.remade import remake_kitchens
-from scenewright.domains.home.composing.mend_bedrooms import mend_bedrooms
+from scenewright.domains.home.composing.mend_rooms import mend_rooms
 from scenewright.domains.home.composing.soft_seats import add_soft_seat
-from scenewright.domains.home.composing.spacing.move import keep_distances
-from scenewright.domains.home.composing.unseen import leave_out_unseen_screens
-from scenewright.domains.home.composing.windows import clear_windows
 from scenewright.domains.home.household import Household
-from scenewright.domains.home.second_try import Opened
+from scenewright.domains.home.remove_blockers import Opened
 
 Answers = list[RoomAnswer]
 
@@ -53,11 +47,6 @@ MENDING: tuple[Pass[HomePass], ...] = tuple(
     Pass(name, "home mending", _of_rooms(run), purpose)
     for name, run, purpose in (
         ("mend kitchens", mend_kitchens, "kitchens without worktop made to measure again"),
-        ("mend bedrooms", mend_bedrooms, "a half wardrobe or a bed with one side placed again"),
-        ("clear doorways", clear_doorways, "what is before doors moved elsewhere"),
-        ("clear windows", clear_windows, "what is before windows moved elsewhere"),
-        ("remake kitchens", remake_kitchens, "kitchens with a far fridge or a dark window remade"),
-        ("join cabinets", join_cabinets, "lone kitchen cabinets moved to their run"),
         ("add nightstands", add_nightstands, "a nightstand at each bed for one"),
     )
 )
@@ -68,14 +57,10 @@ SETTLING: tuple[Pass[HomePass], ...] = (
     Pass("soft seat", "home settling", _of_rooms(add_soft_seat), "one in a home without any"),
 )
 ALIGNING: tuple[Pass[HomePass], ...] = (
-    Pass("keep distances", "home aligning", _of_rooms(keep_distances), "groups not too near"),
+    Pass("mend rooms", "home aligning", _of_rooms(mend_rooms), "the worst row, its moves, again"),
     Pass("align rooms", "home aligning", _of_rooms(align_rooms), "groups on axes, no odd gaps"),
 )
-UNSEEN = Pass(
-    "unseen screens", "home aligning", _of_rooms(leave_out_unseen_screens), "no screen unseen"
-)
-FINISHING = (ALIGNING[0], UNSEEN, ALIGNING[1])
-HOME_PASSES = (*MENDING, *SETTLING, *FINISHING)
+HOME_PASSES = (*MENDING, *SETTLING, *ALIGNING)
 
 
 def finish_home(home: HomeState, answers: Answers, passes: Sequence[Pass[HomePass]]) -> Answers:

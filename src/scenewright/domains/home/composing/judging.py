@@ -111,30 +111,30 @@ def cost_each(task: RoomTask, placed: Placed) -> tuple[float, ...]:
 def sum_faults(task: RoomTask, placed: Placed, known: tuple[float, ...] = ()) -> float:
     """What the faults of composition cost of groups as they stand; ``known`` as in
     :meth:`RoomJudge.cost_of`."""
-    rule = task.preset.settings.composing
-    pairs = zip(placed, known or (nan,) * len(placed), strict=True)
-    each = sum(cost_of_group(p, task.ground, rule) if isnan(c) else c for p, c in pairs)
-    if is_mere_kitchen(task):
-        each += cost_of_places(placed, task.ground, rule.costs.few_places)
-    return each + _sum_together(task, placed)
+    return sum(cost_by_row(task, placed, known).values())
 
 
-def _sum_together(task: RoomTask, placed: Placed) -> float:
-    """What is wrong with groups beside one another; only what kinds of pieces there are can
-    bring about is looked at."""
+def cost_by_row(task: RoomTask, placed: Placed, known: tuple[float, ...] = ()) -> dict[str, float]:
+    """What each fault of composition costs: of groups by themselves, of groups beside one another
+    by the ids of their rows; only what kinds of pieces there are can bring about is looked at."""
     rule, ground = task.preset.settings.composing, task.ground
     kinds, costs = {p.category for g in placed for p in g.pieces}, rule.costs
-    cost = cost_of_shelves(placed, ground, costs.shelves)
+    pairs = zip(placed, known or (nan,) * len(placed), strict=True)
+    rows = {"groups": sum(cost_of_group(p, ground, rule) if isnan(c) else c for p, c in pairs)}
+    if is_mere_kitchen(task):
+        rows["places"] = cost_of_places(placed, ground, costs.few_places)
+    rows["shelves"] = cost_of_shelves(placed, ground, costs.shelves)
     table = compile_table(list_together(task.space.functions), costs)
-    cost += sum(fault.cost for fault in list_faults(table, placed, task.fixed, ground))
+    for fault in list_faults(table, placed, task.fixed, ground):
+        rows[fault.row.id] = rows.get(fault.row.id, 0.0) + fault.cost
     if not kinds.isdisjoint(BEDS):
-        cost += cost_of_bed_ways(placed, ground, costs.bed_way)
+        rows["bed ways"] = cost_of_bed_ways(placed, ground, costs.bed_way)
     if len(ground.hearths):
-        return cost + cost_of_hearth(placed, ground, costs.screen)
-    if "tv" in kinds:
-        cost += cost_of_screen(placed, ground, costs.screen)
-        cost += cost_of_view(placed, costs, ground.edges)
-    return cost
+        rows["hearth"] = cost_of_hearth(placed, ground, costs.screen)
+    elif "tv" in kinds:
+        rows["screen"] = cost_of_screen(placed, ground, costs.screen)
+        rows["view"] = cost_of_view(placed, costs, ground.edges)
+    return rows
 
 
 def share_of(task: RoomTask, placed: Placed) -> float:

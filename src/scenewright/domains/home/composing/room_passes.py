@@ -10,11 +10,9 @@ from scenewright.core.passes import Pass, run_passes
 from scenewright.domains.home.attempt import RoomAnswer, RoomTask
 from scenewright.domains.home.composing.adding import add_groups
 from scenewright.domains.home.composing.anew import compose_anew
-from scenewright.domains.home.composing.axis import slide_to_axis
 from scenewright.domains.home.composing.bare_floor import furnish_bare_floor
 from scenewright.domains.home.composing.bare_walls import furnish_bare_walls
-from scenewright.domains.home.composing.beds import move_double_bed, restore_double_bed
-from scenewright.domains.home.composing.clothes import hang_in_closet
+from scenewright.domains.home.composing.beds import restore_double_bed
 from scenewright.domains.home.composing.comparing import compare_answers, compare_judged
 from scenewright.domains.home.composing.freeing import free_ways
 from scenewright.domains.home.composing.hall_tables import furnish_hall
@@ -25,7 +23,6 @@ from scenewright.domains.home.composing.kitchens.reform import reform_kitchen
 from scenewright.domains.home.composing.kitchens.slits import close_slits
 from scenewright.domains.home.composing.lounges import gather_seats
 from scenewright.domains.home.composing.rows import close_gaps
-from scenewright.domains.home.composing.seats_for_three import seat_three
 from scenewright.domains.home.composing.wardrobes import trim_wardrobe
 from scenewright.domains.home.composing.wet_rooms import fill_wet_room
 from scenewright.domains.home.composing.widening import widen_groups
@@ -54,18 +51,13 @@ RESTORING: tuple[Pass[JudgedPass], ...] = (
     Pass("restore double bed", "mending", restore_double_bed, "a bed for two in a room for two"),
 )
 MENDING: tuple[Pass[JudgedPass], ...] = (
-    Pass("move double bed", "mending", move_double_bed, "a faulty double bed at its best place"),
     Pass("improve groups", "mending", improve_groups, "faulty groups in other forms and places"),
     Pass("reform kitchen", "mending", reform_kitchen, "a faulty kitchen made to measure"),
     Pass("gather seats", "mending", gather_seats, "seats, screen and table round one middle"),
-    Pass("seat three", "mending", seat_three, "a sofa for three, or a third seat"),
-    Pass("hang in closet", "mending", hang_in_closet, "drawers for half a wardrobe at a closet"),
     Pass("compose anew", "mending", compose_anew, "the room laid out from its worst group on"),
-    Pass("move bed again", "mending", move_double_bed, "as before, beside what moved since"),
 )
 """Only in rooms with a fault."""
 TRIMMING: tuple[Pass[JudgedPass], ...] = (
-    Pass("slide to axis", "trimming", slide_to_axis, "the screen straight before the sofa"),
     Pass("trim wardrobe", "trimming", _trim, "no wardrobe far beyond what its sleepers need"),
 )
 FILLING: tuple[Pass[AnswerPass], ...] = (

@@ -47,8 +47,8 @@ from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_o
 from scenewright.domains.home.groups.classes import WET_ROOMS
 from scenewright.domains.home.measures import ROUNDING
 from scenewright.domains.home.programme import Wish
+from scenewright.domains.home.remove_blockers import Opened
 from scenewright.domains.home.rules.weigh_home import sum_rows
-from scenewright.domains.home.second_try import Opened
 from scenewright.domains.home.wished.wishes import list_barred_groups
 
 Floats = NDArray[np.float64]

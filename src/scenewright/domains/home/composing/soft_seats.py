@@ -30,7 +30,7 @@ from scenewright.domains.home.composing.voids import may_stand_free
 from scenewright.domains.home.groups.least import LEAST
 from scenewright.domains.home.groups.living import talking
 from scenewright.domains.home.programme import WELCOME, Wish
-from scenewright.domains.home.second_try import Opened
+from scenewright.domains.home.remove_blockers import Opened
 
 SOFT = (*SOFAS, "armchair")
 SAT_IN = (

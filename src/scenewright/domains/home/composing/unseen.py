@@ -3,7 +3,7 @@ there is neither sofa, armchair nor bed to watch one from; and those that hang i
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator
 
 from scenewright.catalog.classes import SOFAS
 from scenewright.domains.home.attempt import (
@@ -29,7 +29,6 @@ from scenewright.domains.home.composing.widths import BOOKS
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.domains.home.groups.living import low_board
 from scenewright.domains.home.programme import WELCOME, Wish
-from scenewright.domains.home.second_try import Opened
 from scenewright.domains.home.shortfall import list_lacking
 
 FOCAL = "screen or focal point"
@@ -45,19 +44,10 @@ OVER_DOOR = 0.1
 SEATLESS = "the room has no seat to watch it from"
 
 
-def leave_out_unseen_screens(
-    tasks: Sequence[RoomTask], answers: list[RoomAnswer], opened: Opened
-) -> list[RoomAnswer]:
-    """The answers without screens that nobody sees, but where what takes the place of one bars a
-    way of the home, these ``opened``."""
-    found = answers
-    for room, task in enumerate(tasks):
-        answer = leave_out_unseen_screen(task, found[room])
-        if answer is not found[room]:
-            trial = [answer if k == room else other for k, other in enumerate(found)]
-            stays = all(a is b for a, b in zip(opened(trial), trial, strict=True))
-            found = trial if stays else found
-    return found
+def list_without_screen(task: RoomTask, answer: RoomAnswer, _: str) -> Iterator[RoomAnswer]:
+    """The room without a screen that nobody sees."""
+    if (less := leave_out_unseen_screen(task, answer)) is not answer:
+        yield less
 
 
 def leave_out_unseen_screen(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
@@ -67,8 +57,8 @@ def leave_out_unseen_screen(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
     media = next((p for p in answer.placed if p.wish.group == "media"), None)
     if media is None or media.wish.required or "media" in task.library.own:
         return answer
-    wall_less = _hangs_in_doorway(task, media)
-    if not wall_less and not _is_unseen(task, answer.placed):
+    wall_less = hangs_in_doorway(task, media)
+    if not wall_less and not is_screen_unseen(task, answer.placed):
         return answer
     rest = tuple(p for p in answer.placed if p is not media)
     board = () if is_hung(media.dressed.case) else _put_board(task, rest, media)
@@ -85,12 +75,12 @@ def leave_out_unseen_screen(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
     return answer._replace(placed=placed, missing=(*answer.missing, lost))
 
 
-def _hangs_in_doorway(task: RoomTask, media: FurnishedGroup) -> bool:
+def hangs_in_doorway(task: RoomTask, media: FurnishedGroup) -> bool:
     """Whether a screen on the wall reaches over a door by more than :data:`OVER_DOOR`."""
     return measure_hung_over_doors(media, task.ground) > OVER_DOOR
 
 
-def _is_unseen(task: RoomTask, placed: Placed) -> bool:
+def is_screen_unseen(task: RoomTask, placed: Placed) -> bool:
     """Whether no seat of a room looks at its screen, nor one that stands already or elsewhere in
     its open space."""
     seated = any(p.category in SOFAS for g in placed for p in g.pieces)

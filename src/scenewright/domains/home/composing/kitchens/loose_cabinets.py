@@ -7,8 +7,7 @@ which is left out where the run has worktop enough without it.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from itertools import islice
+from collections.abc import Iterator
 
 from scenewright.core.catalog import Group
 from scenewright.domains.home.attempt import FurnishedGroup, Missing, RoomAnswer, RoomTask
@@ -17,36 +16,29 @@ from scenewright.domains.home.composing.case_faults import find_case_faults
 from scenewright.domains.home.composing.judging import Placed, find_run, judge_of
 from scenewright.domains.home.composing.kitchens.second_runs import SECOND, is_spare
 from scenewright.domains.home.composing.kitchens.trades import list_at_run, list_traded
-from scenewright.domains.home.composing.no_worse import is_no_worse
 from scenewright.domains.home.composing.placed_faults import list_standing
-from scenewright.domains.home.composing.settling import try_in_home
 from scenewright.domains.home.groups.kitchen import short_counters
 from scenewright.domains.home.measures import RAISED
+from scenewright.domains.home.programme import WELCOME
 from scenewright.domains.home.rules.kitchen import SECOND_AWAY
 from scenewright.domains.home.rules.weigh_home import compile_table, list_faults
-from scenewright.domains.home.second_try import Opened
 
 SHORT_RUN = 1.45  # a second run no longer than this belongs to the first, metres
 WORTH = 10.0  # what a room may cost more for it
 SINGLE = 0.61  # what is no wider is a single cabinet, metres
 REASON = "a single cabinet away from the kitchen is of little use"
-WALKED = 2  # rooms that are walked through with their home
 
 
-def join_cabinets(
-    tasks: Sequence[RoomTask], answers: list[RoomAnswer], opened: Opened
-) -> list[RoomAnswer]:
-    """The answers for all rooms with short second runs beside the first, where that bars no way of
-    the home, its ways ``opened``."""
-    found = answers
-    for room, task in enumerate(tasks):
-        may = task.preset.settings.exact and not task.accessible and not task.cancelled()
-        for group in _list_loose(found[room].placed) if may else ():
-            found = _join(room, task, group, found, opened)
-    return found
+def list_joined(task: RoomTask, before: RoomAnswer, _: str) -> Iterator[RoomAnswer]:
+    """The room with a short second run beside the first, the cheapest first, at last without it
+    where it is a single cabinet that the kitchen can spare."""
+    for group in list_loose(before.placed):
+        yield from _list_joined(task, before, group)
+        if _measure(group) < SINGLE and not _lacks_worktop(before.placed):
+            yield _without(before, group)
 
 
-def _list_loose(placed: Placed) -> Placed:
+def list_loose(placed: Placed) -> Placed:
     """Short second runs that nobody asked for and that stand at no side of the first."""
     if not find_run(placed) or not list_faults(compile_table(SECOND_AWAY), placed):
         return ()
@@ -59,21 +51,6 @@ def _measure(group: FurnishedGroup) -> float:
     return sum(p.size.width for p in low)
 
 
-def _join(
-    room: int, task: RoomTask, group: FurnishedGroup, found: list[RoomAnswer], opened: Opened
-) -> list[RoomAnswer]:
-    """The answers with a second run beside the first, left out, or as they were."""
-    before = found[room]
-    if all(p is not group for p in before.placed):  # it moved for the one before
-        return found
-    for answer in islice(_list_joined(task, before, group), WALKED):
-        trial = try_in_home(room, answer, found, opened)
-        if trial is not None:
-            return trial
-    spare = _measure(group) < SINGLE and not _lacks_worktop(before.placed)
-    return [_without(a, group) if a is before and spare else a for a in found]
-
-
 def _lacks_worktop(placed: Placed) -> bool:
     """Whether the run of a kitchen has too little worktop in one piece."""
     return any("worktop" in dict(find_case_faults(list_standing(p))) for p in find_run(placed))
@@ -81,12 +58,13 @@ def _lacks_worktop(placed: Placed) -> bool:
 
 def _without(answer: RoomAnswer, group: FurnishedGroup) -> RoomAnswer:
     rest = tuple(p for p in answer.placed if p is not group)
-    missing = (*answer.missing, Missing(group.wish, REASON))
+    welcome = group.wish._replace(rank=WELCOME, core=False)
+    missing = (*answer.missing, Missing(welcome, REASON))
     return answer._replace(placed=rest, missing=missing)
 
 
 def _list_joined(task: RoomTask, before: RoomAnswer, group: FurnishedGroup) -> Iterator[RoomAnswer]:
-    """The room with a second run beside the first where nothing is worse, the cheapest first."""
+    """The room with a second run beside the first at little more cost, the cheapest first."""
     most = judge_of(task, before.placed).cost_of(before.placed).cost + WORTH
     moves = list_at_run(task, before.placed, group, _list_as_long(group))
     rooms = [
@@ -94,8 +72,7 @@ def _list_joined(task: RoomTask, before: RoomAnswer, group: FurnishedGroup) -> I
         for k, (placed, gone) in enumerate(list_traded(task, before.placed, moves, most))
     ]
     for _, _, placed, gone in sorted(rooms, key=lambda row: row[:2]):
-        if is_no_worse(task, before.placed, placed, WORTH):
-            yield before._replace(placed=placed, missing=(*before.missing, *gone))
+        yield before._replace(placed=placed, missing=(*before.missing, *gone))
 
 
 def _list_as_long(group: FurnishedGroup) -> tuple[Group, ...]:

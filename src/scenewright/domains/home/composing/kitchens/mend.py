@@ -36,7 +36,7 @@ from scenewright.domains.home.furnishing.furnish import pieces_of
 from scenewright.domains.home.groups.classes import RUNS
 from scenewright.domains.home.groups.fitted_kitchen import FittedKitchen, width_of
 from scenewright.domains.home.programme import WELCOME, is_essential
-from scenewright.domains.home.second_try import Opened
+from scenewright.domains.home.remove_blockers import Opened
 
 BESIDE = 8
 """Kitchens beside the rest that are walked to through the whole home."""

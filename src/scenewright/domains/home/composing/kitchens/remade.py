@@ -4,13 +4,13 @@ While a room is composed both are weighed against all else and against the ways 
 fridge may end up across the room, or a hob before a window, though there is a place for a kitchen
 without either. It is looked for when the ways of the home are open: the fridge at an end of its
 run, where need be in the place of what stands there (:mod:`.fridge_places`); a kitchen made to
-measure beside the rest; one before all others, which follow it. What is merely welcome may give
-way. A change stays if nothing else is worse (:mod:`..no_worse`) and no way of the home is barred.
+measure beside the rest; one before all others, which follow it. What is merely welcome may
+give way.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from itertools import chain, islice
 from math import inf
 
@@ -30,18 +30,14 @@ from scenewright.domains.home.composing.kitchens.mend import (
 from scenewright.domains.home.composing.kitchens.reform import KitchenStep, list_fitted
 from scenewright.domains.home.composing.kitchens.trades import list_traded
 from scenewright.domains.home.composing.moving import with_margin
-from scenewright.domains.home.composing.no_worse import is_no_worse
 from scenewright.domains.home.composing.placed_faults import (
     DARK,
     list_standing,
     measure_before_windows,
 )
-from scenewright.domains.home.composing.settling import try_in_home
-from scenewright.domains.home.second_try import Opened
 
 WORTH = 30.0  # what a room may cost more for a kitchen without such a fault
 FOLLOWED = 3  # kitchens of one make-up that stand first and are followed by all others
-WALKED = 2  # kitchens of one make-up that are walked to through the whole home
 APART, LOW = 1, 3
 """Steps of the kitchens made to measure that have their fridge by itself, or under the worktop."""
 ACROSS = 1.0
@@ -50,18 +46,13 @@ ACROSS = 1.0
 Faults = tuple[int, ...]
 
 
-def remake_kitchens(
-    tasks: Sequence[RoomTask], answers: list[RoomAnswer], opened: Opened
-) -> list[RoomAnswer]:
-    """The answers for all rooms with kitchens whose fridge stands apart, or whose hob stands before
-    a window, made anew where that bars no way of the home, its ways ``opened``."""
-    found = answers
-    for room, task in enumerate(tasks):
-        may = task.preset.settings.exact and not task.accessible and not task.cancelled()
-        if may and any(find_faults(task, found[room].placed)[:2]):
-            place = take_place(task, found[room])
-            found = found if place is None else _remake(room, task, place, found, opened)
-    return found
+def list_remade(task: RoomTask, before: RoomAnswer, _: str) -> Iterator[RoomAnswer]:
+    """The room with other kitchens: the fridge at an end of its run, then kitchens made to
+    measure."""
+    place = take_place(task, before)
+    if place is not None:
+        yield from chain.from_iterable(_list_traded(task, before))
+        yield from chain.from_iterable(_list_make_ups(task, place, before))
 
 
 def find_faults(task: RoomTask, placed: Placed) -> Faults:
@@ -72,25 +63,6 @@ def find_faults(task: RoomTask, placed: Placed) -> Faults:
     split = any("split" in dict(find_case_faults(list_standing(p))) for p in units)
     taken = sum(any(w) for w in zip(*windows, strict=True))
     return int(has_far_fridge(placed)), taken, int(split)
-
-
-def _remake(
-    room: int, task: RoomTask, place: Place, found: list[RoomAnswer], opened: Opened
-) -> list[RoomAnswer]:
-    """The answers with one kitchen without a fault it has, or as they were."""
-    before = found[room]
-    faults = find_faults(task, before.placed)
-
-    def is_sound(answer: RoomAnswer) -> bool:
-        fewer = _are_fewer(find_faults(task, answer.placed), faults)
-        return fewer and is_no_worse(task, before.placed, answer.placed, WORTH)
-
-    for answers in chain(_list_traded(task, before), _list_make_ups(task, place, before)):
-        for answer in islice(filter(is_sound, answers), WALKED):
-            trial = try_in_home(room, answer, found, opened)
-            if trial is not None:
-                return trial
-    return found
 
 
 def _list_traded(task: RoomTask, before: RoomAnswer) -> Iterator[Iterable[RoomAnswer]]:
@@ -128,17 +100,12 @@ def _list_first(
     task: RoomTask, place: Place, before: RoomAnswer, step: KitchenStep, barred: frozenset[str]
 ) -> Iterator[RoomAnswer]:
     """The room with kitchens that have fewer faults and all others after them."""
-    faults = find_faults(task, before.placed)
-    starts = (start for start in step(inf) if _are_fewer(find_faults(task, start.placed), faults))
+    faults = sum(find_faults(task, before.placed))
+    starts = (start for start in step(inf) if sum(find_faults(task, start.placed)) < faults)
     for start in islice(starts, FOLLOWED):
         followed = follow_kitchen(task, start, place, barred)
         if followed is not None:
             yield _with(before, *followed)
-
-
-def _are_fewer(new: Faults, old: Faults) -> bool:
-    """Whether the fridge or a window is better off and nothing else worse."""
-    return new[:2] != old[:2] and all(a <= b for a, b in zip(new, old, strict=True))
 
 
 def _sort(task: RoomTask, answers: Iterable[RoomAnswer]) -> list[RoomAnswer]:

@@ -26,13 +26,15 @@ QUARTER: Floats = np.array([0.0, 0.0, np.pi / 2, 0.0, 0.0])
 TRIED = 60  # places that are furnished, those first that cost least
 
 
-def list_shifted(judge: RoomJudge, placed: Placed, at: int, most: float) -> Iterator[JudgedRoom]:
-    """The rooms with a group that stands amid the floor shifted along and across, squared up to a
-    wall, turned by a quarter or not, where it stands free and the room costs at most ``most``, the
-    cheapest by energy first."""
+def list_shifted(
+    judge: RoomJudge, placed: Placed, at: int, most: float, backed: bool = False
+) -> Iterator[JudgedRoom]:
+    """The rooms with a group that stands amid the floor, or also one ``backed`` by a wall, shifted
+    along and across, squared up to a wall, turned by a quarter or not, where it stands free and the
+    room costs at most ``most``, the cheapest by energy first."""
     task, group = judge.task, placed[at]
     box = group.dressed.box.copy()
-    if group.wish.group not in SHIFTED or is_backed(box, task.ground.walls, AMID):
+    if group.wish.group not in SHIFTED or (not backed and is_backed(box, task.ground.walls, AMID)):
         return
     box[2] = square_up(float(box[2]), task.ground)
     pieces = (p for k, g in enumerate(placed) for p in g.pieces if k != at)

@@ -1,0 +1,229 @@
+"""The moves that repair a finished room: what each makes of it for the sake of a row."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from itertools import islice
+
+from scenewright.core.catalog import Group
+from scenewright.domains.home.attempt import (
+    FurnishedGroup,
+    Missing,
+    RoomAnswer,
+    RoomTask,
+    find_blocked,
+)
+from scenewright.domains.home.bed_first import with_narrow_ways
+from scenewright.domains.home.composing.case_faults import find_case_faults
+from scenewright.domains.home.composing.clothes import CHEST, WARDROBE, hang_instead, list_hung
+from scenewright.domains.home.composing.forms import list_forms
+from scenewright.domains.home.composing.judging import Placed, judge_of
+from scenewright.domains.home.composing.kitchens.hob_places import move_hob
+from scenewright.domains.home.composing.kitchens.loose_cabinets import list_joined
+from scenewright.domains.home.composing.kitchens.remade import list_remade
+from scenewright.domains.home.composing.pairs import find_pair, furnish_pairs
+from scenewright.domains.home.composing.placed_faults import (
+    DARK,
+    list_adrift,
+    list_standing,
+    measure_before_doors,
+    measure_before_windows,
+)
+from scenewright.domains.home.composing.spacing.leave_out import may_leave_out
+from scenewright.domains.home.composing.spacing.rules import list_close
+from scenewright.domains.home.composing.spacing.shifts import list_shifted
+from scenewright.domains.home.composing.unseen import list_without_screen
+from scenewright.domains.home.composing.verdict import FEWER, STUCK
+from scenewright.domains.home.composing.walked_places import try_places
+from scenewright.domains.home.groups.classes import BED_GROUPS, RUNS
+from scenewright.domains.home.groups.least import LEAST as LEAST_FORMS
+from scenewright.domains.home.measures import HAIR
+from scenewright.domains.home.programme import WELCOME
+
+MOVED = (
+    *("chest", "sideboard", "reading", "shelf", "storage", "console", "plant", "shoes", "coats"),
+    *("wardrobe", "media", "fridge", "dining", "dining_wall", "seating"),
+    *("single", "bunk", "sleeping"),
+)
+"""Groups that may be moved, those first that are moved easily."""
+STEP = 0.05  # between places along a wall, metres
+WORTH = 30.0  # what a room may cost more for what an eye finds
+CHAIR = "dining_chair"
+BED = (0.8, 1.9)
+"""No bed becomes smaller than this, or than it is, metres."""
+PAIRED = frozenset(("wardrobe", "one_side"))
+"""Faults of a case that no pair of places is to have."""
+SEATED_FROM = 11.0
+"""From so many square metres on a living room has seats for three."""
+PAIRS = 40  # pairs of places of two groups that are tried
+Subjects = Callable[[RoomTask, Placed], set[str]]
+
+
+def list_subjects(task: RoomTask, placed: Placed, row: str) -> list[int]:
+    """The numbers of the whole groups at fault by a row that may be moved, those first that are
+    moved easily."""
+    names = SUBJECTS[row](task, placed)
+    own = task.library.own.keys()
+    there = [
+        k
+        for k, p in enumerate(placed)
+        if p.name in names
+        and p.wish.group in MOVED
+        and p.wish.group not in own
+        and len(p.pieces) == sum(p.dressed.stands)
+    ]
+    return sorted(there, key=lambda k: MOVED.index(placed[k].wish.group))
+
+
+def _list_near(task: RoomTask, placed: Placed) -> set[str]:
+    close = list_close(placed, task.fixed, task.ground)
+    return {name for pair in close if pair.cost >= STUCK for name in (pair.group, pair.other)}
+
+
+def _is_of(fault: str) -> Subjects:
+    """The groups with a fault of their case."""
+    return lambda _, placed: {
+        p.name for p in placed if fault in dict(find_case_faults(list_standing(p)))
+    }
+
+
+SUBJECTS: dict[str, Subjects] = {
+    "near": _list_near,
+    "window": lambda task, placed: {
+        p.name for p in placed if (measure_before_windows(p, task.ground) > DARK).any()
+    },
+    "adrift": lambda task, placed: {p.name for p in placed if list_adrift((p,), task.ground)},
+    "door": lambda task, placed: {
+        p.name for p in placed if measure_before_doors(p, task.ground) > 0.0
+    },
+    "wardrobe": _is_of("wardrobe"),
+    "seats": lambda task, placed: (
+        _is_of("seats")(task, placed) if task.ground.area >= SEATED_FROM else set()
+    ),
+    "unseen": lambda _, placed: {p.name for p in placed if p.wish.group in ("media", "seating")},
+    "one_side": _is_of("one_side"),
+    "closed bed": lambda _, placed: {p.name for p in placed if p.wish.group in BED_GROUPS},
+}
+"""The groups that are at fault by each row."""
+
+
+def _list_elsewhere(task: RoomTask, answer: RoomAnswer, row: str) -> Iterator[RoomAnswer]:
+    """The room with one of the groups at fault elsewhere along the walls, the cheapest first."""
+    placed = answer.placed
+    judge = judge_of(task, placed)
+    most = judge.cost_of(placed).cost + WORTH
+    for at in list_subjects(task, placed, row):
+        forms = dict.fromkeys((placed[at].dressed.case, *list_forms(task, placed[at])))
+        for judged in try_places(judge, placed, at, forms, most, 0.0, STEP):
+            yield answer._replace(placed=judged.placed)
+
+
+def _list_amid(task: RoomTask, answer: RoomAnswer, row: str) -> Iterator[RoomAnswer]:
+    """The room with one of the groups at fault shifted amid the floor, for a window also away from
+    a wall."""
+    placed = answer.placed
+    judge = judge_of(task, placed)
+    most = judge.cost_of(placed).cost + WORTH
+    for at in list_subjects(task, placed, row):
+        for judged in list_shifted(judge, placed, at, most, row == "window"):
+            yield answer._replace(placed=judged.placed)
+
+
+def _list_fewer(task: RoomTask, answer: RoomAnswer, row: str) -> Iterator[RoomAnswer]:
+    """The room with one chair less at a table at fault, which is told."""
+    placed = answer.placed
+    judge = judge_of(task, placed)
+    most = judge.cost_of(placed).cost + WORTH
+    for at in list_subjects(task, placed, row) if may_leave_out(task) else ():
+        group = placed[at]
+        wish = group.wish._replace(rank=WELCOME, core=False, required=False)
+        less = sorted(_list_kinds(group.dressed.case))
+        forms = (
+            form for form in list_forms(task, group) if sorted([*_list_kinds(form), CHAIR]) == less
+        )
+        missing = (*answer.missing, Missing(wish, FEWER))
+        for judged in try_places(judge, placed, at, forms, most, 0.0, STEP):
+            yield answer._replace(placed=judged.placed, missing=missing)
+
+
+def _list_kinds(form: Group) -> Iterator[str]:
+    return (m.category for m in form.members)
+
+
+def _list_reordered(task: RoomTask, answer: RoomAnswer, _: str) -> Iterator[RoomAnswer]:
+    """The room with the units of its kitchen in another order."""
+    for at, group in enumerate(answer.placed):
+        if group.wish.group in RUNS and group.wish.group not in task.library.own:
+            for placed in move_hob(task, answer.placed, at):
+                yield answer._replace(placed=placed)
+
+
+def _list_pairs(task: RoomTask, answer: RoomAnswer, _: str) -> Iterator[RoomAnswer]:
+    """The room with its bed and its wardrobe, or chest of drawers, at other pairs of places."""
+    placed, own = answer.placed, task.library.own
+    pair = find_pair(placed) or find_pair(placed, CHEST)
+    stays = (p.wish.group in own or p.wish.most or p.wish.required for p in pair)
+    if not pair or any(stays):
+        return
+    rest = tuple(p for p in placed if all(p is not q for q in pair))
+    beside = task._replace(beside=(*task.beside, *(p for group in rest for p in group.pieces)))
+    judge = judge_of(beside, pair)
+    most = judge.cost_of(pair).cost + WORTH
+    for judged in islice(furnish_pairs(judge, pair, most, _list_sound), PAIRS):
+        yield answer._replace(placed=(*rest, *judged.placed))
+
+
+def _list_sound(task: RoomTask, group: FurnishedGroup) -> Iterator[Group]:
+    """The forms of a group without a fault that makes a pair of places one to be tried again, the
+    smaller first, those of a bed that are hardly smaller than it is."""
+    forms = sorted(list_forms(task, group), key=lambda form: form.width * form.depth)
+    least = LEAST_FORMS[group.wish.group]() if group.wish.group in LEAST_FORMS else ()
+    now = [min(size) for size in zip(_size_of(group.dressed.case), BED, strict=True)]
+    for form in (*least, *forms):
+        sound = not PAIRED.intersection(dict(find_case_faults(form)))
+        pairs = zip(_size_of(form), now, strict=True)
+        if sound and all(new > old - HAIR for new, old in pairs):
+            yield form
+
+
+def _size_of(case: Group) -> tuple[float, float]:
+    """Width and length of the bed of a case, metres; 0 without one."""
+    beds = (m.size for m in case.members if m.category.endswith("_bed"))
+    return next(((size.width, size.depth) for size in beds), (0.0, 0.0))
+
+
+def _list_exchanged(task: RoomTask, answer: RoomAnswer, row: str) -> Iterator[RoomAnswer]:
+    """The room with a chest of drawers for a wardrobe at fault, where clothes hang in its
+    closet."""
+    placed = answer.placed
+    for at in list_subjects(task, placed, row):
+        if placed[at].wish.group == WARDROBE:
+            best = judge_of(task, placed).cost_of(placed)
+            barred = frozenset(find_blocked(with_narrow_ways(task), placed))
+            hung = hang_instead(task, best, barred, placed[at]).placed
+            missing = (*answer.missing, *list_hung(placed, hung))
+            yield answer._replace(placed=hung, missing=missing)
+
+
+def _list_without(task: RoomTask, answer: RoomAnswer, row: str) -> Iterator[RoomAnswer]:
+    """The room without a plant at fault that nobody asked for."""
+    for at in list_subjects(task, answer.placed, row):
+        wish = answer.placed[at].wish
+        if wish.group == "plant" and wish.rank >= WELCOME and not wish.required:
+            rest = tuple(p for k, p in enumerate(answer.placed) if k != at)
+            lost = Missing(wish, "it would stand before a wide door")
+            yield answer._replace(placed=rest, missing=(*answer.missing, lost))
+
+
+MOVES: dict[str, Callable[[RoomTask, RoomAnswer, str], Iterator[RoomAnswer]]] = {
+    "elsewhere": _list_elsewhere,
+    "amid": _list_amid,
+    "reorder": _list_reordered,
+    "remake": list_remade,
+    "join": list_joined,
+    "pair": _list_pairs,
+    "fewer": _list_fewer,
+    "exchange": _list_exchanged,
+    "without screen": list_without_screen,
+    "leave out": _list_without,
+}

@@ -1,0 +1,131 @@
+"""The one verdict on a furnished room: what is missing, what an eye finds, what it costs."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+import numpy as np
+
+from scenewright.arranging.verdict import Verdict
+from scenewright.catalog.assets.cooking import UNDER_WORKTOP
+from scenewright.catalog.classes import TABLE_SEATS, WORKTOP
+from scenewright.core.scene import Piece
+from scenewright.domains.home.attempt import RoomAnswer, RoomTask, penalty
+from scenewright.domains.home.composing.bed_sides import count_closed_beds
+from scenewright.domains.home.composing.case_faults import count_seats, find_case_faults
+from scenewright.domains.home.composing.judging import Placed, cost_by_row, count_unmet, judge_of
+from scenewright.domains.home.composing.kitchens.far_fridges import has_far_fridge
+from scenewright.domains.home.composing.kitchens.loose_cabinets import list_loose
+from scenewright.domains.home.composing.placed_faults import (
+    DARK,
+    list_adrift,
+    list_standing,
+    measure_before_doors,
+    measure_before_windows,
+)
+from scenewright.domains.home.composing.spacing.rules import list_close
+from scenewright.domains.home.composing.unseen import hangs_in_doorway, is_screen_unseen
+from scenewright.domains.home.household import STORING
+from scenewright.domains.home.measures import RAISED
+from scenewright.domains.home.programme import WELCOME
+
+STUCK = 2.5
+"""What it costs from which on an eye finds two groups too near to one another."""
+NEAR = 3.0
+"""What a room may cost more by its energy for each unit that its groups stand less near."""
+OF_CASES = (
+    *("nightstand", "one_side", "wardrobe", "seats", "worktop", "hob_at_sink", "hob_at_end"),
+    "split",
+)
+"""Faults of cases that nothing else is worth."""
+LESS = {"worktop": 0.1, "storage": 0.1}
+"""By how much less of each is not less, metres."""
+FEWER = "a chair less stands at it: it could not be drawn back"
+BEDS = {"double_bed": (1.4, 1.9), "single_bed": (0.8, 1.9), "bunk_bed": (0.8, 1.9)}
+"""Beds as wide and as long are long and wide enough, metres."""
+
+
+def judge_room(task: RoomTask, answer: RoomAnswer, before: Placed = ()) -> Verdict:
+    """The verdict on a room as it is furnished; of what the groups ``before`` held and that are
+    still there nothing is to be lost."""
+    placed, costs, energy = answer.placed, task.costs, 0.0
+    if placed:
+        layout = np.array([[p.dressed.box for p in placed]])
+        energy = float(judge_of(task, placed).energies_of(layout)[0])
+    near = sum(close.cost for close in list_close(placed, task.fixed, task.ground))
+    return Verdict(
+        lost=sum(penalty(m.wish, costs) for m in answer.missing if m.wish.rank < WELCOME)
+        + costs.piece * (len(answer.gone) + sum(p.dressed.lost for p in placed)),
+        findings=find_rows(task, placed) | _find_less(answer, before),
+        cost=cost_by_row(task, placed) | {"energy": costs.energy * energy, "nearness": NEAR * near},
+    )
+
+
+def find_rows(task: RoomTask, placed: Placed) -> dict[str, float]:
+    """What an eye finds in a room, by row."""
+    found = {name: count(task, placed) for name, count in FINDINGS.items()}
+    cases = [find_case_faults(list_standing(p)) for p in placed]
+    return found | {name: float(sum(name in dict(f) for f in cases)) for name in OF_CASES}
+
+
+def _count_near(task: RoomTask, placed: Placed) -> float:
+    close = list_close(placed, task.fixed, task.ground)
+    return float(sum(each.cost >= STUCK for each in close))
+
+
+def _count_windows(task: RoomTask, placed: Placed) -> float:
+    dark = [measure_before_windows(p, task.ground) > DARK for p in placed]
+    return float(sum(any(window) for window in zip(*dark, strict=True)))
+
+
+FINDINGS: Mapping[str, Callable[[RoomTask, Placed], float]] = {
+    "window": _count_windows,
+    "near": _count_near,
+    "adrift": lambda task, placed: float(len(list_adrift(placed, task.ground))),
+    "door": lambda task, placed: sum(measure_before_doors(p, task.ground) for p in placed),
+    "closed bed": lambda task, placed: float(count_closed_beds(placed, task.ground)),
+    "unseen": lambda task, placed: float(is_screen_unseen(task, placed)),
+    "over a door": lambda task, placed: float(any(hangs_in_doorway(task, p) for p in placed)),
+    "far fridge": lambda _, placed: float(has_far_fridge(placed)),
+    "loose cabinet": lambda _, placed: float(len(list_loose(placed))),
+    "wish": lambda task, placed: float(count_unmet(task, placed)),
+}
+"""What an eye finds in a room whatever it costs: how many there are, of doors metres."""
+
+
+def _find_less(answer: RoomAnswer, before: Placed) -> dict[str, float]:
+    """How much less the groups hold than those of the same names held before, chairs apart that are
+    told as missing."""
+    there = {p.name for p in answer.placed}
+    old = measure_held(tuple(p for p in before if p.name in there))
+    new = measure_held(answer.placed)
+    told = {"places": float(sum(m.reason == FEWER for m in answer.missing))}
+    return {f"less {k}": max(old[k] - new[k] - (LESS | told).get(k, 0.0), 0.0) for k in old}
+
+
+def measure_held(placed: Placed) -> dict[str, float]:
+    """Metres of worktop and of storage, places on sofas and armchairs and at tables, pieces, and
+    metres of beds as far as these are wanted.
+
+    >>> measure_held(())["seats"]
+    0
+    """
+    pieces = [p for g in placed for p in g.pieces]
+    return {
+        "worktop": sum(p.size.width for p in pieces if _has_worktop(p)),
+        "storage": sum(p.size.width for p in pieces if p.category in STORING),
+        "seats": sum(count_seats(list_standing(g)) for g in placed),
+        "places": sum(p.category in TABLE_SEATS for p in pieces),
+        "bed": sum(map(_measure_bed, pieces)),
+    }
+
+
+def _measure_bed(piece: Piece) -> float:
+    wide, long = BEDS.get(piece.category, (0.0, 0.0))
+    return min(piece.size.width, wide) + min(piece.size.depth, long)
+
+
+def _has_worktop(piece: Piece) -> bool:
+    """Whether a piece has worktop on it, as a fridge no higher has."""
+    low = piece.category == "fridge" and piece.size.height <= UNDER_WORKTOP
+    return (low or piece.category in WORKTOP) and piece.pose.z < RAISED
