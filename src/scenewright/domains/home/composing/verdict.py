@@ -18,6 +18,7 @@ from scenewright.domains.home.composing.kitchens.far_fridges import has_far_frid
 from scenewright.domains.home.composing.kitchens.loose_cabinets import list_loose
 from scenewright.domains.home.composing.placed_faults import (
     DARK,
+    cost_of_screen,
     list_adrift,
     list_standing,
     measure_before_doors,
@@ -85,6 +86,7 @@ FINDINGS: Mapping[str, Callable[[RoomTask, Placed], float]] = {
     "door": lambda task, placed: sum(measure_before_doors(p, task.ground) for p in placed),
     "closed bed": lambda task, placed: float(count_closed_beds(placed, task.ground)),
     "unseen": lambda task, placed: float(is_screen_unseen(task, placed)),
+    "small screen": lambda task, placed: cost_of_screen(placed, task.ground, 1.0),
     "over a door": lambda task, placed: float(any(hangs_in_doorway(task, p) for p in placed)),
     "far fridge": lambda _, placed: float(has_far_fridge(placed)),
     "loose cabinet": lambda _, placed: float(len(list_loose(placed))),
