@@ -16,6 +16,7 @@ from scenewright.domains.home.bed_first import with_narrow_ways
 from scenewright.domains.home.composing.room_moves import MOVES
 from scenewright.domains.home.composing.settling import try_in_home
 from scenewright.domains.home.composing.spacing.leave_out import leave_out_near
+from scenewright.domains.home.composing.unseen import leave_out_unseen_screen
 from scenewright.domains.home.composing.verdict import judge_room
 from scenewright.domains.home.remove_blockers import Opened
 
@@ -30,8 +31,7 @@ MOVES_OF = {
     "door": ("elsewhere", "exchange", "leave out"),
     "wardrobe": ("elsewhere", "pair", "exchange"),
     "seats": ("elsewhere",),
-    "unseen": ("elsewhere", "amid", "without screen"),
-    "over a door": ("without screen",),
+    "unseen": ("elsewhere", "amid"),
     "one_side": ("elsewhere", "pair"),
     "closed bed": ("elsewhere", "pair"),
 }
@@ -41,13 +41,17 @@ MOVES_OF = {
 def mend_rooms(
     tasks: Sequence[RoomTask], answers: list[RoomAnswer], opened: Opened
 ) -> list[RoomAnswer]:
-    """The answers for all rooms repaired, the ways of the home ``opened``."""
+    """The answers for all rooms repaired, the ways of the home ``opened``; what is too near or
+    unseen even so, and merely welcome, is left out by name."""
     found = answers
     for room, task in enumerate(tasks):
         if task.preset.settings.exact and not task.accessible and found[room].placed:
             found = _mend(room, task, found, opened)
             less = leave_out_near(task, found[room])
             found = [less if k == room else other for k, other in enumerate(found)]
+            unseen = leave_out_unseen_screen(task, less)
+            trial = None if unseen is less else try_in_home(room, unseen, found, opened)
+            found = found if trial is None else trial
     return found
 
 

@@ -32,7 +32,6 @@ from scenewright.domains.home.composing.placed_faults import (
 from scenewright.domains.home.composing.spacing.leave_out import may_leave_out
 from scenewright.domains.home.composing.spacing.rules import list_close
 from scenewright.domains.home.composing.spacing.shifts import list_shifted
-from scenewright.domains.home.composing.unseen import list_without_screen
 from scenewright.domains.home.composing.verdict import FEWER, STUCK
 from scenewright.domains.home.composing.walked_places import try_places
 from scenewright.domains.home.groups.classes import BED_GROUPS, RUNS
@@ -224,6 +223,5 @@ MOVES: dict[str, Callable[[RoomTask, RoomAnswer, str], Iterator[RoomAnswer]]] = 
     "pair": _list_pairs,
     "fewer": _list_fewer,
     "exchange": _list_exchanged,
-    "without screen": list_without_screen,
     "leave out": _list_without,
 }

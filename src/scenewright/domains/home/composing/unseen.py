@@ -3,8 +3,6 @@ there is neither sofa, armchair nor bed to watch one from; and those that hang i
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from scenewright.catalog.classes import SOFAS
 from scenewright.domains.home.attempt import (
     FurnishedGroup,
@@ -42,12 +40,6 @@ WALL_LESS = "no wall that is seen from the sofa is wide enough for it"
 OVER_DOOR = 0.1
 """Metres of the shelf below a screen on the wall that may be over a door."""
 SEATLESS = "the room has no seat to watch it from"
-
-
-def list_without_screen(task: RoomTask, answer: RoomAnswer, _: str) -> Iterator[RoomAnswer]:
-    """The room without a screen that nobody sees."""
-    if (less := leave_out_unseen_screen(task, answer)) is not answer:
-        yield less
 
 
 def leave_out_unseen_screen(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:

@@ -25,7 +25,7 @@ from scenewright.domains.home.composing.placed_faults import (
     measure_before_windows,
 )
 from scenewright.domains.home.composing.spacing.rules import list_close
-from scenewright.domains.home.composing.unseen import hangs_in_doorway, is_screen_unseen
+from scenewright.domains.home.composing.unseen import is_screen_unseen
 from scenewright.domains.home.household import STORING
 from scenewright.domains.home.measures import RAISED
 from scenewright.domains.home.programme import WELCOME
@@ -87,7 +87,6 @@ FINDINGS: Mapping[str, Callable[[RoomTask, Placed], float]] = {
     "closed bed": lambda task, placed: float(count_closed_beds(placed, task.ground)),
     "unseen": lambda task, placed: float(is_screen_unseen(task, placed)),
     "small screen": lambda task, placed: cost_of_screen(placed, task.ground, 1.0),
-    "over a door": lambda task, placed: float(any(hangs_in_doorway(task, p) for p in placed)),
     "far fridge": lambda _, placed: float(has_far_fridge(placed)),
     "loose cabinet": lambda _, placed: float(len(list_loose(placed))),
     "wish": lambda task, placed: float(count_unmet(task, placed)),
