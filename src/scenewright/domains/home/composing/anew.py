@@ -52,11 +52,12 @@ Judges = Callable[[int], RoomJudge]
 
 
 def compose_anew(task: RoomTask, best: JudgedRoom, barred: frozenset[str]) -> JudgedRoom:
-    """The groups of a room in which an eye finds something, with few, or with a wish that is not
-    met, laid out anew for the first of the faulty ones, the worst first, or as they were."""
+    """The groups of a kitchen, or of a room in which an eye finds something, if they are few or a
+    wish is not met, laid out anew for the first of the faulty ones, the worst first, or as they
+    were."""
     rule = task.preset.settings.composing
     many = len(best.placed) > rule.few and count_unmet(task, best.placed) == 0
-    if many or not any(find_rows(task, best.placed).values()):
+    if many or not (is_mere_kitchen(task) or any(find_rows(task, best.placed).values())):
         return best
     names = list_worst_first(task, best.placed)
     paired = {p.name for p in find_pair(best.placed)}
