@@ -42,7 +42,7 @@ OF_CASES = (
 LESS = {"worktop": 0.1, "storage": 0.1}
 """By how much less of each is not less, metres."""
 FEWER = "a chair less stands at it: it could not be drawn back"
-BEDS = {"double_bed": (1.4, 1.9), "single_bed": (0.8, 1.9), "bunk_bed": (0.8, 1.9)}
+BED_ENOUGH = {"double_bed": (1.4, 1.9), "single_bed": (0.8, 1.9), "bunk_bed": (0.8, 1.9)}
 """Beds as wide and as long are long and wide enough, metres."""
 
 
@@ -122,7 +122,7 @@ def measure_held(placed: Placed) -> dict[str, float]:
 
 
 def _measure_bed(piece: Piece) -> float:
-    wide, long = BEDS.get(piece.category, (0.0, 0.0))
+    wide, long = BED_ENOUGH.get(piece.category, (0.0, 0.0))
     return min(piece.size.width, wide) + min(piece.size.depth, long)
 
 
