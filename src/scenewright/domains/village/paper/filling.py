@@ -38,8 +38,8 @@ from scenewright.domains.village.problem import VillageProblem
 from scenewright.domains.village.standing import Floats, StandingHouses
 from scenewright.engine.trace import Hear, tell
 
-MOST, TRIES, SEEN = 150, 12, 160
-"""Houses of a block at most, places tried for one, candidates looked at."""
+MOST, TRIES = 150, 12
+"""Houses of a block at most, and places tried for one."""
 LIKELY = 0.5
 """Odds of *continue* from which on another house follows."""
 DOOR = 2.5
@@ -155,7 +155,7 @@ def _place(
     classes = (drawn[0], drawn[1], drawn[2])
     where = odds_of_places(nets, np.concatenate([view, class_planes(classes, frame.size)]))
     where = np.where(view[0] < 0.5, -1e9, where).ravel()
-    progress = min(len(houses.footprints) / 20.0, 1.0)
+    looked = [one.house for one in candidates]
     for _ in range(TRIES):
         pixel = _draw(where, rng)
         at = np.array([[pixel % frame.size, pixel // frame.size]]) + rng.random((1, 2))
@@ -164,13 +164,9 @@ def _place(
         shape = np.eye(SHAPES, dtype=np.float32)[classes[1]]
         cosine = draw_cosine(nets, near, shape, rng.normal(size=HIDDEN).astype(np.float32))
         angle = float(np.arccos(np.clip(cosine, -1, 1)))
-        some = rng.choice(len(candidates), min(SEEN, len(candidates)), replace=False)
-        chosen = [candidates[k] for k in some.tolist()]
-        looked = [one.house for one in chosen]
-        standing = houses.footprints
-        found = retrieve(looked, classes, base, angle, floor, free, standing, progress)
+        found = retrieve(looked, classes, base, angle, floor, free, houses.footprints)
         if found is not None:
-            return chosen[found.number], found.placed
+            return candidates[found.number], found.placed
     return None
 
 

@@ -2,9 +2,10 @@
 
 Every candidate is turned until its door is at the angle foretold, seen from its base point, and
 moved there. Its category score is 0.8 (shape + area) + 0.2 material; legality takes 1000 where it
-leaves the block and 1000 where it overlaps; the angle score tells how near the way from its middle
-to the door is to a right angle with the nearest side of the block. Both are brought to [0, 0.9];
-the first houses weigh category more, later ones the angle. Overlap is exact here, in pixels there.
+leaves the block and 1000 where it overlaps; the angle score is the angle in degrees between the way
+from its middle to the door and the nearest side of the block, 90 at best. Both are brought to
+[0, 0.9] as printed, category / 2 and angle / 100, and added; the best of the whole library is
+taken. Overlap is exact here, in pixels there.
 """
 
 from __future__ import annotations
@@ -19,11 +20,9 @@ from scenewright.core.space import Points
 from scenewright.domains.village.paper.views import base_and_door
 from scenewright.domains.village.standing import Floats, Shapes
 
-ILLEGAL, MOST = -1000.0, 0.9
+ILLEGAL = -1000.0
 TOUCH = 0.005
 """Metres by which footprints may overlap (shared walls)."""
-EARLY, LATE = 0.8, 0.4
-"""What category weighs for the first and for the last house."""
 
 
 class RetrievedHouse(NamedTuple):
@@ -75,10 +74,9 @@ def retrieve(
     floor: shapely.Polygon,
     free: shapely.Geometry,
     standing: Shapes,
-    progress: float,
 ) -> Retrieved | None:
-    """The candidate with the best sum of scores; ``progress`` in [0, 1] shifts their weights;
-    ``free`` is the part of the block's ``floor`` that may be built on. None if none is legal."""
+    """The candidate with the best sum of scores; ``free`` is the part of the block's ``floor`` that
+    may be built on. None if none is legal."""
     placed = [turn_to(one, base, angle) for one in candidates]
     rows = [k for k, one in enumerate(placed) if one is not None]
     if not rows:
@@ -88,8 +86,7 @@ def retrieve(
     category = np.array([_category(candidates[k].classes, asked) for k in rows])
     legal = legality(shapes, free, standing)
     facing = np.array([door_facing(one.ring, one.door, floor) for one in moved])
-    weight = EARLY + (LATE - EARLY) * progress
-    total = weight * _brought(category) + (1 - weight) * _brought(facing) + legal
+    total = category / 2 + facing / 100 + legal
     best = int(total.argmax())
     if total[best] < 0:
         return None
@@ -99,16 +96,6 @@ def retrieve(
 def _category(classes: tuple[int, int, int], asked: tuple[int, int, int]) -> float:
     material, shape, area = (float(a == b) for a, b in zip(classes, asked, strict=True))
     return 0.8 * (shape + area) + 0.2 * material
-
-
-def _brought(values: Floats) -> Floats:
-    """Values brought to [0, MOST].
-
-    >>> _brought(np.array([1.0, 3.0])).tolist()
-    [0.0, 0.9]
-    """
-    low, high = values.min(), values.max()
-    return MOST * (values - low) / (high - low) if high > low else np.full(len(values), MOST)
 
 
 def legality(shapes: Shapes, free: shapely.Geometry, standing: Shapes) -> Floats:
@@ -122,12 +109,20 @@ def legality(shapes: Shapes, free: shapely.Geometry, standing: Shapes) -> Floats
 
 
 def door_facing(ring: Points, door: Floats, floor: shapely.Polygon) -> float:
-    """How near the way from a house's middle to its door is to a right angle with the nearest side
-    of the block: 1 at a right angle, 0 along it."""
+    """The angle in degrees, 0 to 90, between the way from a house's middle to its door and the side
+    of the block that is nearest to the door.
+
+    >>> floor, ring = shapely.box(0, 0, 9, 9), np.array([[4.0, 1], [6, 1], [6, 3], [4, 3]])
+    >>> round(door_facing(ring, np.array([5.0, 1.0]), floor), 6)
+    90.0
+    """
     corners = shapely.get_coordinates(floor.exterior)
     sides = shapely.linestrings(np.stack([corners[:-1], corners[1:]], 1))
     side = int(shapely.distance(shapely.Point(door), sides).argmin())
     along = corners[side + 1] - corners[side]
     step = door - shapely.get_coordinates(shapely.Polygon(ring).centroid)[0]
     size = np.hypot(*along) * np.hypot(*step)
-    return float(abs(along[0] * step[1] - along[1] * step[0]) / size) if size > 0 else 0.0
+    if size <= 0:
+        return 0.0
+    sine = abs(along[0] * step[1] - along[1] * step[0]) / size
+    return float(np.degrees(np.arcsin(min(sine, 1.0))))
