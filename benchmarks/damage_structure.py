@@ -68,9 +68,9 @@ def damage_xml(data: bytes, draw: Draw) -> bytes:
         root = ElementTree.fromstring(data)
     except ElementTree.ParseError:
         return damage_text(data, draw)
-    for _ in range(draw.randint(1, 5)):
-        _change_element(root, draw)
     try:
+        for _ in range(draw.randint(1, 5)):
+            _change_element(root, draw)
         return ElementTree.tostring(root, "utf-8", xml_declaration=True)
     except RecursionError:  # nested twice
         return damage_text(data, draw)

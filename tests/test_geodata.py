@@ -265,6 +265,8 @@ HOSTILE = {
     "entities.kml": b'<!DOCTYPE kml SYSTEM "file:///etc/passwd"><kml xmlns="x"/>',
     "other.kml": b"<!-- <kml> --><OGRVRTDataSource><OGRVRTLayer/></OGRVRTDataSource>",
     "broken.osm": b'<osm version="0.6"><node id="1" lat="49" lon="11"><tag k="a" v="b"/>',
+    "coding.kml": b"<?xml version='1.0' encoding='UnanF-8'?><kml><Document/></kml>",
+    "coding.osm": b"<?xml version='1.0' encoding='idna'?><osm version='0.6'></osm>",
     "nothing.osm": b'<osm version="0.6"></osm>',
     "text.gpkg": b"this is no database",
     "short.gpkg": b"SQLite format 3\0" + b"\0" * 400,

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import json
 import sqlite3
+import zipfile
 from pathlib import Path
 
 import numpy as np
 import pytest
 import shapely
 
+import scenewright as sw
 from map_files import HOUSES, SITE, write_layers, write_rows
 from scenewright import cli, formats
 from scenewright.core.brief import Brief
@@ -79,3 +81,90 @@ def test_a_style_is_learned_from_blocks_only(
     path = write_layers(tmp_path / "quarter.gpkg")
     assert cli.run(["learn", "village", str(path), "-o", str(tmp_path / "style.npz")]) == 2
     assert "quarter.gpkg: is no village with blocks; tag the" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("name", "ground"), [("village-hamlet", "blocks"), ("extend-terrace", "areas")]
+)
+def test_a_village_and_an_extension_are_written_and_read_again(
+    name: str, ground: str, tmp_path: Path
+) -> None:
+    """Counted in the database, not by our reader; grounds are as large as they were."""
+    solution = sw.solve(sw.read(f"sample:{name}"), steps=1)
+    path = tmp_path / "out.gpkg"
+    formats.write(solution, path)
+    with sqlite3.connect(path) as database:
+        listed = database.execute("SELECT table_name, srs_id FROM gpkg_geometry_columns").fetchall()
+        counts = {
+            table: database.execute(f'SELECT COUNT(*) FROM "{table}"').fetchone()[0]
+            for table, _ in listed
+        }
+    assert {system for _, system in listed} == {4326}
+    assert counts["buildings"] == sum(piece.category == "building" for piece in solution.pieces)
+    again = formats.read(path)
+    assert again.domain == solution.brief.domain
+    report = again.input_report
+    assert report is not None
+    assert report.features == sum(counts.values())
+    assert report.system.startswith("EPSG:4326")
+    assert not [row for row in report.rows if row.outcome == "left out"]
+    before, after = (getattr(brief.part, ground) for brief in (solution.brief, again))
+    areas = [[shapely.Polygon(row.outline).area for row in rows] for rows in (before, after)]
+    assert areas[1] == pytest.approx(areas[0], rel=2e-3)
+    assert again.part.origin == pytest.approx(solution.brief.part.origin, abs=0.02)
+
+
+def test_a_batch_of_maps_is_placed_as_the_options_say(tmp_path: Path) -> None:
+    """Each file of a batch is read with the site and the system that are given."""
+    maps = tmp_path / "maps"
+    maps.mkdir()
+    for name in ("east", "west"):
+        write_layers(maps / f"{name}.gpkg", crs="EPSG:25833")
+    words = ["arrange", str(maps), "--batch", "-o", str(tmp_path / "out"), "--steps", "1", "-q"]
+    at = f"{SITE[0][0] + 100},{SITE[0][1] + 40}"
+    options = ["--crs", "EPSG:25832", "--site", at, "--jobs", "1"]
+    assert cli.run([*words, *options]) in (0, 1)
+    for name in ("east", "west"):
+        saved = json.loads((tmp_path / "out" / f"{name}.json").read_text())
+        (site,) = saved["brief"]["sites"]
+        assert site["system"] == "EPSG:25832"
+        assert shapely.Polygon(site["outline"]).area == pytest.approx(60 * 90, rel=2e-3)
+
+
+@pytest.mark.parametrize("name", ["bomb.kmz", "bomb.zip"])
+def test_an_archive_that_swells_while_it_is_unpacked_is_one_line(
+    name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Some hundred kilobytes that become 272 MiB."""
+    path, zeros = tmp_path / name, bytes(2**24)
+    with (
+        zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED, compresslevel=1) as archive,
+        archive.open("doc.kml", "w", force_zip64=True) as entry,
+    ):
+        for _ in range(17):
+            entry.write(zeros)
+    assert path.stat().st_size < 2**21
+    check_refused(path, "is larger than 256 MiB unpacked; cut the place out", capsys)
+
+
+@pytest.mark.parametrize("name", ["locked.kmz", "locked.zip"])
+def test_an_encrypted_archive_is_one_line(
+    name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / name
+    with zipfile.ZipFile(path, "w") as archive:
+        archive.writestr("doc.kml", "<kml><Document/></kml>")
+    content = bytearray(path.read_bytes())
+    content[6] |= 1
+    content[content.index(b"PK\1\2") + 8] |= 1
+    path.write_bytes(content)
+    check_refused(path, "doc.kml is encrypted; pack it without a password", capsys)
+
+
+def check_refused(path: Path, fault: str, capsys: pytest.CaptureFixture[str]) -> None:
+    """One line with the fault, exit 2, and nothing written."""
+    assert cli.run(["plan", str(path), "-o", str(path.with_name("out.json"))]) == 2
+    shown = capsys.readouterr().err
+    assert shown.count("\n") == 1
+    assert fault in shown
+    assert [file.name for file in path.parent.iterdir()] == [path.name]

@@ -85,6 +85,8 @@ def _check_root(head: bytes, kind: MapKind) -> None:
             where = f"line {error.lineno}, column {error.offset + 1}"
             reason = expat.errors.messages.get(error.code, "damaged")
             raise InputError(f"is broken XML: {reason}", "export it again", place=where) from None
+    except (LookupError, ValueError):  # of a coding that Python does not know, or has no bytes of
+        raise InputError("has an unknown encoding", "save it as UTF-8") from None
     if "!DOCTYPE" in found:
         raise InputError("declares a document type, which no map needs", "export it again")
     if not found or found[0].rpartition(":")[2] != kind.root:
