@@ -133,7 +133,7 @@ ROWS = (
     *(
         Exchanged(suffix, (library,), GIS, library, check, made=sound_map(suffix))
         for suffix, library, check in (
-            (".shp", "pyogrio", check_layers),
+            (".zip", "pyogrio", check_layers),
             (".kml", "pyogrio", check_layers),
             (".osm", "osmium", check_objects),
             (".pbf", "osmium", check_objects),
