@@ -125,27 +125,26 @@ def add_lines(path: Path, *lines: tuple[tuple[float, float], ...]) -> None:
 
 
 def broken(*corners: tuple[float, float]) -> list[tuple[tuple[float, float], ...]]:
-    """A ring of walls as strokes 1 m long with as much between them, none in line with another."""
+    """A ring of walls as strokes 3 m long with 2 m between them, and 1 m at corners."""
     strokes = []
     for (x, y), (u, v) in pairwise((*corners, corners[0])):
-        length = int(max(abs(u - x), abs(v - y)))
+        length = max(abs(u - x), abs(v - y))
         dx, dy = (u - x) / length, (v - y) / length
-        for k in range(0, length - 1, 2):
-            a = (x + k * dx - 0.3 * dy, y + k * dy + 0.3 * dx)
-            strokes.append((a, (x + (k + 1) * dx, y + (k + 1) * dy)))
+        for k in range(0, int(length) - 2, 5):
+            strokes.append(((x + k * dx, y + k * dy), (x + (k + 3) * dx, y + (k + 3) * dy)))
     return strokes
 
 
 def test_floor_that_no_room_has_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """A third room whose walls are full of gaps: it is named as not read, exit code 1."""
     draw(tmp_path / "plan.dxf", 6, 1.0)
-    add_lines(tmp_path / "plan.dxf", *broken((8.0, -0.2), (12.0, -0.2), (12.0, 3.2), (8.0, 3.2)))
+    add_lines(tmp_path / "plan.dxf", *broken((8.4, -0.8), (12.4, -0.8), (12.4, 3.2), (8.4, 3.2)))
     assert run(["plan", str(tmp_path / "plan.dxf")]) == 1
     assert "m² of drawn floor were read" in capsys.readouterr().err
     brief = read(tmp_path / "plan.dxf")
     assert areas(brief) == [12.0, 9.0]
     assert brief.input_report is not None
-    assert brief.input_report.drawn_floor == pytest.approx(21.0 + 4.2 * 3.2, rel=0.1)
+    assert brief.input_report.drawn_floor == pytest.approx(21.0 + 4.0 * 4.0, rel=0.15)
 
 
 def test_rooms_that_cover_little_of_what_the_walls_span_are_no_plan(tmp_path: Path) -> None:
@@ -173,11 +172,13 @@ def test_rooms_without_doors_are_no_plan(tmp_path: Path) -> None:
 
 
 def test_a_corridor_around_rooms_is_a_room(tmp_path: Path) -> None:
-    """Four cells with a door each on the walk around them, all within one outer line."""
+    """Four cells with a door each on the walk around them, all within an outer wall."""
     document = ezdxf.new("R2010")
     document.header["$INSUNITS"] = 6
     model = document.modelspace()
-    model.add_lwpolyline([(-1, -1), (13, -1), (13, 5), (-1, 5)], close=True)
+    for thick in (0.0, 0.2):
+        low, right, top = -1 - thick, 13 + thick, 5 + thick
+        model.add_lwpolyline([(low, low), (right, low), (right, top), (low, top)], close=True)
     for k in range(4):
         x = 3.0 * k
         cell = [(x + 1.8, 0), (x + 2.8, 0), (x + 2.8, 4), (x, 4), (x, 0), (x + 1, 0)]

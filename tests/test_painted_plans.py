@@ -89,6 +89,31 @@ def test_pages_of_a_set_are_storeys(tmp_path: Path) -> None:
     assert "Main bedroom" in by_level[1]
 
 
+@pytest.mark.parametrize(("sample", "suffix"), [("home-flat", "svg"), ("home-curved", "pdf")])
+def test_balconies_and_round_rooms_read_back(tmp_path: Path, sample: str, suffix: str) -> None:
+    """The balcony has no walls, windows of the round room lie askew to each other."""
+    brief, plan = read_planned(f"sample:{sample}")
+    write(unfurnished(brief), tmp_path / f"plan.{suffix}", plan)
+    found = read(tmp_path / f"plan.{suffix}")
+    assert areas(found) == pytest.approx(areas(brief), rel=0.01)
+    assert {room.name for room in found.rooms} == {room.name for room in brief.rooms}
+
+
+def test_a_table_between_columns_closes_no_gap(tmp_path: Path) -> None:
+    """Columns 4 m apart with tables on more than half of the way between them."""
+    walls = "M-5,-5 H245 V165 H-5Z M0,0 V160 H240 V0Z"
+    columns = "M60,70 h10 v10 h-10Z M150,70 h10 v10 h-10Z"
+    tables = "".join(
+        f'<rect x="{x}" y="71" width="30" height="8" fill="none" stroke="black"/>'
+        for x in (75, 115)
+    )
+    door = '<rect x="-5.5" y="30" width="6" height="20" fill="white"/>'
+    inside = f'<path fill-rule="evenodd" d="{walls}"/><path d="{columns}"/>{door}{tables}'
+    brief = read(save(tmp_path / "plan.svg", f'{inside}<text y="200">1:50</text>', PAPER))
+    holes = [Polygon(hole).area for room in brief.rooms for hole in room.holes]
+    assert holes == pytest.approx([0.25, 0.25], rel=0.01)
+
+
 def sheet_of(document: Any, boxes: Sequence[float], title: str, scale: str = "1:100") -> None:
     """A page of rooms 4 m high side by side, ``boxes`` metres wide, with doors between them and a
     title."""

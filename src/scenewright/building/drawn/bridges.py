@@ -18,8 +18,9 @@ DRAWN, GLAZED = 8.0, 20.0
 """
 ALONE = 1.35
 """The widest gap to a wall opposite, where no door is drawn."""
-SQUARE, AHEAD = 0.2, 0.94
-"""The greatest cosine of a square corner, and the least of a way straight ahead."""
+SQUARE, AHEAD, FACING = 0.35, 0.94, 0.87
+"""The greatest cosine of a square corner, the least of a way straight ahead, and that of ends of a
+curved wall that face each other."""
 JUST, MISSED = 0.25, 0.03
 """Metres by which a line ends before the one it was meant to reach: ahead of it, and beside it."""
 NEAR_DOOR, TOUCH = 0.2, 0.15
@@ -65,8 +66,7 @@ def find_gaps(lines: shapely.Geometry, drawn: Drawn) -> list[Gap]:
     tree = STRtree(parts)
     doors = door_marks(drawn)
     others = shapely.linestrings(np.concatenate([drawn.windows, drawn.marks]))
-    marked = shapely.union_all([doors, *others])
-    gaps, used = _between_jambs(jambs, tree, parts, marked)
+    gaps, used = _between_jambs(jambs, tree, parts, (doors, shapely.union_all(others)))
     gaps += _drawn_across(drawn, tree, parts)
     for number, jamb in enumerate(jambs):
         if number not in used:
@@ -194,7 +194,10 @@ def _straight(way: Vector, unit: Vector) -> bool:
 
 
 def _between_jambs(
-    jambs: list[Jamb], tree: STRtree, parts: list[LineString], marked: shapely.Geometry
+    jambs: list[Jamb],
+    tree: STRtree,
+    parts: list[LineString],
+    marked: tuple[shapely.Geometry, shapely.Geometry],
 ) -> tuple[list[Gap], set[int]]:
     """Gaps between ends of walls that face each other with nothing between them, nearest first;
     wide ones only where a door or window is ``marked``, or none is in the whole drawing."""
@@ -221,7 +224,7 @@ def _facing(jambs: list[Jamb]) -> list[tuple[int, int]]:
     outs = np.array([jamb.out for jamb in jambs])
     points = shapely.points(places)
     i, j = STRtree(points).query(points, predicate="dwithin", distance=GLAZED)
-    keep = (i < j) & ((outs[i] * outs[j]).sum(1) <= -AHEAD)
+    keep = (i < j) & ((outs[i] * outs[j]).sum(1) <= -FACING)
     i, j = i[keep], j[keep]
     ways = places[j] - places[i]
     far = np.hypot(*ways.T)
@@ -231,14 +234,34 @@ def _facing(jambs: list[Jamb]) -> list[tuple[int, int]]:
     return list(zip(i[keep][order].tolist(), j[keep][order].tolist(), strict=True))
 
 
-def _is_meant(a: Vector, b: Vector, marked: shapely.Geometry) -> bool:
-    """Whether a gap is as narrow as doors are, or something is drawn along it."""
+def _is_meant(a: Vector, b: Vector, marked: tuple[shapely.Geometry, shapely.Geometry]) -> bool:
+    """Whether a gap is as narrow as doors are, or something is drawn along it: a part of a door, or
+    all along whatever it is where the gap is wider than doors are."""
     far = float(np.hypot(*(b - a)))
-    if far <= ALONE or marked.is_empty:
+    if far <= ALONE or all(drawn.is_empty for drawn in marked):
         return far <= WIDE
     place = LineString([a, b]).buffer(NEAR_DOOR)
-    share = 0.3 if far <= DRAWN else 0.9
-    return bool(shapely.intersection(marked, place).length >= share * far)
+    doors, others = (shapely.intersection(drawn, place) for drawn in marked)
+    if far <= WIDE:
+        return bool(doors.length + others.length >= 0.3 * far)
+    parts = np.concatenate([shapely.get_parts(doors), shapely.get_parts(others)])
+    hung = far <= DRAWN and doors.length >= 0.3 * far
+    return hung or _covered(a, b, parts) >= 0.9 * far
+
+
+def _covered(a: Vector, b: Vector, parts: NDArray[np.object_]) -> float:
+    """How much of the way from a to b lines lie beside."""
+    way = (b - a) / np.hypot(*(b - a))
+    ends = sorted(
+        sorted(((np.asarray(part.coords)[[0, -1]] - a) @ way).tolist())
+        for part in parts
+        if part.geom_type == "LineString" and not part.is_empty
+    )
+    covered, reach = 0.0, 0.0
+    for low, high in ends:
+        covered += max(high - max(low, reach), 0.0)
+        reach = max(reach, high)
+    return covered
 
 
 def _gap(corners: Vector) -> Gap:

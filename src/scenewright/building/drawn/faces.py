@@ -2,15 +2,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 import shapely
 from shapely import Geometry, MultiLineString, Polygon, prepare
 
-from scenewright.building.drawn.bridges import Gap, bridge_lines, extend_loose_ends, find_gaps
-from scenewright.building.drawn.drawing import Drawn
+from scenewright.building.drawn.bridges import (
+    THICK,
+    Gap,
+    bridge_lines,
+    extend_loose_ends,
+    find_gaps,
+)
+from scenewright.building.drawn.drawing import Drawn, Word
+from scenewright.building.drawn.names import name_rooms
 from scenewright.building.drawn.niches import cut_niches
+from scenewright.building.room_names import says_nothing
 
 GRID = 0.002
 """Metres to which lines are drawn together."""
@@ -21,6 +30,8 @@ AROUND = 0.5
 """A face whose holes take this share of it lies around a building: a frame, a plot, a terrace."""
 LEAST_LED, BESIDE = 6, 0.2
 """Twice the fewest rooms along a corridor; metres beside a wall at which it is looked for rooms."""
+SHARED = 0.1
+"""The share of a painted area that other rooms may have."""
 WAY_IN = 0.5
 """Metres from a room to what leads into it."""
 MOST_ROOMS, LEAST_FLOOR, USUAL_ROOM = 600, 6.0, (1.5, 600.0)
@@ -82,6 +93,19 @@ def without_solid(found: Faces, solid: Geometry) -> Faces:
     rooms = [room for room, within in zip(found.rooms, inside, strict=True) if not within]
     walls = [room for room, within in zip(found.rooms, inside, strict=True) if within]
     return found._replace(rooms=rooms, walls=found.walls + walls)
+
+
+def with_painted(found: Faces, painted: Sequence[Polygon], words: Sequence[Word]) -> Faces:
+    """The faces with rooms that no walls close, such as balconies: areas painted beside other
+    rooms, with a known name for a room written in them."""
+    rooms = list(found.rooms)
+    for area in painted:
+        near = [room for room in rooms if room.distance(area) <= THICK]
+        covered = sum(room.intersection(area).area for room in near)
+        if near and area.area >= LEAST_AREA and covered <= SHARED * area.area:
+            named = name_rooms(words, [area])[0]
+            rooms += [area] if named and not says_nothing(named) else []
+    return found._replace(rooms=rooms)
 
 
 def node_lines(drawn: Drawn) -> shapely.Geometry:

@@ -6,8 +6,9 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
+import shapely
 from numpy.typing import NDArray
-from shapely import Geometry, Polygon
+from shapely import Polygon
 from shapely.affinity import affine_transform
 
 from scenewright.building.drawn.drawing import Drawn
@@ -16,6 +17,7 @@ from scenewright.building.drawn.faces import (
     entered_groups,
     find_faces,
     is_plan,
+    with_painted,
     without_solid,
 )
 from scenewright.building.drawn.openings import Found, find_openings
@@ -65,7 +67,7 @@ def marked_plan(sheet: Sheet, chosen: Drawn, scale: float) -> DrawnPlan | None:
 
 
 def find_plan(
-    chosen: Drawn, solid: Geometry | None, units_of: Callable[[Drawn], list[UnitFound]]
+    sheet: Sheet, chosen: Drawn, units_of: Callable[[Drawn], list[UnitFound]]
 ) -> DrawnPlan:
     """The plan in the first unit that makes one, of two that nearly do; no room lies within what is
     solid.
@@ -76,12 +78,14 @@ def find_plan(
     refusal: InputError | None = None
     for unit in units_of(chosen) if len(chosen.walls) else ():
         drawn = chosen.scaled(unit.metres, shift)
+        move = [k := unit.metres, 0, 0, k, *(-k * shift)]
         faces = find_faces(drawn)
-        if solid is not None:
-            moved = affine_transform(solid, [k := unit.metres, 0, 0, k, *(-k * shift)])
-            faces = without_solid(faces, moved)
+        if sheet.solid is not None:
+            faces = without_solid(faces, affine_transform(sheet.solid, move))
         if not is_plan(faces, drawn):
             continue
+        painted = [affine_transform(area, move) for area in sheet.painted]
+        faces = with_painted(faces, painted, drawn.words)
         plan = _measured(drawn, unit, shift, faces)
         fault = _fault(plan)
         if not fault:
@@ -97,8 +101,14 @@ def _measured(
     drawn: Drawn, unit: UnitFound, origin: NDArray[np.float64], faces: Faces
 ) -> DrawnPlan:
     storeys = _storeys(faces, drawn)
-    rooms = [faces.rooms[k] for group in storeys for k in group]
-    missed = missed_floor(drawn.walls, rooms, faces.around)
+    grouped = [[faces.rooms[k] for k in group] for group in storeys]
+    lines = shapely.linestrings(drawn.walls)
+    floors = [shapely.MultiPolygon(rooms).envelope for rooms in grouped]
+    nearest = np.argmin([shapely.distance(lines, floor) for floor in floors], axis=0)
+    missed = sum(
+        missed_floor(drawn.walls[nearest == number], rooms, faces.around)
+        for number, rooms in enumerate(grouped)
+    )
     openings = find_openings(drawn, faces.rooms, faces.gaps)
     return DrawnPlan(drawn, unit, origin, faces, openings, storeys, missed)
 

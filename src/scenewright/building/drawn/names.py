@@ -13,6 +13,8 @@ from scenewright.building.room_names import says_nothing
 CODES = re.compile(r"%%[uocdp]|\\[A-Za-z][^;]*;|[{}]", re.IGNORECASE)
 SIZE = re.compile(r"\d\s*['\"′″x×*]|\d\s*(?:m²|m2|mm|cm|sq|qm|кв)|^[\W\d]+$", re.IGNORECASE)
 LONGEST_WORDS = 30
+LARGER = 1.25
+"""How much larger a name is than what else is written in a room."""
 MOST_NAMES = 4
 """Names that an open plan may have."""
 
@@ -40,17 +42,28 @@ def is_name(words: str) -> bool:
 
 def name_rooms(words: Sequence[Word], rooms: Sequence[Polygon]) -> list[str]:
     """The name of each room; empty where no words in it are one. Lines that stand close above each
-    other are one name; where names are known words for rooms, others are left aside."""
+    other are one name; where names are known words for rooms, others are left aside; where none is,
+    the largest words are the name."""
     lines = [word._replace(words=clean_words(word.words)) for word in words]
     lines = _join_lines([line for line in lines if is_name(line.words)])
     found = []
     for room in rooms:
         prepare(room)
-        inside = [line.words for line in lines if room.contains(Point(line.x, line.y))]
-        known = [name for name in inside if not says_nothing(name)]
-        names = list(dict.fromkeys(known or (inside if len(inside) == 1 else [])))
+        inside = [line for line in lines if room.contains(Point(line.x, line.y))]
+        known = [line.words for line in inside if not says_nothing(line.words)]
+        names = list(dict.fromkeys(known or _largest(inside)))
         found.append(" / ".join(names[:MOST_NAMES])[:80])
     return found
+
+
+def _largest(lines: Sequence[Word]) -> list[str]:
+    """The words clearly larger than all others, if there are such."""
+    sizes: dict[str, float] = {}
+    for line in lines:
+        sizes[line.words] = max(line.size, sizes.get(line.words, 0.0))
+    ranked = sorted(sizes, key=lambda words: -sizes[words])
+    alone = len(ranked) == 1 or (ranked and sizes[ranked[0]] >= LARGER * sizes[ranked[1]])
+    return ranked[:1] if alone else []
 
 
 def _join_lines(lines: list[Word]) -> list[Word]:

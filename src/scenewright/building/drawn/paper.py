@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import groupby
 from typing import NamedTuple
 
@@ -23,6 +23,11 @@ FRAME = (0.8, 0.12)
 """A line of the page's frame: its least share of the page's side, and how far from the edge."""
 MOST_PARTS, LETTER = 300, 0.01
 """Dark parts of a page that are no letters, and the largest letter by the page's diagonal."""
+PLAIN = 1e-4
+"""How far corners of what is dark may lie off lines to be left out, by the page's diagonal: paint
+over the end of a curved wall leaves steps as small."""
+WHITE, FLOOR = 0.99, 0.02
+"""The lightness of white; the side of the least floor by the page's diagonal."""
 DARK_FILLS, LIGHT_FILLS, PAGE_FRAME = "dark fills", "light fills", "page frame"
 Vector = NDArray[np.float64]
 
@@ -69,14 +74,15 @@ def sheet_of(paper: Paper) -> tuple[Sheet, dict[str, float]]:
     if paper.printed:
         _take_frame(layers, paper)
     solid = layers.setdefault(DARK_FILLS, Layer())
-    dark = _without_letters(dark_area(paper.shapes), paper)
+    tolerance = PLAIN * float(np.hypot(*(paper.high - paper.low)))
+    dark = shapely.simplify(_without_letters(dark_area(paper.shapes), paper), tolerance)
     for ring in _rings_of(dark):
         solid.add_path(ring.tolist())
     words = layers.setdefault("words", Layer())
     for word in paper.words:
         words.count("TEXT")
         words.add_word(word)
-    return Sheet(layers, None, (), dark), pens
+    return Sheet(layers, None, (), dark, tuple(_coloured(paper))), pens
 
 
 def _layer_name(shape: Shape) -> str:
@@ -147,6 +153,15 @@ def dark_area(shapes: Sequence[Shape]) -> shapely.Geometry:
         painted = shapely.union_all([_filled(shape) for shape in group])
         area = area.union(painted) if dark else area.difference(painted)
     return area
+
+
+def _coloured(paper: Paper) -> Iterator[shapely.Polygon]:
+    """Areas painted neither dark nor white that are large enough for a room."""
+    least = (FLOOR * float(np.hypot(*(paper.high - paper.low)))) ** 2
+    for shape in paper.shapes:
+        if shape.fill is not None and DARK <= shape.fill < WHITE:
+            parts = shapely.get_parts(_filled(shape))
+            yield from (p for p in parts if p.geom_type == "Polygon" and p.area >= least)
 
 
 def _without_letters(area: shapely.Geometry, paper: Paper) -> shapely.Geometry:

@@ -52,7 +52,7 @@ def plan_layers(
     """The plan of a sheet whose layers hold the ``kinds`` (wall, door, window, mark, other, aside
     or nothing known), in the first unit that makes one."""
     chosen = choose_layers(sheet, kinds)
-    plan = marked_plan(sheet, chosen, scale) or find_plan(chosen, sheet.solid, units_of)
+    plan = marked_plan(sheet, chosen, scale) or find_plan(sheet, chosen, units_of)
     rooms, levels = _rooms(plan, _names(sheet, plan))
     fates = [list(row) for row in _fates(sheet, kinds, plan)]
     return {"rooms": rooms, "levels": levels, "fates": fates, **_measures(plan)}

@@ -7,7 +7,7 @@ from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
-from shapely import Geometry
+from shapely import Geometry, Polygon
 
 from scenewright.building.drawn.drawing import Arc, Word
 
@@ -49,12 +49,13 @@ class Layer:
 class Sheet(NamedTuple):
     """A drawing: its layers by name, the metres of its stated unit (``None``: none), and the
     outlines Scenewright has marked as rooms: id, name, points ``(n, 2)``; ``solid`` is what walls
-    cover, where they are filled."""
+    cover, where they are filled, and ``painted`` are areas in other colours."""
 
     layers: dict[str, Layer]
     unit: float | None
     rooms: tuple[tuple[str, str, np.ndarray], ...]
     solid: Geometry | None = None
+    painted: tuple[Polygon, ...] = ()
 
 
 def is_near(*values: float) -> bool:
