@@ -18,11 +18,11 @@ from scenewright.domains import check
 from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.alignment.align import align_groups
-from scenewright.domains.home.composing.bare_floor import furnish_bare_floor
-from scenewright.domains.home.composing.bare_walls import furnish_bare_walls
-from scenewright.domains.home.composing.forms import list_further
-from scenewright.domains.home.composing.moving import dress_group, make_unplaced
-from scenewright.domains.home.composing.rows import close_gaps
+from scenewright.domains.home.composing.filling.bare_floor import furnish_bare_floor
+from scenewright.domains.home.composing.filling.bare_walls import furnish_bare_walls
+from scenewright.domains.home.composing.filling.rows import close_gaps
+from scenewright.domains.home.composing.places.forms import list_further
+from scenewright.domains.home.composing.places.moving import dress_group, make_unplaced
 from scenewright.domains.home.composing.views import cost_of_view, list_between
 from scenewright.domains.home.furnishing.furnish import FurnishedPatch
 from scenewright.domains.home.furnishing.obstacles import standing_of

@@ -19,7 +19,7 @@ from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTas
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.alignment.align import align_groups
 from scenewright.domains.home.composing.alignment.homes import align_rooms
-from scenewright.domains.home.composing.moving import dress_group, make_unplaced
+from scenewright.domains.home.composing.places.moving import dress_group, make_unplaced
 from scenewright.domains.home.furnishing.obstacles import standing_of
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.programme import Wish

@@ -19,7 +19,7 @@ from scenewright.core.piece_outlines import polygons_of
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains import check
 from scenewright.domains.home.attempt import FurnishedGroup
-from scenewright.domains.home.composing.bare_floor import PAIRS_APART, list_other
+from scenewright.domains.home.composing.filling.bare_floor import PAIRS_APART, list_other
 from scenewright.domains.home.composing.placed_faults import cost_of_group
 from scenewright.domains.home.furnishing.furnish import FurnishedPatch
 from scenewright.domains.home.furnishing.obstacles import standing_of

@@ -14,16 +14,16 @@ from scenewright.domains import check
 from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, find_blocked
 from scenewright.domains.home.barred import find_barred
 from scenewright.domains.home.cases.library import cases
-from scenewright.domains.home.composing.additions import is_wanted, list_additions
-from scenewright.domains.home.composing.bare_walls import BARE_WALLS
 from scenewright.domains.home.composing.bed_places import cost_of_bed_places
 from scenewright.domains.home.composing.bed_ways import cost_of_bed_ways, list_closing
-from scenewright.domains.home.composing.bedsides import add_nightstands
 from scenewright.domains.home.composing.case_faults import count_seats, find_case_faults
-from scenewright.domains.home.composing.forms import cost_of_case, list_further
+from scenewright.domains.home.composing.filling.additions import is_wanted, list_additions
+from scenewright.domains.home.composing.filling.bare_walls import BARE_WALLS
+from scenewright.domains.home.composing.homewide.bedsides import add_nightstands
 from scenewright.domains.home.composing.judging import sum_faults
 from scenewright.domains.home.composing.mend_rooms import mend_rooms
 from scenewright.domains.home.composing.placed_faults import cost_of_group
+from scenewright.domains.home.composing.places.forms import cost_of_case, list_further
 from scenewright.domains.home.furnishing.furnish import FurnishedPatch, pieces_of
 from scenewright.domains.home.home_floor import join_floors
 from scenewright.domains.home.presets import PRESETS

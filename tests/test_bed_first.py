@@ -11,7 +11,7 @@ from scenewright.core.brief import Brief
 from scenewright.domains import check
 from scenewright.domains.home.attempt import Missing, RoomAnswer, RoomTask, find_blocked
 from scenewright.domains.home.bed_first import list_beds_first
-from scenewright.domains.home.composing.wall_ends import list_wall_ends
+from scenewright.domains.home.composing.places.wall_ends import list_wall_ends
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.domains.home.groups.least import LEAST
 from scenewright.domains.home.groups.sleeping import along_wall

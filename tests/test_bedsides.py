@@ -14,9 +14,9 @@ from scenewright.core.brief import Brief, Room
 from scenewright.core.piece_outlines import outline_of
 from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask
 from scenewright.domains.home.cases.library import cases
-from scenewright.domains.home.composing.bedsides import add_nightstands
-from scenewright.domains.home.composing.forms import list_further
-from scenewright.domains.home.composing.moving import dress_group, make_unplaced
+from scenewright.domains.home.composing.homewide.bedsides import add_nightstands
+from scenewright.domains.home.composing.places.forms import list_further
+from scenewright.domains.home.composing.places.moving import dress_group, make_unplaced
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.domains.home.furnishing.whole import Gone
 from scenewright.domains.home.presets import PRESETS

@@ -17,8 +17,8 @@ from scenewright.domains import check
 from scenewright.domains.home import drafts
 from scenewright.domains.home.attempt import FurnishedGroup
 from scenewright.domains.home.composing.case_faults import find_case_faults
-from scenewright.domains.home.composing.forms import cost_of_case
 from scenewright.domains.home.composing.modest import find_shortage
+from scenewright.domains.home.composing.places.forms import cost_of_case
 from scenewright.domains.home.composing.views import cost_of_view, is_unseen, measure_turn
 from scenewright.domains.home.furnishing.furnish import FurnishedPatch
 from scenewright.domains.home.groups.dining import dining_wall, tables_with_stools

@@ -14,12 +14,12 @@ from scenewright.core.scene import Piece, Pose
 from scenewright.domains import check
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.anew import list_starts
-from scenewright.domains.home.composing.beds import wants_double_bed
+from scenewright.domains.home.composing.bedrooms.beds import wants_double_bed
 from scenewright.domains.home.composing.case_faults import find_case_faults
 from scenewright.domains.home.composing.compose import compose
-from scenewright.domains.home.composing.forms import FURTHER, list_further
 from scenewright.domains.home.composing.modest import EXPECTED, find_shortage
-from scenewright.domains.home.composing.moving import make_unplaced, with_margin
+from scenewright.domains.home.composing.places.forms import FURTHER, list_further
+from scenewright.domains.home.composing.places.moving import make_unplaced, with_margin
 from scenewright.domains.home.energy import evaluate
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.groups.sleeping import along_wall

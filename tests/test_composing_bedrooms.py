@@ -16,11 +16,11 @@ from scenewright.domains.home.attempt import FurnishedGroup
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.closets import has_closet
 from scenewright.domains.home.composing.bed_places import are_adrift
+from scenewright.domains.home.composing.bedrooms.wardrobes import trim_wardrobe
 from scenewright.domains.home.composing.case_faults import find_case_faults
-from scenewright.domains.home.composing.forms import cost_of_case, list_further
 from scenewright.domains.home.composing.judging import judge_of
 from scenewright.domains.home.composing.placed_faults import cost_of_group
-from scenewright.domains.home.composing.wardrobes import trim_wardrobe
+from scenewright.domains.home.composing.places.forms import cost_of_case, list_further
 from scenewright.domains.home.furnishing.furnish import FurnishedPatch
 from scenewright.domains.home.furnishing.window_dressing import dress_windows
 from scenewright.domains.home.ground import ground_of

@@ -17,12 +17,12 @@ from scenewright.core.scene import Piece, Pose
 from scenewright.domains.home.attempt import FurnishedGroup, Missing, RoomAnswer, find_blocked
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.case_faults import find_case_faults
-from scenewright.domains.home.composing.forms import cost_of_case
 from scenewright.domains.home.composing.judging import judge_of, sum_faults
 from scenewright.domains.home.composing.mend_rooms import mend_rooms
-from scenewright.domains.home.composing.moving import make_unplaced, with_margin
-from scenewright.domains.home.composing.pairs import do_overlap, find_pair, list_pair_starts
 from scenewright.domains.home.composing.placed_faults import cost_of_group, cost_of_openings
+from scenewright.domains.home.composing.places.forms import cost_of_case
+from scenewright.domains.home.composing.places.moving import make_unplaced, with_margin
+from scenewright.domains.home.composing.places.pairs import do_overlap, find_pair, list_pair_starts
 from scenewright.domains.home.furnishing.furnish import FurnishedPatch
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.programme import Wish

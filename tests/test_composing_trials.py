@@ -8,7 +8,7 @@ import numpy as np
 
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.judging import JudgedRoom
-from scenewright.domains.home.composing.trials import FormTrial, furnish_by_cost
+from scenewright.domains.home.composing.places.trials import FormTrial, furnish_by_cost
 
 CASE = cases("wardrobe").groups[0]
 LEAST = [3.0, 1.0, 2.0, 1.0, 9.0, 0.5]

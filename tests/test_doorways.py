@@ -19,17 +19,17 @@ from scenewright.core.piece_outlines import outline_of
 from scenewright.domains.home.attempt import Missing, RoomAnswer, find_blocked
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.case_faults import is_hung
-from scenewright.domains.home.composing.forms import cost_of_case, list_further
+from scenewright.domains.home.composing.filling.widening import widen_groups
 from scenewright.domains.home.composing.mend_rooms import mend_rooms
-from scenewright.domains.home.composing.moving import dress_group, make_unplaced
 from scenewright.domains.home.composing.placed_faults import (
     cost_of_group,
     cost_of_openings,
     measure_before_doors,
     measure_hung_over_doors,
 )
-from scenewright.domains.home.composing.unseen import WALL_LESS, leave_out_unseen_screen
-from scenewright.domains.home.composing.widening import widen_groups
+from scenewright.domains.home.composing.places.forms import cost_of_case, list_further
+from scenewright.domains.home.composing.places.moving import dress_group, make_unplaced
+from scenewright.domains.home.composing.seats.unseen import WALL_LESS, leave_out_unseen_screen
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.programme import Wish

@@ -14,13 +14,13 @@ from scenewright.core.scene import Piece, Pose
 from scenewright.domains import check
 from scenewright.domains.home.attempt import Missing
 from scenewright.domains.home.composing.case_faults import find_case_faults
-from scenewright.domains.home.composing.forms import cost_of_case
 from scenewright.domains.home.composing.kitchens.corners import list_us
 from scenewright.domains.home.composing.kitchens.fitted import FreeWalls, list_steps
 from scenewright.domains.home.composing.kitchens.foreseen import foresee_cost
 from scenewright.domains.home.composing.kitchens.free_walls import list_stretches
 from scenewright.domains.home.composing.kitchens.mend import mend_kitchens
 from scenewright.domains.home.composing.kitchens.ways import is_walked, trim_to_ways, ways_of
+from scenewright.domains.home.composing.places.forms import cost_of_case
 from scenewright.domains.home.furnishing.obstacles import standing_of
 from scenewright.domains.home.furnishing.whole import Gone
 from scenewright.domains.home.groups.fitted_kitchen import (

@@ -12,7 +12,7 @@ from scenewright.domains import check
 from scenewright.domains.home.attempt import find_blocked
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.freeing import free_ways
-from scenewright.domains.home.composing.moving import dress_group, make_unplaced
+from scenewright.domains.home.composing.places.moving import dress_group, make_unplaced
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.programme import Wish

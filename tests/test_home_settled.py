@@ -15,16 +15,16 @@ from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains import check
 from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask, find_blocked
 from scenewright.domains.home.cases.library import cases
-from scenewright.domains.home.composing.eating_places import (
+from scenewright.domains.home.composing.homewide.eating_places import (
     add_kitchen_tables,
     list_tables,
     measure_places,
     set_table,
 )
-from scenewright.domains.home.composing.moving import dress_group, make_unplaced
-from scenewright.domains.home.composing.settling import is_home
-from scenewright.domains.home.composing.soft_seats import SOFT, add_soft_seat
-from scenewright.domains.home.composing.used_floor import measure_taken
+from scenewright.domains.home.composing.homewide.settling import is_home
+from scenewright.domains.home.composing.homewide.soft_seats import SOFT, add_soft_seat
+from scenewright.domains.home.composing.homewide.used_floor import measure_taken
+from scenewright.domains.home.composing.places.moving import dress_group, make_unplaced
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.domains.home.household import decide_household
 from scenewright.domains.home.presets import PRESETS

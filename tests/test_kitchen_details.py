@@ -13,16 +13,16 @@ from scenewright.domains import check
 from scenewright.domains.home.attempt import FurnishedGroup
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.case_faults import find_case_faults
-from scenewright.domains.home.composing.forms import cost_of_case, list_forms, list_further
+from scenewright.domains.home.composing.filling.wet_rooms import _list_forms, _pick_forms
+from scenewright.domains.home.composing.filling.widening import widen_groups
 from scenewright.domains.home.composing.kitchen_faults import cost_of_places
 from scenewright.domains.home.composing.kitchens.corners import list_round_corners
 from scenewright.domains.home.composing.kitchens.fitted import FreeWalls, list_steps
 from scenewright.domains.home.composing.kitchens.free_walls import list_stretches
 from scenewright.domains.home.composing.kitchens.slits import SLIT, Slit, close_slits, widen_end
 from scenewright.domains.home.composing.modest import find_few_places
-from scenewright.domains.home.composing.moving import dress_group, make_unplaced
-from scenewright.domains.home.composing.wet_rooms import _list_forms, _pick_forms
-from scenewright.domains.home.composing.widening import widen_groups
+from scenewright.domains.home.composing.places.forms import cost_of_case, list_forms, list_further
+from scenewright.domains.home.composing.places.moving import dress_group, make_unplaced
 from scenewright.domains.home.furnishing.furnish import FurnishedPatch
 from scenewright.domains.home.groups.fitted_kitchen import width_of
 from scenewright.domains.home.presets import PRESETS

@@ -12,10 +12,10 @@ from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Ask, Brief, Room
 from scenewright.core.layout import NamedBox
 from scenewright.domains import check, solution_of
-from scenewright.domains.home.composing.flush import list_flush
 from scenewright.domains.home.composing.kitchens.fitted import list_round_corners
 from scenewright.domains.home.composing.kitchens.free_walls import list_stretches
 from scenewright.domains.home.composing.kitchens.ways import is_walked, ways_of
+from scenewright.domains.home.composing.places.flush import list_flush
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles, standing_of
 from scenewright.domains.home.groups.kitchen import sequence
 from scenewright.domains.home.presets import PRESETS

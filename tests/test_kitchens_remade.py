@@ -17,7 +17,7 @@ from scenewright.domains.home.composing.kitchens.fridge_places import list_ends,
 from scenewright.domains.home.composing.kitchens.remade import find_faults
 from scenewright.domains.home.composing.kitchens.trades import list_moved
 from scenewright.domains.home.composing.mend_rooms import mend_rooms
-from scenewright.domains.home.composing.moving import dress_group, make_unplaced
+from scenewright.domains.home.composing.places.moving import dress_group, make_unplaced
 from scenewright.domains.home.composing.verdict import judge_room, measure_held
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.domains.home.groups.fitted_kitchen import (

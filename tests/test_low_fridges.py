@@ -12,7 +12,7 @@ from scenewright.core.brief import Brief, Room
 from scenewright.core.scene import Size
 from scenewright.domains import check
 from scenewright.domains.home.composing.case_faults import find_case_faults
-from scenewright.domains.home.composing.forms import cost_of_case
+from scenewright.domains.home.composing.places.forms import cost_of_case
 from scenewright.domains.home.groups.fitted_kitchen import (
     FittedKitchen,
     KitchenWall,

@@ -8,7 +8,7 @@ import pytest
 
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains.home.attempt import FurnishedGroup
-from scenewright.domains.home.composing.talking import is_left_alone, joins_sofa
+from scenewright.domains.home.composing.filling.talking import is_left_alone, joins_sofa
 from scenewright.domains.home.programme import Wish
 
 

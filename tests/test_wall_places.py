@@ -8,7 +8,7 @@ import pytest
 from scenewright.building.plan import plan_rooms
 from scenewright.catalog.assets import shipped
 from scenewright.domains.home.cases.library import cases
-from scenewright.domains.home.composing.stretches import longest_stretch, reach_of
+from scenewright.domains.home.composing.places.stretches import longest_stretch, reach_of
 from scenewright.domains.home.furnishing.furnish import SLACK, world
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.domains.home.measures import RAISED

@@ -12,11 +12,11 @@ from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief, Room
 from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer
 from scenewright.domains.home.cases.library import cases
-from scenewright.domains.home.composing.hall_tables import furnish_hall
-from scenewright.domains.home.composing.moving import dress_group, make_unplaced
-from scenewright.domains.home.composing.wall_stretch import measure_front
-from scenewright.domains.home.composing.wet_rooms import can_stand_before, fill_wet_room
-from scenewright.domains.home.composing.widening import widen_groups
+from scenewright.domains.home.composing.filling.hall_tables import furnish_hall
+from scenewright.domains.home.composing.filling.wet_rooms import can_stand_before, fill_wet_room
+from scenewright.domains.home.composing.filling.widening import widen_groups
+from scenewright.domains.home.composing.places.moving import dress_group, make_unplaced
+from scenewright.domains.home.composing.places.wall_stretch import measure_front
 from scenewright.domains.home.furnishing.obstacles import standing_of
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.programme import Wish

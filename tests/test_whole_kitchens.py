@@ -13,7 +13,7 @@ from scenewright.core.piece_outlines import polygons_of
 from scenewright.domains import check
 from scenewright.domains.home.composing.judging import judge_of
 from scenewright.domains.home.composing.kitchens.second_runs import list_given_up, price_of_spare
-from scenewright.domains.home.composing.lounges import _list_staying
+from scenewright.domains.home.composing.seats.lounges import _list_staying
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.solving import prepare_rooms, solve

@@ -18,15 +18,15 @@ from scenewright.domains.home.attempt import Missing, RoomAnswer, find_blocked
 from scenewright.domains.home.bed_first import with_narrow_ways
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.bed_sides import count_closed_beds
-from scenewright.domains.home.composing.forms import list_further
 from scenewright.domains.home.composing.kitchens.hob_places import find_line, lay_out, list_orders
 from scenewright.domains.home.composing.mend_rooms import mend_rooms
-from scenewright.domains.home.composing.moving import dress_group, make_unplaced
 from scenewright.domains.home.composing.placed_faults import (
     list_adrift,
     measure_before_windows,
     measure_cases_before_windows,
 )
+from scenewright.domains.home.composing.places.forms import list_further
+from scenewright.domains.home.composing.places.moving import dress_group, make_unplaced
 from scenewright.domains.home.composing.verdict import judge_room
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.domains.home.presets import PRESETS

@@ -21,8 +21,8 @@ from scenewright.domains.home.attempt import (
     bars_no_more,
     find_blocked,
 )
-from scenewright.domains.home.composing.moving import dress_group, make_unplaced
-from scenewright.domains.home.composing.wall_ends import list_wall_ends
+from scenewright.domains.home.composing.places.moving import dress_group, make_unplaced
+from scenewright.domains.home.composing.places.wall_ends import list_wall_ends
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.domains.home.groups.classes import BED_GROUPS
 from scenewright.domains.home.groups.least import LEAST

@@ -1,8 +1,8 @@
 """Rooms with a fault that no single change mends, composed anew: what is at fault chooses first.
 
 The faulty group is put at its best places as if the room were empty, in the forms with least wrong
-(a bed and a wardrobe together: :mod:`.pairs`); all others follow, the essential and the largest
-first, each where the room so far costs least beside those before it. A way that leaves one of them
+(a bed and a wardrobe together: :mod:`.places.pairs`); all others follow, the essential and the
+largest first, each where the room so far costs least beside those before it. A way that leaves one of them
 without a place, or comes to as many faults as the room has, is given up.
 """
 
@@ -15,7 +15,6 @@ from math import hypot, inf
 
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, bars_no_more
 from scenewright.domains.home.composing.case_faults import find_case_faults
-from scenewright.domains.home.composing.forms import is_mere_kitchen, list_forms
 from scenewright.domains.home.composing.improve import list_worst_first
 from scenewright.domains.home.composing.judging import (
     JudgedRoom,
@@ -35,10 +34,11 @@ from scenewright.domains.home.composing.kitchens.reform import (
 )
 from scenewright.domains.home.composing.kitchens.second_runs import price_of_spare, without_spare
 from scenewright.domains.home.composing.kitchens.sound import is_sound
-from scenewright.domains.home.composing.moving import with_margin
-from scenewright.domains.home.composing.pairs import find_pair, list_pair_starts
 from scenewright.domains.home.composing.placed_faults import list_standing
-from scenewright.domains.home.composing.trials import take_best, try_forms
+from scenewright.domains.home.composing.places.forms import is_mere_kitchen, list_forms
+from scenewright.domains.home.composing.places.moving import with_margin
+from scenewright.domains.home.composing.places.pairs import find_pair, list_pair_starts
+from scenewright.domains.home.composing.places.trials import take_best, try_forms
 from scenewright.domains.home.composing.verdict import find_rows
 from scenewright.domains.home.groups.classes import TABLES
 from scenewright.domains.home.rules.weigh_home import sum_rows

@@ -7,8 +7,7 @@ from scenewright.domains.home.composing.habitual import keep_habits
 from scenewright.domains.home.composing.improve import list_worst_first
 from scenewright.domains.home.composing.judging import JudgedRoom, Placed, count_unmet, judge_of
 from scenewright.domains.home.composing.kitchens.second_runs import list_given_up
-from scenewright.domains.home.composing.lounges import list_given_up as list_yielded
-from scenewright.domains.home.composing.moving import with_margin
+from scenewright.domains.home.composing.places.moving import with_margin
 from scenewright.domains.home.composing.room_passes import (
     FILLING,
     LACKING,
@@ -20,6 +19,7 @@ from scenewright.domains.home.composing.room_passes import (
     complete_room,
     mend_room,
 )
+from scenewright.domains.home.composing.seats.lounges import list_given_up as list_yielded
 
 
 def compose(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:

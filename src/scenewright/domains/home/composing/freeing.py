@@ -10,18 +10,18 @@ from collections.abc import Iterator
 
 from scenewright.core.catalog import Group
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, bars_no_more, find_blocked
-from scenewright.domains.home.composing.forms import list_forms
 from scenewright.domains.home.composing.judging import Placed, judge_of
-from scenewright.domains.home.composing.moving import with_margin
-from scenewright.domains.home.composing.pairs import find_pair
-from scenewright.domains.home.composing.trials import try_forms
+from scenewright.domains.home.composing.places.forms import list_forms
+from scenewright.domains.home.composing.places.moving import with_margin
+from scenewright.domains.home.composing.places.pairs import find_pair
+from scenewright.domains.home.composing.places.trials import try_forms
 from scenewright.domains.home.groups.least import LEAST
 
 
 def free_ways(task: RoomTask, placed: Placed) -> Placed:
     """The groups with one of them where it bars nothing that would be reached without it; as they
     were where nothing is barred or none has such a place. The smallest is tried first. A bed and a
-    wardrobe find their places together (:mod:`.pairs`)."""
+    wardrobe find their places together (:mod:`.places.pairs`)."""
     barred = frozenset() if find_pair(placed) else frozenset(find_blocked(task, placed))
     if not barred:
         return placed

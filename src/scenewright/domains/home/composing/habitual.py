@@ -12,7 +12,7 @@ from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTas
 from scenewright.domains.home.build_problem import select_allowed
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.judging import Placed, judge_of, share_of
-from scenewright.domains.home.composing.trials import take_first, try_forms
+from scenewright.domains.home.composing.places.trials import take_first, try_forms
 from scenewright.domains.home.learned.density import footing
 
 

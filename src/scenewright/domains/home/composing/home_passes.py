@@ -9,12 +9,12 @@ from typing import NamedTuple
 from scenewright.core.passes import ALL_PASSES, Pass, run_passes
 from scenewright.domains.home.attempt import RoomAnswer, RoomTask
 from scenewright.domains.home.composing.alignment.homes import align_rooms
-from scenewright.domains.home.composing.bedsides import add_nightstands
 from scenewright.domains.home.composing.comparing import compare_homes
-from scenewright.domains.home.composing.eating_places import add_kitchen_tables, set_table
+from scenewright.domains.home.composing.homewide.bedsides import add_nightstands
+from scenewright.domains.home.composing.homewide.eating_places import add_kitchen_tables, set_table
+from scenewright.domains.home.composing.homewide.soft_seats import add_soft_seat
 from scenewright.domains.home.composing.kitchens.mend import mend_kitchens
 from scenewright.domains.home.composing.mend_rooms import mend_rooms
-from scenewright.domains.home.composing.soft_seats import add_soft_seat
 from scenewright.domains.home.household import Household
 from scenewright.domains.home.remove_blockers import Opened
 

@@ -13,7 +13,6 @@ from collections.abc import Iterator
 
 from scenewright.domains.home.attempt import RoomTask
 from scenewright.domains.home.composing.bed_ways import list_closing
-from scenewright.domains.home.composing.forms import list_forms
 from scenewright.domains.home.composing.judging import (
     JudgedRoom,
     Placed,
@@ -27,7 +26,8 @@ from scenewright.domains.home.composing.placed_faults import (
     cost_of_screen,
     cost_of_shelves,
 )
-from scenewright.domains.home.composing.trials import take_first, try_forms
+from scenewright.domains.home.composing.places.forms import list_forms
+from scenewright.domains.home.composing.places.trials import take_first, try_forms
 from scenewright.domains.home.composing.views import cost_of_view, list_between
 from scenewright.domains.home.rules.weigh_home import compile_table, list_faults, list_together
 

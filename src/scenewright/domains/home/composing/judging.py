@@ -15,7 +15,6 @@ from scenewright.catalog.classes import BEDS
 from scenewright.core.same import Same
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, build_task_problem, floor_of
 from scenewright.domains.home.composing.bed_ways import cost_of_bed_ways
-from scenewright.domains.home.composing.forms import is_mere_kitchen
 from scenewright.domains.home.composing.kitchen_faults import cost_of_places
 from scenewright.domains.home.composing.placed_faults import (
     cost_of_group,
@@ -23,6 +22,7 @@ from scenewright.domains.home.composing.placed_faults import (
     cost_of_screen,
     cost_of_shelves,
 )
+from scenewright.domains.home.composing.places.forms import is_mere_kitchen
 from scenewright.domains.home.composing.views import cost_of_view
 from scenewright.domains.home.energy import energies_of, prepare, route_grid
 from scenewright.domains.home.groups import GROUPS

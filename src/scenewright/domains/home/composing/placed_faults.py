@@ -15,7 +15,7 @@ from scenewright.core.same import Same
 from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import FurnishedGroup
 from scenewright.domains.home.composing.bed_places import place_member
-from scenewright.domains.home.composing.forms import cost_of_case
+from scenewright.domains.home.composing.places.forms import cost_of_case
 from scenewright.domains.home.furnishing.enlarge import find_widest_screen
 from scenewright.domains.home.measures import AT_WALL
 from scenewright.domains.home.problem import Ground

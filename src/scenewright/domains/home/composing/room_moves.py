@@ -14,14 +14,17 @@ from scenewright.domains.home.attempt import (
     find_blocked,
 )
 from scenewright.domains.home.bed_first import with_narrow_ways
+from scenewright.domains.home.composing.bedrooms.clothes import (
+    CHEST,
+    WARDROBE,
+    hang_instead,
+    list_hung,
+)
 from scenewright.domains.home.composing.case_faults import find_case_faults
-from scenewright.domains.home.composing.clothes import CHEST, WARDROBE, hang_instead, list_hung
-from scenewright.domains.home.composing.forms import list_forms
 from scenewright.domains.home.composing.judging import Placed, judge_of
 from scenewright.domains.home.composing.kitchens.hob_places import move_hob
 from scenewright.domains.home.composing.kitchens.loose_cabinets import list_joined
 from scenewright.domains.home.composing.kitchens.remade import list_remade
-from scenewright.domains.home.composing.pairs import find_pair, furnish_pairs
 from scenewright.domains.home.composing.placed_faults import (
     DARK,
     list_adrift,
@@ -29,11 +32,13 @@ from scenewright.domains.home.composing.placed_faults import (
     measure_before_doors,
     measure_before_windows,
 )
+from scenewright.domains.home.composing.places.forms import list_forms
+from scenewright.domains.home.composing.places.pairs import find_pair, furnish_pairs
+from scenewright.domains.home.composing.places.walked_places import try_places
 from scenewright.domains.home.composing.spacing.leave_out import may_leave_out
 from scenewright.domains.home.composing.spacing.rules import list_close
 from scenewright.domains.home.composing.spacing.shifts import list_shifted
 from scenewright.domains.home.composing.verdict import FEWER, STUCK
-from scenewright.domains.home.composing.walked_places import try_places
 from scenewright.domains.home.groups.classes import BED_GROUPS, RUNS
 from scenewright.domains.home.groups.least import LEAST as LEAST_FORMS
 from scenewright.domains.home.measures import HAIR

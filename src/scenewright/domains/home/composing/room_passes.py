@@ -8,24 +8,24 @@ from typing import Any
 
 from scenewright.core.passes import Pass, run_passes
 from scenewright.domains.home.attempt import RoomAnswer, RoomTask
-from scenewright.domains.home.composing.adding import add_groups
 from scenewright.domains.home.composing.anew import compose_anew
-from scenewright.domains.home.composing.bare_floor import furnish_bare_floor
-from scenewright.domains.home.composing.bare_walls import furnish_bare_walls
-from scenewright.domains.home.composing.beds import restore_double_bed
+from scenewright.domains.home.composing.bedrooms.beds import restore_double_bed
+from scenewright.domains.home.composing.bedrooms.wardrobes import trim_wardrobe
 from scenewright.domains.home.composing.comparing import compare_answers, compare_judged
+from scenewright.domains.home.composing.filling.adding import add_groups
+from scenewright.domains.home.composing.filling.bare_floor import furnish_bare_floor
+from scenewright.domains.home.composing.filling.bare_walls import furnish_bare_walls
+from scenewright.domains.home.composing.filling.hall_tables import furnish_hall
+from scenewright.domains.home.composing.filling.rows import close_gaps
+from scenewright.domains.home.composing.filling.wet_rooms import fill_wet_room
+from scenewright.domains.home.composing.filling.widening import widen_groups
 from scenewright.domains.home.composing.freeing import free_ways
-from scenewright.domains.home.composing.hall_tables import furnish_hall
 from scenewright.domains.home.composing.improve import improve_groups
 from scenewright.domains.home.composing.judging import JudgedRoom
 from scenewright.domains.home.composing.kitchens.islands import add_island
 from scenewright.domains.home.composing.kitchens.reform import reform_kitchen
 from scenewright.domains.home.composing.kitchens.slits import close_slits
-from scenewright.domains.home.composing.lounges import gather_seats
-from scenewright.domains.home.composing.rows import close_gaps
-from scenewright.domains.home.composing.wardrobes import trim_wardrobe
-from scenewright.domains.home.composing.wet_rooms import fill_wet_room
-from scenewright.domains.home.composing.widening import widen_groups
+from scenewright.domains.home.composing.seats.lounges import gather_seats
 
 Barred = frozenset[str]
 AnswerPass = Callable[[RoomTask, RoomAnswer, Barred], RoomAnswer]

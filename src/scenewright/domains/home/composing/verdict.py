@@ -24,8 +24,8 @@ from scenewright.domains.home.composing.placed_faults import (
     measure_before_doors,
     measure_before_windows,
 )
+from scenewright.domains.home.composing.seats.unseen import is_screen_unseen
 from scenewright.domains.home.composing.spacing.rules import list_close
-from scenewright.domains.home.composing.unseen import is_screen_unseen
 from scenewright.domains.home.household import STORING
 from scenewright.domains.home.measures import RAISED
 from scenewright.domains.home.programme import WELCOME

@@ -3,7 +3,7 @@ door.
 
 Nothing is lost by it: what stood stands, no fault of composition is added, no piece has less floor
 before it. Ways are walked once, on the outcome (:mod:`.homes`). Bathrooms have rules of their own
-(:mod:`..wet_rooms`), kitchens are made to measure.
+(:mod:`..filling.wet_rooms`), kitchens are made to measure.
 """
 
 from __future__ import annotations
@@ -20,9 +20,9 @@ from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
 from scenewright.domains.home.composing.alignment.axes import Axis, find_aside, list_axes
 from scenewright.domains.home.composing.alignment.clearance import is_crowded
 from scenewright.domains.home.composing.alignment.spans import Span, find_span
-from scenewright.domains.home.composing.beside_others import list_others
+from scenewright.domains.home.composing.filling.beside_others import list_others
 from scenewright.domains.home.composing.judging import Placed, count_unmet, sum_faults
-from scenewright.domains.home.composing.moving import dress_group
+from scenewright.domains.home.composing.places.moving import dress_group
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles
 from scenewright.domains.home.groups.classes import WET_ROOMS
 from scenewright.domains.home.groups.living import media

@@ -7,7 +7,7 @@ from math import cos, sin
 
 from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
-from scenewright.domains.home.composing.wall_stretch import measure_front
+from scenewright.domains.home.composing.places.wall_stretch import measure_front
 from scenewright.domains.home.furnishing.obstacles import flat_kinds
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.rules.classes import MOVED

@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.core.catalog import Group
-from scenewright.domains.home.composing.flush import AT, FLUSH_GAP, boxes_along, seen_from
-from scenewright.domains.home.composing.wall_stretch import INSIDE, STOOD_OVER
+from scenewright.domains.home.composing.places.flush import AT, FLUSH_GAP, boxes_along, seen_from
+from scenewright.domains.home.composing.places.wall_stretch import INSIDE, STOOD_OVER
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles
 from scenewright.domains.home.measures import ALIKE
 from scenewright.domains.home.problem import Ground

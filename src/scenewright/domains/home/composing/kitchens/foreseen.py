@@ -18,9 +18,9 @@ from scenewright.domains.home.composing.case_faults import (
     TOP_IN_ONE,
     lie_across,
 )
-from scenewright.domains.home.composing.forms import share_in
 from scenewright.domains.home.composing.kitchens.fitted import FACING
 from scenewright.domains.home.composing.modest import CORNER_RUN, EXPECTED
+from scenewright.domains.home.composing.places.forms import share_in
 from scenewright.domains.home.groups.fitted_kitchen import (
     BACK,
     CORNER,

@@ -17,11 +17,11 @@ from scenewright.catalog.classes import PLAIN_CABINETS
 from scenewright.core.catalog import Group, Member
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
 from scenewright.domains.home.composing.case_faults import find_neighbour
-from scenewright.domains.home.composing.forms import cost_of_case
 from scenewright.domains.home.composing.judging import Placed
 from scenewright.domains.home.composing.kitchens.slits import belongs, is_unit
-from scenewright.domains.home.composing.moving import dress_group
 from scenewright.domains.home.composing.placed_faults import DARK, measure_cases_before_windows
+from scenewright.domains.home.composing.places.forms import cost_of_case
+from scenewright.domains.home.composing.places.moving import dress_group
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 
 HOB, FRIDGE, CORNER = "hob_cabinet", "fridge", "corner_cabinet"

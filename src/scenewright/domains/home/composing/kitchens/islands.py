@@ -15,7 +15,6 @@ from scenewright.domains.home.attempt import (
     RoomTask,
     bars_no_more,
 )
-from scenewright.domains.home.composing.forms import list_forms
 from scenewright.domains.home.composing.judging import Placed, judge_of
 from scenewright.domains.home.composing.kitchens.island_places import (
     clear_floor,
@@ -23,8 +22,9 @@ from scenewright.domains.home.composing.kitchens.island_places import (
     has_passages,
     list_island_places,
 )
-from scenewright.domains.home.composing.moving import dress_group, make_unplaced, with_margin
-from scenewright.domains.home.composing.trials import try_forms
+from scenewright.domains.home.composing.places.forms import list_forms
+from scenewright.domains.home.composing.places.moving import dress_group, make_unplaced, with_margin
+from scenewright.domains.home.composing.places.trials import try_forms
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.domains.home.groups.classes import RUNS, TABLES
 from scenewright.domains.home.groups.kitchen import island

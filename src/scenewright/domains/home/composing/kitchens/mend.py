@@ -25,13 +25,13 @@ from scenewright.domains.home.attempt import (
 )
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.case_faults import find_case_faults
-from scenewright.domains.home.composing.forms import list_forms
 from scenewright.domains.home.composing.judging import JudgedRoom, Placed, judge_of, sum_faults
 from scenewright.domains.home.composing.kitchens.reform import list_fitted, may_reform, parts_of
 from scenewright.domains.home.composing.kitchens.second_runs import is_spare
-from scenewright.domains.home.composing.moving import make_unplaced, with_margin
 from scenewright.domains.home.composing.placed_faults import list_standing, measure_before_doors
-from scenewright.domains.home.composing.trials import try_forms
+from scenewright.domains.home.composing.places.forms import list_forms
+from scenewright.domains.home.composing.places.moving import make_unplaced, with_margin
+from scenewright.domains.home.composing.places.trials import try_forms
 from scenewright.domains.home.furnishing.furnish import pieces_of
 from scenewright.domains.home.groups.classes import RUNS
 from scenewright.domains.home.groups.fitted_kitchen import FittedKitchen, width_of

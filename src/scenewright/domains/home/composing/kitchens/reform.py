@@ -11,7 +11,6 @@ from math import inf
 import numpy as np
 
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
-from scenewright.domains.home.composing.forms import is_mere_kitchen
 from scenewright.domains.home.composing.judging import JudgedRoom, Placed, RoomJudge, judge_of
 from scenewright.domains.home.composing.kitchens.fitted import (
     LIVED_IN_TOP,
@@ -25,8 +24,9 @@ from scenewright.domains.home.composing.kitchens.free_walls import list_stretche
 from scenewright.domains.home.composing.kitchens.second_runs import price_of_spare, without_spare
 from scenewright.domains.home.composing.kitchens.sound import is_sound
 from scenewright.domains.home.composing.kitchens.ways import is_walked, trim_to_ways, ways_of
-from scenewright.domains.home.composing.moving import dress_group
-from scenewright.domains.home.composing.trials import take_best
+from scenewright.domains.home.composing.places.forms import is_mere_kitchen
+from scenewright.domains.home.composing.places.moving import dress_group
+from scenewright.domains.home.composing.places.trials import take_best
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.domains.home.groups.classes import RUNS
 from scenewright.domains.home.groups.fitted_kitchen import (

@@ -10,7 +10,7 @@ from scenewright.domains.home.attempt import RoomAnswer, RoomTask, find_blocked
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.judging import find_run
 from scenewright.domains.home.composing.kitchens.reform import list_fitted, may_reform
-from scenewright.domains.home.composing.moving import make_unplaced
+from scenewright.domains.home.composing.places.moving import make_unplaced
 
 KITCHEN = "kitchen"
 

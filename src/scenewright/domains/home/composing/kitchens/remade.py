@@ -29,12 +29,12 @@ from scenewright.domains.home.composing.kitchens.mend import (
 )
 from scenewright.domains.home.composing.kitchens.reform import KitchenStep, list_fitted
 from scenewright.domains.home.composing.kitchens.trades import list_traded
-from scenewright.domains.home.composing.moving import with_margin
 from scenewright.domains.home.composing.placed_faults import (
     DARK,
     list_standing,
     measure_before_windows,
 )
+from scenewright.domains.home.composing.places.moving import with_margin
 
 WORTH = 30.0  # what a room may cost more for a kitchen without such a fault
 FOLLOWED = 3  # kitchens of one make-up that stand first and are followed by all others

@@ -18,8 +18,8 @@ from scenewright.core.catalog import Group, Member
 from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask, bars_no_more
 from scenewright.domains.home.composing.case_faults import find_neighbour
-from scenewright.domains.home.composing.moving import dress_group, with_margin
-from scenewright.domains.home.composing.wall_stretch import find_stretch, list_taken
+from scenewright.domains.home.composing.places.moving import dress_group, with_margin
+from scenewright.domains.home.composing.places.wall_stretch import find_stretch, list_taken
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.domains.home.groups.classes import RUNS
 from scenewright.domains.home.groups.kitchen import UNIT_DEPTH, WORKTOP_HEIGHT

@@ -8,9 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.domains.home.composing.judging import JudgedRoom, Placed, RoomJudge
-from scenewright.domains.home.composing.moving import AMID, FREE, stand_at
+from scenewright.domains.home.composing.places.moving import AMID, FREE, stand_at
+from scenewright.domains.home.composing.places.walked_places import WalkedPlace, furnish_places
 from scenewright.domains.home.composing.spacing.askew import square_up
-from scenewright.domains.home.composing.walked_places import WalkedPlace, furnish_places
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.geometry.fit import is_backed
 

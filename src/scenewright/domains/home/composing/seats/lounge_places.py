@@ -15,9 +15,9 @@ from scenewright.catalog.classes import SOFAS
 from scenewright.core.catalog import Group, Member
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
 from scenewright.domains.home.composing.case_faults import MANY, count_seats, is_hung
-from scenewright.domains.home.composing.forms import list_forms
 from scenewright.domains.home.composing.judging import JudgedRoom, Placed, RoomJudge
-from scenewright.domains.home.composing.moving import dress_group, find_places
+from scenewright.domains.home.composing.places.forms import list_forms
+from scenewright.domains.home.composing.places.moving import dress_group, find_places
 from scenewright.domains.home.composing.views import cost_of_view
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles, flat_kinds, standing_of
 from scenewright.domains.home.furnishing.whole import list_grounded

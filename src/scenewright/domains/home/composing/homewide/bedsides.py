@@ -18,8 +18,8 @@ from scenewright.core.catalog import Group, Member
 from scenewright.core.scene import Piece, Size
 from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask
 from scenewright.domains.home.composing.judging import Placed
-from scenewright.domains.home.composing.moving import dress_group
 from scenewright.domains.home.composing.placed_faults import measure_before_doors
+from scenewright.domains.home.composing.places.moving import dress_group
 from scenewright.domains.home.furnishing.furnish import world
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.domains.home.furnishing.whole import Gone

@@ -14,10 +14,10 @@ from scenewright.domains.home.composing.anew import (
     judge_in_order,
     list_starts,
 )
-from scenewright.domains.home.composing.forms import list_forms
 from scenewright.domains.home.composing.judging import JudgedRoom, judge_of
-from scenewright.domains.home.composing.moving import make_unplaced
-from scenewright.domains.home.composing.trials import take_first, try_forms
+from scenewright.domains.home.composing.places.forms import list_forms
+from scenewright.domains.home.composing.places.moving import make_unplaced
+from scenewright.domains.home.composing.places.trials import take_first, try_forms
 from scenewright.domains.home.groups.classes import BED_GROUPS
 from scenewright.domains.home.programme import resolve_bedrooms
 from scenewright.domains.home.wished.beds import list_wished_beds

@@ -15,10 +15,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.core.catalog import Group
-from scenewright.domains.home.composing.forms import cost_of_case
 from scenewright.domains.home.composing.judging import JudgedRoom, Placed, RoomJudge, sum_faults
-from scenewright.domains.home.composing.moving import dress_group, find_places
 from scenewright.domains.home.composing.placed_faults import cost_of_openings
+from scenewright.domains.home.composing.places.forms import cost_of_case
+from scenewright.domains.home.composing.places.moving import dress_group, find_places
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 
 Floats = NDArray[np.float64]

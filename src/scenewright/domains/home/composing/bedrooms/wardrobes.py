@@ -13,9 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
-from scenewright.domains.home.composing.forms import list_forms
 from scenewright.domains.home.composing.judging import JudgedRoom, Placed, judge_of
-from scenewright.domains.home.composing.moving import dress_group
+from scenewright.domains.home.composing.places.forms import list_forms
+from scenewright.domains.home.composing.places.moving import dress_group
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.domains.home.measures import HAIR
 

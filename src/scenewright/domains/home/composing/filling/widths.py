@@ -8,7 +8,7 @@ from math import inf
 from typing import NamedTuple
 
 from scenewright.core.catalog import Group
-from scenewright.domains.home.composing.beside_others import WORTH
+from scenewright.domains.home.composing.filling.beside_others import WORTH
 from scenewright.domains.home.groups.bath import fitted_basins, fitted_baths, fitted_showers
 from scenewright.domains.home.groups.entry import fitted_consoles, fitted_shelving, fitted_shoes
 from scenewright.domains.home.groups.living import deep_bookcases, fitted_bookcases

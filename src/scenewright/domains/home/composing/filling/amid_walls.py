@@ -7,15 +7,15 @@ from collections.abc import Iterator
 import numpy as np
 
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
-from scenewright.domains.home.composing.bare_floor import pieces_of
+from scenewright.domains.home.composing.filling.bare_floor import pieces_of
+from scenewright.domains.home.composing.filling.widths import Growth, bound_width, list_depths
 from scenewright.domains.home.composing.judging import Placed
-from scenewright.domains.home.composing.moving import dress_group, make_unplaced, stand_at
-from scenewright.domains.home.composing.wall_stretch import (
+from scenewright.domains.home.composing.places.moving import dress_group, make_unplaced, stand_at
+from scenewright.domains.home.composing.places.wall_stretch import (
     list_free_stretches,
     list_taken,
     measure_front,
 )
-from scenewright.domains.home.composing.widths import Growth, bound_width, list_depths
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.domains.home.programme import Wish
 

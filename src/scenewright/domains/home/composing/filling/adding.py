@@ -11,11 +11,15 @@ from scenewright.domains.home.attempt import (
     RoomTask,
     bars_no_more,
 )
-from scenewright.domains.home.composing.additions import forms_to_add, is_wanted, list_additions
+from scenewright.domains.home.composing.filling.additions import (
+    forms_to_add,
+    is_wanted,
+    list_additions,
+)
+from scenewright.domains.home.composing.filling.talking import joins_sofa
 from scenewright.domains.home.composing.judging import Placed, judge_of
-from scenewright.domains.home.composing.moving import make_unplaced, with_margin
-from scenewright.domains.home.composing.talking import joins_sofa
-from scenewright.domains.home.composing.trials import try_forms
+from scenewright.domains.home.composing.places.moving import make_unplaced, with_margin
+from scenewright.domains.home.composing.places.trials import try_forms
 from scenewright.domains.home.programme import WELCOME, Wish
 
 

@@ -18,14 +18,14 @@ from numpy.typing import NDArray
 
 from scenewright.core.catalog import Group
 from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask
-from scenewright.domains.home.composing.beside_others import (
+from scenewright.domains.home.composing.filling.beside_others import (
     list_others,
     list_taken_beside,
     take_first_place,
 )
-from scenewright.domains.home.composing.flush import WIDEST
-from scenewright.domains.home.composing.moving import stand_at
-from scenewright.domains.home.composing.wall_stretch import (
+from scenewright.domains.home.composing.places.flush import WIDEST
+from scenewright.domains.home.composing.places.moving import stand_at
+from scenewright.domains.home.composing.places.wall_stretch import (
     FreeStretch,
     find_stretch,
     list_free_stretches,

@@ -17,16 +17,16 @@ from scenewright.core.catalog import Group, Member
 from scenewright.core.scene import Size
 from scenewright.domains.home.attempt import RoomAnswer, RoomTask
 from scenewright.domains.home.cases.library import shipped_cases
-from scenewright.domains.home.composing.bare_floor import SECOND_ZONE_FROM, pieces_of
-from scenewright.domains.home.composing.judging import Placed
-from scenewright.domains.home.composing.settling import (
+from scenewright.domains.home.composing.filling.bare_floor import SECOND_ZONE_FROM, pieces_of
+from scenewright.domains.home.composing.filling.voids import may_stand_free
+from scenewright.domains.home.composing.homewide.settling import (
     is_home,
     list_placed,
     list_sound,
     may_take_in,
     try_in_home,
 )
-from scenewright.domains.home.composing.voids import may_stand_free
+from scenewright.domains.home.composing.judging import Placed
 from scenewright.domains.home.groups.least import LEAST
 from scenewright.domains.home.groups.living import talking
 from scenewright.domains.home.programme import WELCOME, Wish

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.core.catalog import Group
-from scenewright.domains.home.composing.flush import (
+from scenewright.domains.home.composing.places.flush import (
     AT,
     FLUSH_GAP,
     NARROWEST,

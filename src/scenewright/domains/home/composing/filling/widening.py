@@ -15,14 +15,23 @@ from numpy.typing import NDArray
 
 from scenewright.core.catalog import Group
 from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask
-from scenewright.domains.home.composing.beside_others import (
+from scenewright.domains.home.composing.filling.beside_others import (
     list_others,
     list_taken_beside,
     take_first_place,
 )
-from scenewright.domains.home.composing.moving import stand_at
-from scenewright.domains.home.composing.wall_stretch import FreeStretch, find_deeper, measure_front
-from scenewright.domains.home.composing.widths import Growth, bound_width, list_depths, list_growing
+from scenewright.domains.home.composing.filling.widths import (
+    Growth,
+    bound_width,
+    list_depths,
+    list_growing,
+)
+from scenewright.domains.home.composing.places.moving import stand_at
+from scenewright.domains.home.composing.places.wall_stretch import (
+    FreeStretch,
+    find_deeper,
+    measure_front,
+)
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles
 from scenewright.domains.home.rules.every import ROOMY
 

@@ -19,11 +19,9 @@ from scenewright.core.catalog import Group, Member
 from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import Missing, RoomAnswer, RoomTask
 from scenewright.domains.home.cases.library import shipped_cases
-from scenewright.domains.home.composing.bare_floor import pieces_of
-from scenewright.domains.home.composing.forms import list_further
-from scenewright.domains.home.composing.judging import Placed
-from scenewright.domains.home.composing.lounges import PLACES
-from scenewright.domains.home.composing.settling import (
+from scenewright.domains.home.composing.filling.bare_floor import pieces_of
+from scenewright.domains.home.composing.filling.voids import find_void
+from scenewright.domains.home.composing.homewide.settling import (
     is_home,
     list_placed,
     list_sound,
@@ -31,7 +29,9 @@ from scenewright.domains.home.composing.settling import (
     may_take_in,
     try_in_home,
 )
-from scenewright.domains.home.composing.voids import find_void
+from scenewright.domains.home.composing.judging import Placed
+from scenewright.domains.home.composing.places.forms import list_further
+from scenewright.domains.home.composing.seats.lounges import PLACES
 from scenewright.domains.home.groups.classes import TABLES
 from scenewright.domains.home.household import Household
 from scenewright.domains.home.measures import TUCKED

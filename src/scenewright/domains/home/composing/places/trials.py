@@ -19,9 +19,9 @@ from numpy.typing import NDArray
 from scenewright.core.catalog import Group
 from scenewright.domains.home.attempt import RoomTask, bars_no_more
 from scenewright.domains.home.composing.bed_places import are_adrift
-from scenewright.domains.home.composing.forms import cost_of_case
 from scenewright.domains.home.composing.judging import JudgedRoom, Placed, RoomJudge, cost_each
-from scenewright.domains.home.composing.moving import dress_group, find_places, with_margin
+from scenewright.domains.home.composing.places.forms import cost_of_case
+from scenewright.domains.home.composing.places.moving import dress_group, find_places, with_margin
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.domains.home.measures import ROUNDING
 

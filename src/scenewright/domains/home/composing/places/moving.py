@@ -13,10 +13,10 @@ from scenewright.catalog.classes import RUN
 from scenewright.core.catalog import Group
 from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
-from scenewright.domains.home.composing.flush import list_flush
-from scenewright.domains.home.composing.forms import is_mere_kitchen
 from scenewright.domains.home.composing.judging import Placed
-from scenewright.domains.home.composing.stretches import Reach, longest_stretch, reach_of
+from scenewright.domains.home.composing.places.flush import list_flush
+from scenewright.domains.home.composing.places.forms import is_mere_kitchen
+from scenewright.domains.home.composing.places.stretches import Reach, longest_stretch, reach_of
 from scenewright.domains.home.furnishing.furnish import FurnishedPatch, dress_case, pieces_of
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles
 from scenewright.domains.home.furnishing.whole import list_grounded

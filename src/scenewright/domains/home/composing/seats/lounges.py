@@ -18,10 +18,10 @@ from numpy.typing import NDArray
 from scenewright.domains.home.attempt import FurnishedGroup, Missing, RoomTask, bars_no_more
 from scenewright.domains.home.composing.anew import follow, judge_in_order
 from scenewright.domains.home.composing.judging import JudgedRoom, Placed, judge_of, sum_faults
-from scenewright.domains.home.composing.lounge_places import list_lounges
-from scenewright.domains.home.composing.moving import with_margin
-from scenewright.domains.home.composing.pairs import do_overlap
-from scenewright.domains.home.composing.trials import take_best
+from scenewright.domains.home.composing.places.moving import with_margin
+from scenewright.domains.home.composing.places.pairs import do_overlap
+from scenewright.domains.home.composing.places.trials import take_best
+from scenewright.domains.home.composing.seats.lounge_places import list_lounges
 from scenewright.domains.home.composing.views import cost_of_view
 from scenewright.domains.home.groups.classes import RUNS
 from scenewright.domains.home.measures import RAISED

@@ -25,23 +25,27 @@ from scenewright.domains.home.attempt import (
     find_blocked,
 )
 from scenewright.domains.home.bed_first import with_narrow_ways
-from scenewright.domains.home.composing.bare_floor import is_left_to_us, order_boxes, pieces_of
-from scenewright.domains.home.composing.forms import cost_of_case
+from scenewright.domains.home.composing.filling.bare_floor import (
+    is_left_to_us,
+    order_boxes,
+    pieces_of,
+)
+from scenewright.domains.home.composing.homewide.used_floor import measure_taken
 from scenewright.domains.home.composing.judging import Placed, count_unmet
-from scenewright.domains.home.composing.moving import (
+from scenewright.domains.home.composing.placed_faults import (
+    cost_of_group,
+    list_standing,
+    measure_before_doors,
+)
+from scenewright.domains.home.composing.places.forms import cost_of_case
+from scenewright.domains.home.composing.places.moving import (
     dress_group,
     find_places,
     list_amid,
     make_unplaced,
     stand_at,
 )
-from scenewright.domains.home.composing.placed_faults import (
-    cost_of_group,
-    list_standing,
-    measure_before_doors,
-)
 from scenewright.domains.home.composing.spacing.rules import measure_closeness
-from scenewright.domains.home.composing.used_floor import measure_taken
 from scenewright.domains.home.composing.views import cost_of_view
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.domains.home.groups.classes import WET_ROOMS

@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 from scenewright.core.catalog import Group
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, bars_no_more
 from scenewright.domains.home.composing.judging import Placed, RoomJudge, judge_of
-from scenewright.domains.home.composing.moving import dress_group, with_margin
 from scenewright.domains.home.composing.placed_faults import cost_of_group
-from scenewright.domains.home.composing.wall_stretch import list_taken
+from scenewright.domains.home.composing.places.moving import dress_group, with_margin
+from scenewright.domains.home.composing.places.wall_stretch import list_taken
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles, flat_kinds, standing_of
 
 Floats = NDArray[np.float64]

@@ -10,8 +10,8 @@ from __future__ import annotations
 from scenewright.domains.home.attempt import FurnishedGroup, Missing, RoomTask, bars_no_more
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.judging import JudgedRoom, Placed, judge_of
-from scenewright.domains.home.composing.moving import make_unplaced, with_margin
-from scenewright.domains.home.composing.walked_places import try_places
+from scenewright.domains.home.composing.places.moving import make_unplaced, with_margin
+from scenewright.domains.home.composing.places.walked_places import try_places
 from scenewright.domains.home.groups.least import LEAST
 from scenewright.domains.home.programme import WELCOME
 

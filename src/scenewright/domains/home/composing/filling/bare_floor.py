@@ -16,23 +16,23 @@ from scenewright.core.catalog import Group
 from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask, bars_no_more
 from scenewright.domains.home.cases.library import cases
-from scenewright.domains.home.composing.judging import Placed, judge_of, sum_faults
-from scenewright.domains.home.composing.moving import (
-    dress_group,
-    find_places,
-    list_amid,
-    make_unplaced,
-    stand_at,
-    with_margin,
-)
-from scenewright.domains.home.composing.talking import is_left_alone
-from scenewright.domains.home.composing.voids import (
+from scenewright.domains.home.composing.filling.talking import is_left_alone
+from scenewright.domains.home.composing.filling.voids import (
     Void,
     find_circle,
     find_void,
     free_beside,
     free_floor,
     may_stand_free,
+)
+from scenewright.domains.home.composing.judging import Placed, judge_of, sum_faults
+from scenewright.domains.home.composing.places.moving import (
+    dress_group,
+    find_places,
+    list_amid,
+    make_unplaced,
+    stand_at,
+    with_margin,
 )
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles, flat_kinds, standing_of
 from scenewright.domains.home.groups.living import talking

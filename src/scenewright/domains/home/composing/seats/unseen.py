@@ -12,18 +12,18 @@ from scenewright.domains.home.attempt import (
     bars_no_more,
     find_blocked,
 )
-from scenewright.domains.home.composing.amid_walls import list_amid_walls
 from scenewright.domains.home.composing.case_faults import is_hung
+from scenewright.domains.home.composing.filling.amid_walls import list_amid_walls
+from scenewright.domains.home.composing.filling.widths import BOOKS
 from scenewright.domains.home.composing.judging import Placed
-from scenewright.domains.home.composing.moving import dress_group, with_margin
 from scenewright.domains.home.composing.placed_faults import (
     SEEN,
     measure_before_doors,
     measure_before_windows,
     measure_hung_over_doors,
 )
+from scenewright.domains.home.composing.places.moving import dress_group, with_margin
 from scenewright.domains.home.composing.views import RESTING, is_unseen
-from scenewright.domains.home.composing.widths import BOOKS
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.domains.home.groups.living import low_board
 from scenewright.domains.home.programme import WELCOME, Wish

@@ -7,11 +7,11 @@ else. The table stands amid a free stretch of wall where 0.9 m stay free before 
 from __future__ import annotations
 
 from scenewright.domains.home.attempt import RoomAnswer, RoomTask, bars_no_more
-from scenewright.domains.home.composing.amid_walls import list_amid_walls
-from scenewright.domains.home.composing.bare_floor import is_left_to_us
-from scenewright.domains.home.composing.moving import with_margin
+from scenewright.domains.home.composing.filling.amid_walls import list_amid_walls
+from scenewright.domains.home.composing.filling.bare_floor import is_left_to_us
+from scenewright.domains.home.composing.filling.widths import CONSOLE
 from scenewright.domains.home.composing.placed_faults import cost_of_group
-from scenewright.domains.home.composing.widths import CONSOLE
+from scenewright.domains.home.composing.places.moving import with_margin
 from scenewright.domains.home.programme import WELCOME, Wish
 
 TABLE_FROM = 4.0  # square metres of a hall from which on it has a table

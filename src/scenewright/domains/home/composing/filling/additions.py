@@ -10,8 +10,8 @@ from scenewright.core.catalog import Group
 from scenewright.domains.home.attempt import FurnishedGroup, Missing, RoomTask
 from scenewright.domains.home.cases.library import cases, shipped_cases
 from scenewright.domains.home.composing.case_faults import find_case_faults
-from scenewright.domains.home.composing.forms import SEATS_FROM, list_further
 from scenewright.domains.home.composing.judging import Placed
+from scenewright.domains.home.composing.places.forms import SEATS_FROM, list_further
 from scenewright.domains.home.groups.classes import DESK_GROUPS, RUNS
 from scenewright.domains.home.groups.kitchen import short_counters
 from scenewright.domains.home.programme import FALLBACK, Wish

@@ -12,22 +12,22 @@ from numpy.typing import NDArray
 
 from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask, bars_no_more
 from scenewright.domains.home.cases.library import cases
-from scenewright.domains.home.composing.bare_floor import (
+from scenewright.domains.home.composing.filling.bare_floor import (
     NOWHERE,
     SECOND_ZONE_FROM,
     is_left_to_us,
     order_boxes,
     pieces_of,
 )
+from scenewright.domains.home.composing.filling.talking import is_left_alone
+from scenewright.domains.home.composing.filling.voids import Void, find_circle, open_floor
 from scenewright.domains.home.composing.judging import Placed, sum_faults
-from scenewright.domains.home.composing.moving import (
+from scenewright.domains.home.composing.places.moving import (
     dress_group,
     find_places,
     make_unplaced,
     with_margin,
 )
-from scenewright.domains.home.composing.talking import is_left_alone
-from scenewright.domains.home.composing.voids import Void, find_circle, open_floor
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles, flat_kinds, standing_of
 from scenewright.domains.home.programme import WELCOME, Wish
 

@@ -18,10 +18,10 @@ from scenewright.core.catalog import Group
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, bars_no_more
 from scenewright.domains.home.composing.bed_places import cost_of_bed_places
 from scenewright.domains.home.composing.case_faults import find_case_faults
-from scenewright.domains.home.composing.forms import cost_of_case, list_forms
 from scenewright.domains.home.composing.judging import JudgedRoom, RoomJudge
-from scenewright.domains.home.composing.moving import dress_group, find_places, with_margin
 from scenewright.domains.home.composing.placed_faults import cost_of_openings
+from scenewright.domains.home.composing.places.forms import cost_of_case, list_forms
+from scenewright.domains.home.composing.places.moving import dress_group, find_places, with_margin
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, join_standing, standing_of
 from scenewright.domains.home.groups.classes import BED_GROUPS
 from scenewright.domains.home.measures import ROUNDING

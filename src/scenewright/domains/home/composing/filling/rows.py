@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask, bars_no_more
 from scenewright.domains.home.composing.judging import Placed, judge_of
-from scenewright.domains.home.composing.moving import dress_group, with_margin
+from scenewright.domains.home.composing.places.moving import dress_group, with_margin
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.geometry.fit import side_gaps
 

@@ -1,0 +1,1 @@
+"""Beds and wardrobes, put in or changed for others."""

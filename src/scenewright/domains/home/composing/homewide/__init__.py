@@ -1,0 +1,1 @@
+"""What a home has once, put in when all of its rooms stand."""

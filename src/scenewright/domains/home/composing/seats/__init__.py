@@ -1,0 +1,1 @@
+"""Seats and what they look at, placed together."""
