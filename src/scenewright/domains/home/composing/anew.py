@@ -2,8 +2,8 @@
 
 The faulty group is put at its best places as if the room were empty, in the forms with least wrong
 (a bed and a wardrobe together: :mod:`.places.pairs`); all others follow, the essential and the
-largest first, each where the room so far costs least beside those before it. A way that leaves one of them
-without a place, or comes to as many faults as the room has, is given up.
+largest first, each where the room so far costs least beside those before it. A way that leaves one
+of them without a place, or comes to as many faults as the room has, is given up.
 """
 
 from __future__ import annotations
