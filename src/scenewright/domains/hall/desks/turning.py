@@ -7,18 +7,23 @@ import math
 import numpy as np
 import shapely
 
+from scenewright.arranging.verdict import Verdict, better
 from scenewright.domains.hall.build_problem import HallContext
 from scenewright.domains.hall.classes import SERVING
 from scenewright.domains.hall.demands.holdings import HallDemand
 from scenewright.domains.hall.energy import parts_of
 from scenewright.domains.hall.patterns import SINGLE
 from scenewright.domains.hall.problem import Floats, HallProblem
-from scenewright.domains.hall.solvers.outcome import MeasuredLayout, measure_layout
+from scenewright.domains.hall.solvers.outcome import ENERGY, MeasuredLayout, measure_layout
 from scenewright.domains.hall.visit.doors import ways_in
 from scenewright.domains.hall.zoning.assign import Unit
 
 FACING = 0.7
 """The cosine of the angle up to which a desk looks to the entrance."""
+
+
+SLIGHT = 1e-5
+"""What a desk that looks away costs beside the energy: a tie is turned."""
 
 
 def turn_desks(
@@ -44,7 +49,7 @@ def turn_desks(
         box = layout.boxes[row]
         if _welcome(hall, units[number].zone, box) < 0.0 and not _faces_door(hall, box):
             other = _half_round(layout, number, row)
-            if _measure_cost(problem, other) <= _measure_cost(problem, layout):
+            if better(_judge(problem, other), _judge(problem, layout, away=SLIGHT)):
                 layout = other
     return layout
 
@@ -67,10 +72,11 @@ def _welcome(hall: HallContext, zone: int, box: Floats) -> float:
     return float((way @ (math.cos(box[2]), math.sin(box[2]))).sum())
 
 
-def _measure_cost(problem: HallProblem, layout: MeasuredLayout) -> tuple[float, float]:
-    """What the route misses, and the energy: a desk is not turned into what others need."""
+def _judge(problem: HallProblem, layout: MeasuredLayout, away: float = 0.0) -> Verdict:
+    """The verdict on a layout whose desk looks ``away``: it is not turned into what others need."""
     p, s, missed = measure_layout(problem, layout)
-    return missed, round(sum(part.cost for part in parts_of(problem, p, s, missed)), 6)
+    energy = sum(part.cost for part in parts_of(problem, p, s, missed))
+    return Verdict(missed, cost={ENERGY: energy, "away": away})
 
 
 def _half_round(layout: MeasuredLayout, unit: int, row: int) -> MeasuredLayout:

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from scenewright.arranging.verdict import better
 from scenewright.core.solution import LeftOut
 from scenewright.domains.hall.build_problem import build_problem
 from scenewright.domains.hall.energy import capacity
@@ -36,7 +37,7 @@ from scenewright.domains.hall.retouch.ropes import (
 from scenewright.domains.hall.search import HallSearch
 from scenewright.domains.hall.solvers.chains import HallChain, begin_chain, layout_of
 from scenewright.domains.hall.solvers.guided_metropolis import bring_back
-from scenewright.domains.hall.solvers.outcome import MeasuredLayout
+from scenewright.domains.hall.solvers.outcome import MeasuredLayout, verdict_on
 from scenewright.domains.hall.solvers.start import copy_frames
 from scenewright.domains.hall.terms.state import Kept, PreparedHall, State
 from scenewright.engine.draws import streams
@@ -79,7 +80,8 @@ def place_fewer(
     let people by, to where they are ``served`` (k, 5) too, as the hall without them does; None if
     hardly any do. They form a ``lane`` if asked to."""
     bare, without = drop_units(search.hall, search.wishes, fitted, layout, [unit], search.catalog)
-    least = count_missed_among(bare.problem, without, served)
+    missed = count_missed_among(bare.problem, without, served)
+    none = verdict_on(without._replace(missed=missed), fewer=1.0)
     for count in range(int(count_objects(fitted.problem)[unit]), FEWEST - 1, -1):
         less = _shorten(search, fitted, layout.kept, unit, count)
         chain = begin_chain(less.problem, less.start, streams(0, 1)[0])
@@ -88,8 +90,8 @@ def place_fewer(
         boxes = np.delete(layout.boxes, gone, axis=0)
         for kept in _find_places(chain, less, boxes, unit, without.energy + DEAR, lane):
             found = layout_of(chain._replace(best=kept))
-            open_ways = count_missed_among(less.problem, found, served) <= least
-            if open_ways and found.lacking <= without.lacking + 1e-9:
+            missed = count_missed_among(less.problem, found, served)
+            if better(verdict_on(found._replace(missed=missed), fewer=0.0), none):
                 return less._replace(start=kept), found
     return None
 

@@ -6,13 +6,19 @@ import math
 
 import numpy as np
 
+from scenewright.arranging.verdict import better
 from scenewright.core.catalog import Catalog, footprint_of
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains.hall.build_problem import MARGIN
 from scenewright.domains.hall.hall_layout import PlacedGroup
 from scenewright.domains.hall.patterns import AROUND
 from scenewright.domains.hall.problem import HallProblem
-from scenewright.domains.hall.solvers.outcome import MeasuredLayout, lacking, measure_layout
+from scenewright.domains.hall.solvers.outcome import (
+    MeasuredLayout,
+    lacking,
+    measure_layout,
+    verdict_on,
+)
 from scenewright.geometry.boxes import Frame, common_area, make_frame
 
 CATEGORY, TABLES = "coffee_table", "/tables"
@@ -75,7 +81,9 @@ def _as_open(problem: HallProblem, layout: MeasuredLayout, tables: tuple[Piece, 
     units = problem.units._replace(access=access)
     among = problem._replace(ground=with_tables, units=units)
     p, s, missed = measure_layout(among, layout)
-    return missed <= layout.missed and lacking(p, s) <= max(layout.lacking, MARGIN) + 1e-9
+    before = layout._replace(lacking=max(layout.lacking, MARGIN))
+    after = layout._replace(missed=missed, lacking=lacking(p, s))
+    return better(verdict_on(after, bare=0.0), verdict_on(before, bare=1.0))
 
 
 def _table(

@@ -12,6 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from scenewright.arranging.verdict import better
 from scenewright.core.brief import Room
 from scenewright.domains.hall.build_problem import (
     HallContext,
@@ -25,7 +26,7 @@ from scenewright.domains.hall.patterns import WALL
 from scenewright.domains.hall.problem import Floats, Ints
 from scenewright.domains.hall.search import Cancel, HallSearch, Progress, may_retry, take_share
 from scenewright.domains.hall.solvers.chains import begin_chain, cooled_hall, layout_of
-from scenewright.domains.hall.solvers.outcome import HallFound
+from scenewright.domains.hall.solvers.outcome import HallFound, verdict_on
 from scenewright.domains.hall.terms.state import Kept
 from scenewright.domains.hall.walls.clear_of_openings import clear_hosts
 from scenewright.domains.hall.walls.partitions import Host, refit_host, stands_free
@@ -96,7 +97,7 @@ def move_borders(
             break
         moved = _shift(search, now, line, slack)
         moved = moved and _anneal(search, moved, search.seed + turn, cancel)
-        if moved is not None and _energy(moved) < _energy(now) - rule.gain:
+        if moved is not None and _gains(moved, now, rule.gain):
             now = moved
             if progress is not None:
                 name, metres = now.shifts[-1]
@@ -115,6 +116,12 @@ def _shift(
         if tried:
             return min(tried, key=_energy)
     return None
+
+
+def _gains(moved: ShiftedHall, now: ShiftedHall, least: float) -> bool:
+    """Whether a line moved is better by ``least`` energy."""
+    after, before = (verdict_on(one.found.layouts[0]) for one in (moved, now))
+    return better(after, before, least)
 
 
 def _energy(moved: ShiftedHall) -> float:
