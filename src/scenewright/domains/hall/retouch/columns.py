@@ -15,6 +15,7 @@ from scenewright.domains.hall.energy import capacity
 from scenewright.domains.hall.patterns import CHAIN, GRID
 from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.retouch.lines import count_objects, find_layers
+from scenewright.domains.hall.retouch.places import fill_floor, find_axes, nudge
 from scenewright.domains.hall.terms.state import Kept
 from scenewright.domains.hall.terms.visitors import ALOOF
 
@@ -82,6 +83,8 @@ def propose_pitches(columns: Columns, kept: Kept, boxes: Floats) -> Iterator[Kep
     problem = columns.problem
     for unit in _rows_of(problem, kept):
         if _fault(columns, kept, boxes, unit) > 0.0:
+            yield from nudge(kept, unit)
+            yield from fill_floor(problem, kept, boxes, unit)
             yield from propose_rows(columns, kept, unit)
 
 
@@ -107,16 +110,10 @@ def _rows_of(problem: HallProblem, kept: Kept) -> list[int]:
     return [u for u in range(len(codes)) if codes[u] in (CHAIN, GRID) and counts[u] > 2]
 
 
-def _axes(heading: float) -> Floats:
-    """Unit vectors (2, 2) to the right and ahead."""
-    c, s = float(np.cos(heading)), float(np.sin(heading))
-    return np.array([[s, -c], [c, s]])
-
-
 def _fault(columns: Columns, kept: Kept, boxes: Floats, unit: int) -> float:
     """Metres that the columns among the rows of a unit take of its aisles."""
     first, last = columns.problem.units.spans[unit]
-    axes, mine = _axes(kept.pose[unit, 2]), boxes[first:last]
+    axes, mine = find_axes(kept.pose[unit, 2]), boxes[first:last]
     at, half = mine[:, :2] @ axes.T, 0.5 * mine[:, 4]
     rim = 0.5 * float(mine[:, 3:].max()) + AROUND
     begin, end = columns.reach(axes)
@@ -154,7 +151,7 @@ def _hidden(columns: Columns, boxes: Floats) -> float:
 def _lattice(columns: Columns, unit: int, heading: float) -> Lattice:
     """The columns in the zone of a unit, in axes of some heading."""
     ground, zone = columns.problem.ground, columns.problem.units.zones[unit]
-    bounds, axes = ground.zone_bounds[zone], _axes(heading)
+    bounds, axes = ground.zone_bounds[zone], find_axes(heading)
     inside = ((columns.middles >= bounds[:2]) & (columns.middles <= bounds[2:])).all(1)
     begin, end = columns.reach(axes)
     middles, halves = (0.5 * (end + begin))[inside], (0.5 * (end - begin))[inside]
@@ -213,7 +210,7 @@ def _places(
     number, deep = int(last - first), float(problem.units.sizes[first:last, 1].max())
     wide = float(problem.units.sizes[first:last, 0].max())
     rows = -(-number // form.each)
-    axes = _axes(heading)
+    axes = find_axes(heading)
     zone = problem.ground.zone_bounds[problem.units.zones[unit]]
     anchors = [kept.pose[unit, :2], 0.5 * (zone[:2] + zone[2:])]
     close = form.along <= wide + 1e-9

@@ -17,15 +17,13 @@ from scenewright.core.layout import corners
 from scenewright.domains.hall.patterns import CHAIN, GRID, WALL
 from scenewright.domains.hall.problem import Floats, HallProblem, Ints
 from scenewright.domains.hall.retouch.columns import CLEAR, Columns, find_columns, propose_rows
-from scenewright.domains.hall.retouch.places import shift
+from scenewright.domains.hall.retouch.places import nudge, shift
 from scenewright.domains.hall.terms.state import Kept
 from scenewright.domains.hall.terms.visitors import ALOOF, LOUNGE, LOW
 
 Bools = NDArray[np.bool_]
 WEIGHT = 8.0
 """What a metre lacking counts: as a fault it is seen at first glance."""
-STEPS, TURNS = (0.15, 0.3, 0.5, 0.8, 1.2), 8
-"""Metres by which a group is moved, and in how many directions."""
 ALONG_WALL = np.array([(along, 0.0) for along in (-1.5, -0.8, -0.4, 0.4, 0.8, 1.5)])
 """By how much a row at walls is moved along them, in metres."""
 
@@ -108,16 +106,10 @@ def propose_distances(company: Company, kept: Kept, boxes: Floats) -> Iterator[K
     little, or in rows among the columns."""
     near = find_near(company, kept, boxes)
     for unit in sorted({u for pair in near for u in pair[:2] if u >= 0}):
-        at_wall = kept.rows[unit, 0] == WALL
-        for by in ALONG_WALL if at_wall else _list_shifts(float(kept.pose[unit, 2])):
-            yield shift(kept, unit, by)
+        if kept.rows[unit, 0] == WALL:
+            yield from (shift(kept, unit, by) for by in ALONG_WALL)
+        else:
+            yield from nudge(kept, unit)
     for unit in sorted({pair.first for pair in near if pair.second < 0}):
         if company.columns.problem.units.choices[unit, [CHAIN, GRID]].any():
             yield from propose_rows(company.columns, kept, unit)
-
-
-def _list_shifts(heading: float) -> Floats:
-    """By how much (k, 2) a group of some heading is moved, in metres."""
-    turns = heading + 2.0 * np.pi * np.arange(TURNS) / TURNS
-    ways = np.column_stack([np.cos(turns), np.sin(turns)])
-    return (np.array(STEPS)[:, None, None] * ways).reshape(-1, 2)

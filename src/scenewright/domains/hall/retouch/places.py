@@ -21,6 +21,8 @@ EDGES, LEAST, WIDEST = (1.0, 0.75, 0.5), 0.3, 2.6
 made; metres."""
 FEWER, MORE = 2, 1
 """How many rows fewer and more are tried."""
+NUDGES, TURNS = (0.15, 0.3, 0.5, 0.8, 1.2), 8
+"""Metres by which a unit is moved a little, and in how many directions."""
 BESIDE = 0.05
 """Metres by which two things overlap across a way at least for one to bound the other along it."""
 
@@ -56,6 +58,13 @@ def before(
         np.array([*(np.array([x, y]) + far * way + beside * right), heading + turn])
         for far, beside in product(ahead, aside)
     ]
+
+
+def nudge(kept: Kept, unit: int) -> Iterator[Kept]:
+    """Layouts with a unit moved a little, ahead, aside and between."""
+    turns = float(kept.pose[unit, 2]) + 2.0 * np.pi * np.arange(TURNS) / TURNS
+    for way in np.column_stack([np.cos(turns), np.sin(turns)]):
+        yield from (shift(kept, unit, step * way) for step in NUDGES)
 
 
 def all_over(problem: HallProblem, unit: int, heading: float) -> list[Floats]:
@@ -103,7 +112,7 @@ def fill_floor(
 ) -> Iterator[Kept]:
     """Layouts with a unit in the middle of the floor free about it, as it is, and in rows as far
     apart as that floor lets them be, in some more and in fewer of them; ``aside`` of that too."""
-    axes = _find_axes(float(kept.pose[unit, 2]))
+    axes = find_axes(float(kept.pose[unit, 2]))
     bounds = _find_free(problem, boxes, unit, axes)
     mine = corners(boxes[slice(*problem.units.spans[unit])]).reshape(-1, 2) @ axes.T
     off = bounds.mean(0) - 0.5 * (mine.min(0) + mine.max(0))
@@ -152,7 +161,7 @@ def widen(problem: HallProblem, kept: Kept, unit: int, by: Iterable[float]) -> I
         yield kept._replace(layers=layers)
 
 
-def _find_axes(heading: float) -> Floats:
+def find_axes(heading: float) -> Floats:
     """Unit vectors (2, 2) to the right and ahead."""
     c, s = float(np.cos(heading)), float(np.sin(heading))
     return np.array([[s, -c], [c, s]])
