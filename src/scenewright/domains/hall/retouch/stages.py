@@ -28,7 +28,8 @@ def propose_stages(
 ) -> Iterator[tuple[Kept, Floats]]:
     """Layouts with the unit of a stage as it stands and elsewhere at the walls of its zone, each
     with the box (5,) it has there."""
-    yield kept, boxes[problem.units.spans[stage, 0]]
+    here = kept._replace(pose=kept.pose.copy())
+    yield here, boxes[problem.units.spans[stage, 0]]
     code = int(kept.rows[stage, 0])
     if code == SINGLE:
         yield from _stand_free(problem, kept, boxes, stage)
