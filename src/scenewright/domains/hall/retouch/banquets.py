@@ -15,7 +15,7 @@ from scenewright.domains.hall.patterns import CHAIN, GRID
 from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.retouch.audience import BEFORE, OFF_AXIS, SIDE, VIEW
 from scenewright.domains.hall.retouch.lines import count_objects
-from scenewright.domains.hall.retouch.places import fill_floor
+from scenewright.domains.hall.retouch.places import fill_floor, find_axes
 from scenewright.domains.hall.retouch.stages import measure_stage, propose_stages
 from scenewright.domains.hall.terms.state import Kept
 from scenewright.domains.hall.terms.visitors import STAGE, TABLE
@@ -65,7 +65,7 @@ def measure_banquet(tables: Floats, stage: Floats, zone: Floats, passage: float)
     """How far tables (n, 5) lie beside and off the axis of a stage (5,), how wide the floor about
     them is to walls and to the stage, beyond twice their gaps, within the bounds (4,) of their
     ``zone``, and by how much their gaps lack the ``passage``, in metres."""
-    front, right = _axes_of(stage)
+    right, front = find_axes(stage[2])
     off = tables[:, :2] - stage[:2]
     ahead, aside = off @ front - 0.5 * stage[4], off @ right
     beyond = np.abs(aside) - 0.5 * stage[3] - VIEW * np.maximum(ahead, 0.0)
@@ -80,18 +80,12 @@ def measure_banquet(tables: Floats, stage: Floats, zone: Floats, passage: float)
     return min(total, MOST)
 
 
-def _axes_of(stage: Floats) -> tuple[Floats, Floats]:
-    """The unit directions before a stage (5,) and to its right."""
-    front = np.array([np.cos(stage[2]), np.sin(stage[2])])
-    return front, np.array([front[1], -front[0]])
-
-
 def _see_bounds(stage: Floats, zone: Floats) -> Floats:
     """How far the bounds (4,) of a zone reach to the left and right of a stage (5,), and from its
     edge to the back (2, 2), in metres."""
     x0, y0, x1, y1 = zone
     ends = np.array([[x0, y0], [x1, y0], [x1, y1], [x0, y1]]) - stage[:2]
-    front, right = _axes_of(stage)
+    right, front = find_axes(stage[2])
     aside, ahead = ends @ right, ends @ front - 0.5 * stage[4]
     return np.array([[aside.min(), aside.max()], [0.0, ahead.max()]])
 

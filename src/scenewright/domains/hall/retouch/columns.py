@@ -14,7 +14,7 @@ import numpy as np
 from scenewright.domains.hall.energy import capacity
 from scenewright.domains.hall.patterns import CHAIN, GRID
 from scenewright.domains.hall.problem import Floats, HallProblem
-from scenewright.domains.hall.retouch.lines import count_objects, find_layers
+from scenewright.domains.hall.retouch.lines import count_objects, find_layers, set_rows
 from scenewright.domains.hall.retouch.places import fill_floor, find_axes, nudge
 from scenewright.domains.hall.terms.state import Kept
 from scenewright.domains.hall.terms.visitors import ALOOF
@@ -209,7 +209,8 @@ def _places(
     first, last = problem.units.spans[unit]
     number, deep = int(last - first), float(problem.units.sizes[first:last, 1].max())
     wide = float(problem.units.sizes[first:last, 0].max())
-    rows = -(-number // form.each)
+    rows, row = -(-number // form.each), find_layers(problem, unit)[0]
+    many, gaps = np.array([form.each, rows]), np.array([form.along - wide, form.across - deep])
     axes = find_axes(heading)
     zone = problem.ground.zone_bounds[problem.units.zones[unit]]
     anchors = [kept.pose[unit, :2], 0.5 * (zone[:2] + zone[2:])]
@@ -225,29 +226,10 @@ def _places(
             v = _nearest(middle[1], v, form.across)
             for du in (0.0,) if close else (-form.along, 0.0, form.along):
                 for dv in (-form.across, 0.0, form.across):
-                    yield _laid(kept, problem, unit, heading, axes.T @ (u + du, v + dv), form)
+                    at = axes.T @ (u + du, v + dv)
+                    yield set_rows(kept, unit, row, number, many, gaps, (*at, heading))
 
 
 def _nearest(value: float, start: float, step: float) -> float:
     """The number nearest to a value among a start and whole steps from it."""
     return start + step * round((value - start) / step)
-
-
-def _laid(
-    kept: Kept, problem: HallProblem, unit: int, heading: float, at: Floats, form: RowForm
-) -> Kept:
-    """The layout with a unit in rows of a form about a point."""
-    row, number = find_layers(problem, unit)[0], int(count_objects(problem)[unit])
-    first, last = problem.units.spans[unit]
-    wide, deep = problem.units.sizes[first:last].max(0)
-    pose, layers, rows = kept.pose.copy(), kept.layers.copy(), kept.rows.copy()
-    many = -(-number // form.each)
-    code = GRID if problem.units.choices[unit, GRID] else CHAIN
-    for k in range(many):
-        each = number // many + (1 if k < number % many else 0)
-        if code == GRID:
-            each = min(form.each, number - k * form.each)
-        gaps = form.along - wide, form.across - deep
-        layers[row + k] = np.array([each, *gaps, code, 0])
-    pose[unit, :3], rows[unit] = (*at, heading), (code, many)
-    return kept._replace(pose=pose, layers=layers, rows=rows)
