@@ -16,6 +16,7 @@ from scenewright.domains.hall.patterns import CHAIN, SINGLE
 from scenewright.domains.hall.problem import Floats, HallProblem, Ints
 from scenewright.domains.hall.retouch.arrivals import box_round, find_met
 from scenewright.domains.hall.retouch.lines import line_up
+from scenewright.domains.hall.retouch.places import all_over, walk_edges
 from scenewright.domains.hall.terms.state import Kept
 from scenewright.domains.hall.terms.visitors import FIRST, LANE, LOUNGE, MACHINE, RECEPTION, TILL
 
@@ -270,12 +271,8 @@ def _turn_round(box: Floats, most: float) -> Floats:
 
 def _spread(problem: HallProblem, unit: int) -> Floats:
     """Boxes (n, 5) of the desk of a unit all over its zone, looking along its sides."""
-    low, high = problem.ground.zone_bounds[int(problem.units.zones[unit])].reshape(2, 2)
     size = problem.units.sizes[int(problem.units.spans[unit, 0])]
-    rows = np.arange(low[0], high[0], AMID), np.arange(low[1], high[1], AMID), np.arange(4)
-    x, y, turn = (grid.ravel() for grid in np.meshgrid(*rows))
-    boxes = np.column_stack([x, y, 0.5 * np.pi * turn])
-    return np.column_stack([boxes, np.broadcast_to(size, (len(boxes), 2))])
+    return np.array([np.append(pose, size) for pose in all_over(problem, unit, 0.0)])
 
 
 def _spaced(places: Floats, order: Ints) -> list[int]:
@@ -305,22 +302,19 @@ def _places(problem: HallProblem, boxes: Floats, unit: int) -> Floats:
     behind = behind[behind[:, 4] == zone, :4]
     if not (_lengths(behind) > box[3] + NEXT).any():
         behind = _find_edges(problem, first, float(box[3]))
-    for x0, y0, x1, y1 in behind:
-        length = float(np.hypot(x1 - x0, y1 - y0))
-        way = np.array([x1 - x0, y1 - y0]) / max(length, 1e-9)
-        left = np.array([-way[1], way[0]])
+    for start, way, left, length in walk_edges(behind):
         heading = float(np.arctan2(left[1], left[0]))
         aside = ((0.5 * np.pi, 0.05), (-0.5 * np.pi, 0.05)) if box[3] <= SHORT else ()
         for turn, off in ((0.0, staff), *aside):
             wide, deep = (box[3], box[4]) if turn == 0.0 else (box[4], box[3])
             near, far = 0.5 * wide + NEXT, length - 0.5 * wide
             along = np.arange(near, far, STEP)
-            along = np.append(along, _lines((others - (x0, y0)) @ way, near, far))
+            along = np.append(along, _lines((others - start) @ way, near, far))
             first = off + 0.5 * deep
-            offs = np.append(first, _lines((others - (x0, y0)) @ left, first, first + BEHIND))
+            offs = np.append(first, _lines((others - start) @ left, first, first + BEHIND))
             t, d = (grid.ravel() for grid in np.meshgrid(along, offs))
             places = np.zeros((len(t), 5))
-            places[:, :2] = (x0, y0) + t[:, None] * way + d[:, None] * left
+            places[:, :2] = start + t[:, None] * way + d[:, None] * left
             places[:, 2], places[:, 3:] = heading + turn, box[3:]
             found.append(places)
     return np.concatenate(found)

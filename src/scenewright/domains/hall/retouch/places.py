@@ -79,23 +79,26 @@ def at_walls(problem: HallProblem, unit: int) -> list[Floats]:
     """Poses (4,) of one object with its back at the walls of its zone."""
     wide, deep = problem.units.sizes[problem.units.spans[unit, 0]]
     found = list[Floats]()
-    for x, y, way, left, length in walk_walls(problem, unit):
+    for start, way, left, length in walk_walls(problem, unit):
         for t in np.arange(0.5 * wide + CLOSE, length - 0.5 * wide, WALL_STEP):
-            at = np.array([x, y]) + t * way + (0.5 * deep + CLOSE) * left
+            at = start + t * way + (0.5 * deep + CLOSE) * left
             found.append(np.array([*at, np.arctan2(left[1], left[0]), 0.0]))
     return found[:: len(found) // WALL_PLACES + 1]
 
 
-def walk_walls(
-    problem: HallProblem, unit: int
-) -> Iterator[tuple[float, float, Floats, Floats, float]]:
-    """Where each wall of the zone of a unit begins, its unit direction and that into the zone, and
-    its length in metres."""
+def walk_walls(problem: HallProblem, unit: int) -> Iterator[tuple[Floats, Floats, Floats, float]]:
+    """The walls of the zone of a unit (:func:`walk_edges`)."""
     ground = problem.ground
-    for x0, y0, x1, y1 in ground.stretches[ground.stretches[:, 4] == problem.units.zones[unit], :4]:
+    return walk_edges(ground.stretches[ground.stretches[:, 4] == problem.units.zones[unit]])
+
+
+def walk_edges(edges: Floats) -> Iterator[tuple[Floats, Floats, Floats, float]]:
+    """Where each of some edges (e, 4 or more) begins, its unit direction and that to its left (2,),
+    and its length in metres."""
+    for x0, y0, x1, y1 in edges[:, :4]:
         length = max(float(np.hypot(x1 - x0, y1 - y0)), 1e-9)
         way = np.array([x1 - x0, y1 - y0]) / length
-        yield float(x0), float(y0), way, np.array([-way[1], way[0]]), length
+        yield np.array([x0, y0]), way, np.array([-way[1], way[0]]), length
 
 
 def along_walls(problem: HallProblem, unit: int) -> list[Floats]:

@@ -8,6 +8,7 @@ import numpy as np
 
 from scenewright.domains.hall.patterns import SINGLE, WALL
 from scenewright.domains.hall.problem import Floats, HallProblem
+from scenewright.domains.hall.retouch.places import walk_walls
 from scenewright.domains.hall.solvers.chains import HallChain, begin_chain
 from scenewright.domains.hall.solvers.guided_metropolis import bring_back
 from scenewright.domains.hall.solvers.start import copy_frames
@@ -47,11 +48,9 @@ def measure_stage(problem: HallProblem, boxes: Floats, stage: int) -> float:
     zone = int(problem.units.zones[stage])
     middle = problem.ground.zone_bounds[zone].reshape(2, 2).mean(0)
     found = [OFF_WALL * MOST] if width >= WIDE else [0.0]
-    for x0, y0, x1, y1, owner in problem.ground.stretches[:, :5]:
-        start, way = np.array([x0, y0]), np.array([x1 - x0, y1 - y0])
-        way, length = way / max(float(np.hypot(*way)), 1e-9), float(np.hypot(*way))
-        if int(owner) == zone and np.array([-way[1], way[0]]) @ front > 0.99:
-            along, off = float((back - start) @ way), float((back - start) @ (-way[1], way[0]))
+    for start, way, left, length in walk_walls(problem, stage):
+        if left @ front > 0.99:
+            along, off = float((back - start) @ way), float((back - start) @ left)
             amid = float((middle - start) @ way)
             if not 0.5 * width <= amid <= length - 0.5 * width:
                 amid = 0.5 * length
@@ -67,12 +66,9 @@ def _stand_free(
     """With its back at each wall, in the middle of that and of the zone."""
     box, zone = boxes[problem.units.spans[stage, 0]], int(problem.units.zones[stage])
     low, high = problem.ground.zone_bounds[zone].reshape(2, 2)
-    for x0, y0, x1, y1, owner in problem.ground.stretches[:, :5]:
-        start, length = np.array([x0, y0]), float(np.hypot(x1 - x0, y1 - y0))
-        if int(owner) != zone or length < box[3]:
+    for start, way, left, length in walk_walls(problem, stage):
+        if length < box[3]:
             continue
-        way = np.array([x1 - x0, y1 - y0]) / length
-        left = np.array([-way[1], way[0]])
         middle = float(
             np.clip((0.5 * (low + high) - start) @ way, 0.5 * box[3], length - 0.5 * box[3])
         )
