@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from scenewright.arranging.repair import Repair, Repaired, repair
+from scenewright.arranging.repair import Repair, Repaired, Step, repair
 from scenewright.arranging.verdict import Verdict
 from scenewright.core.passes import PassChange, PassRun
 from scenewright.domains.hall.problem import HallProblem
@@ -28,6 +28,8 @@ from scenewright.engine.draws import streams
 Touches = Mapping[str, SeenTouch]
 BUDGET, ROUNDS, GAIN = 400, 4, 0.5
 """Layouts judged at most, how often a row is looked at, and what a change has to gain."""
+LAST = ("bare", "spread")
+"""The rows that fill the floor that others leave."""
 
 
 class Mended(NamedTuple):
@@ -40,15 +42,18 @@ class Mended(NamedTuple):
 
 
 def mend_layout(problem: HallProblem, kept: Kept, touches: Touches) -> Mended:
-    """The layout with the touches made that gain, the worst row first. A row is not looked at again
-    until its fault is another."""
+    """The layout with the touches made that gain, the worst row first; those that fill the floor
+    only then. A row is not looked at again until its fault is another."""
     chain = begin_chain(problem, kept, streams(0, 1)[0])
     tried, seconds = {name: list[float]() for name in touches}, dict.fromkeys(touches, 0.0)
     moves = {name: partial(_propose, chain, touches, tried, seconds) for name in touches}
     rows = {name: (name,) for name in touches} | {ENERGY: (), PASSAGE: ()}
-    by = Repair(partial(judge_layout, chain, touches), moves, rows, _identify, GAIN)
-    begun = judge_layout(chain, touches, kept).cost
-    return Mended(repair(by, kept, BUDGET), begun, seconds)
+    begun, steps = judge_layout(chain, touches, kept).cost, list[Step]()
+    for some in ({name: touches[name] for name in touches if name not in LAST}, touches):
+        by = Repair(partial(judge_layout, chain, some), moves, rows, _identify, GAIN)
+        found = repair(by, kept, BUDGET)
+        kept, steps = found.state, [*steps, *found.steps]
+    return Mended(found._replace(steps=tuple(steps)), begun, seconds)
 
 
 def list_runs(mended: Mended, space: str) -> Iterator[PassRun]:
