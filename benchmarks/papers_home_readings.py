@@ -172,7 +172,7 @@ def genetic(problem: Problem, reading: Reading, seed: int) -> float:
     costs = cost(genes)
     for age in range(1, 100):
         parents = genes[draw(costs, reading, 40, rng)]
-        children = cross(parents.reshape(40, -1), 0.9, rng).reshape(parents.shape)
+        children = cross(parents.reshape(40, -1), rng.random(20) < 0.9, rng).reshape(parents.shape)
         children = mutate(children, reading, age, low, high, rng)
         children[0] = genes[costs.argmin()]
         rated = cost(children)

@@ -20,8 +20,8 @@ from scenewright.core.scene import Size
 from scenewright.domains.site.encodings.cell_moves import random_genes
 from scenewright.domains.site.encodings.refill import count_kinds, make_amount, refill
 from scenewright.domains.site.problem import Floats, SiteProblem
-from scenewright.domains.site.solvers.genetic import make_judge, measure_seen
 from scenewright.domains.site.solvers.lattice import make_cells
+from scenewright.domains.site.solvers.matrix_judge import make_judge, measure_seen
 from scenewright.domains.site.solving import problems
 from scenewright.domains.site.terms.measure import lay
 from scenewright.domains.site.terms.value import OMEGA, value_parts
