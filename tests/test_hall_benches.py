@@ -8,11 +8,11 @@ import numpy as np
 
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains.hall.accessories.benches import (
-    AT_WALL,
     BARS,
     FARS,
     HIDDEN,
     PUSHED,
+    WALL_BEHIND,
     WEDGED,
     find_bench_spots,
 )
@@ -69,8 +69,8 @@ def test_a_place_under_a_picture_is_the_last_at_a_wall() -> None:
     spots = find_bench_spots(Setting((), walls, (picture,), np.zeros((0, 5))), BENCH)
     at_wall = np.abs(spots.boxes[:, 1] - 9.8) < 0.1
     near = np.abs(spots.boxes[:, 0] - 5.0) < 0.6
-    assert (spots.costs[at_wall & near] >= AT_WALL + BARS).all()
-    assert spots.costs[at_wall & ~near].min() < AT_WALL + BARS
+    assert (spots.costs[at_wall & near] >= WALL_BEHIND + BARS).all()
+    assert spots.costs[at_wall & ~near].min() < WALL_BEHIND + BARS
 
 
 def test_a_wall_is_a_better_place_than_beside_another_bench() -> None:
@@ -97,7 +97,7 @@ def test_a_place_at_a_wall_behind_a_column_costs() -> None:
     spots = find_bench_spots(setting, BENCH)
     behind = (np.abs(spots.boxes[:, 0] - 5.5) < 0.5) & (spots.boxes[:, 1] < 0.5)
     free = (np.abs(spots.boxes[:, 0] - 3.0) < 0.5) & (spots.boxes[:, 1] < 0.5)
-    assert (spots.costs[behind] >= AT_WALL + HIDDEN).all()
-    assert (spots.costs[free] < AT_WALL + HIDDEN).all()
+    assert (spots.costs[behind] >= WALL_BEHIND + HIDDEN).all()
+    assert (spots.costs[free] < WALL_BEHIND + HIDDEN).all()
     assert behind.any()
     assert free.any()

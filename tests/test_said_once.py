@@ -11,14 +11,37 @@ import pytest
 
 import scenewright
 from scenewright.catalog import classes as kinds
+from scenewright.domains.hall import measures as hall_measures
 from scenewright.domains.home import measures
 from scenewright.domains.home.groups import classes as groups
 
-HOME = Path(scenewright.__file__).parent / "domains" / "home"
+DOMAINS = Path(scenewright.__file__).parent / "domains"
+HOME = DOMAINS / "home"
 REFEREE = HOME / "check"
 """The referee shares no code with the search, so it says what it goes by itself."""
 FILES = sorted(file for file in HOME.rglob("*.py") if REFEREE not in file.parents)
 TABLES = (kinds, groups, measures)
+MEASURED = {"home": measures, "hall": hall_measures}
+UNMEASURED = ("check", "drawing")
+"""The referee, and what is measured in millimetres of paper."""
+VARYING = {
+    "home": """
+        ACROSS AHEAD ALONG AMID APART AT BACK BACKED BARE BEFORE BETTER BETWEEN BEYOND CELL
+        CLOSE CORNER DEEP EYES FACING FAR FARTHEST FILLED FLUSH FREE HIGHEST HUNG INSIDE IN_LINE
+        LEAST LEAST_FLOOR LESS LONG LOW MORE NARROWEST NEAR OFF_AXIS OFF_COUNTED ON_AXIS OPEN
+        PASSED PAST PLACE REACH ROOMY SEAT SEEN SHALLOW SHARED SHELVED SIDEWAYS SIGHT SLACK SLIM
+        SLIVER SPARE STAND STEP TALL TOUCH TOUCHING TURNED UNLIKE UNSEEN USUAL WAY WIDEST WORTH
+    """,
+    "hall": """
+        AISLE ALONG ASIDE ASTRAY BARE BEFORE BEHIND BESIDE BESIDE_DOOR BETWEEN CEILING CLOSE
+        CORNER CROWDED DEEP EACH EDGE ELSEWHERE END FAR FARTHEST FREE FULL FURTHER GAP GRID
+        HEIGHT HIDDEN KNEES LEAST LITTLE LONG LONGEST MARGIN MOST NARROW NEAR NEXT OFF OFF_AXIS
+        OFF_WALL OUTSIDE OVERLAP PARTED ROUND SHARE SHORT SHORTEST SINGLE SLACK SMALL SPARE
+        STAFF STEP THICK TOUCH TOUCHING TURNED WALL WALL_SHARE WAY WEIGHT WIDE WIDEST
+        WIDEST_LEAF WORTH
+    """,
+}
+"""Names that several rules still give numbers of their own: none may join them."""
 
 
 def list_constants(text: str) -> Iterator[tuple[str, ast.expr]]:
@@ -63,6 +86,44 @@ def list_faults(files: dict[str, str]) -> list[str]:
             if found := read_class(value):
                 where[found].append(f"{file}:{name}")
     return again + [" = ".join(places) for places in where.values() if len(places) > 1]
+
+
+def list_files(domain: str) -> dict[str, str]:
+    """The texts of a domain's files in which rules say distances."""
+    root = DOMAINS / domain
+    apart = {root / name for name in UNMEASURED}
+    return {
+        str(file.relative_to(root)): file.read_text(encoding="utf-8")
+        for file in root.rglob("*.py")
+        if not apart & set(file.parents)
+    }
+
+
+def list_varying(files: dict[str, str]) -> set[str]:
+    """Names that the texts of files give more than one number, whole numbers apart."""
+    values = defaultdict[str, set[float]](set)
+    for text in files.values():
+        for name, value in list_constants(text):
+            if isinstance(value, ast.Constant) and isinstance(value.value, float):
+                values[name.lstrip("_")].add(value.value)
+    return {name for name, found in values.items() if len(found) > 1}
+
+
+@pytest.mark.parametrize("domain", VARYING)
+def test_no_further_name_stands_for_two_distances(domain: str) -> None:
+    assert list_varying(list_files(domain)) - set(VARYING[domain].split()) == set()
+
+
+@pytest.mark.parametrize("domain", MEASURED)
+def test_no_measure_of_a_domain_is_said_again(domain: str) -> None:
+    known = {name for name in vars(MEASURED[domain]) if name.isupper()}
+    files = {name: text for name, text in list_files(domain).items() if name != "measures.py"}
+    named = {(file, name) for file, text in files.items() for name, _ in list_constants(text)}
+    assert [each for each in named if each[1].lstrip("_") in known] == []
+
+
+def test_a_second_number_of_a_name_is_found() -> None:
+    assert list_varying({"a": "NEAR = 0.1\nFAR = 2.0", "b": "NEAR, TRIED = 0.2, 3"}) == {"NEAR"}
 
 
 def test_no_class_and_no_measure_of_homes_is_defined_again() -> None:

@@ -22,6 +22,7 @@ from scenewright.core.scene import Piece
 from scenewright.core.space import Space
 from scenewright.domains.hall.classes import AUDIENCE_SEATS
 from scenewright.domains.hall.demands.holdings import HallDemand
+from scenewright.domains.hall.measures import HEAD_HEIGHT
 from scenewright.domains.hall.patterns import PATTERNS
 from scenewright.domains.hall.problem import Floats, HallGround, HallProblem, Ints, Units
 from scenewright.domains.hall.settings import HallSettings
@@ -40,7 +41,6 @@ SHARE, MOST = 0.75, 0.8
 """δ_min: this share of what its objects demand of a zone, and at most."""
 MARGIN = 0.1
 """Passages are planned this much wider than asked for, in metres."""
-HEAD_HEIGHT = 2.0
 EACH = 2.0
 """Access of sides each of which must be reached: those of two rows back to back."""
 SIDES = ("front", "left", "back", "right")

@@ -15,7 +15,7 @@ from scenewright.domains.hall.accessories.spots import (
 )
 from scenewright.domains.hall.problem import Floats
 
-FAR, NEXT = 0.3, 0.03
+ENTRANCE_FAR, NEXT = 0.3, 0.03
 """What a metre from the entrance costs, and metres between two stacks side by side."""
 OPEN = 0.4
 """What a stack costs that does not continue a row."""
@@ -26,7 +26,9 @@ def find_basket_spots(setting: Setting, size: Size) -> Spots:
     boxes = line_walls(setting.walls, size)[0]
     beside = _continue_rows(setting.others, size)
     far = [_measure_way(setting, rows) for rows in (boxes, beside)]
-    return join_spots([make_spots(boxes, OPEN + FAR * far[0]), make_spots(beside, FAR * far[1])])
+    return join_spots(
+        [make_spots(boxes, OPEN + ENTRANCE_FAR * far[0]), make_spots(beside, ENTRANCE_FAR * far[1])]
+    )
 
 
 def _continue_rows(others: Floats, size: Size) -> Floats:

@@ -19,8 +19,8 @@ from scenewright.domains.hall.accessories.spots import (
     make_spots,
     measure_crowd,
 )
-from scenewright.domains.hall.build_problem import HEAD_HEIGHT
 from scenewright.domains.hall.demands.holdings import HallDemand, may_stand_together
+from scenewright.domains.hall.measures import HEAD_HEIGHT
 from scenewright.domains.hall.problem import Floats
 
 PICTURE, ISLAND = "wall_exhibit", "exhibit_island"
@@ -30,11 +30,11 @@ stand in rows; metres."""
 FARS, OFF = (2.5, 2.2, 2.8, 2.0, 3.0), 0.5
 """Metres from what one looks at to the middle of a bench, the best first, and what a metre more or
 less than that costs."""
-AT_WALL = 4.0
+WALL_BEHIND = 4.0
 """What a place with its back at a wall costs, where nothing is to be sat before."""
 PITCH = 3.0
 """Metres of a side of an island for each bench."""
-NEAR, CROWD = 5.0, 0.4
+BENCHES_WITHIN, BENCHES_CROWD = 5.0, 0.4
 """Within how many metres benches are too many, and what each metre of that costs."""
 BEFORE, ASIDE, BARS = 1.5, 0.6, 3.0
 """Metres before a picture and beside it that a bench bars, and what that costs: whoever looks at it
@@ -68,7 +68,7 @@ def is_large_island(wish: HallDemand) -> bool:
 def find_bench_spots(setting: Setting, size: Size) -> Spots:
     """Spots before pictures and the long sides of islands, turned to these; cheaper away from the
     benches that stand and from what hangs right beside; else at walls."""
-    at_walls = make_spots(line_walls(setting.walls, size)[0], AT_WALL)
+    at_walls = make_spots(line_walls(setting.walls, size)[0], WALL_BEHIND)
     blocked = _cross_walls(lead_before(at_walls.boxes, FREE), setting)
     at_walls = at_walls._replace(costs=at_walls.costs + HIDDEN * blocked)
     parts = [make_spots(np.zeros((0, 5)), 0.0)]
@@ -84,7 +84,7 @@ def find_bench_spots(setting: Setting, size: Size) -> Spots:
     wedged = WEDGED * _stand_near(amid.boxes, setting, CLOSE)
     wedged = wedged + PUSHED * _stand_near(amid.boxes, setting, TOUCHING)
     found = join_spots([at_walls, amid._replace(costs=amid.costs + wedged)])
-    crowd = CROWD * measure_crowd(found.boxes, setting.others, NEAR)
+    crowd = BENCHES_CROWD * measure_crowd(found.boxes, setting.others, BENCHES_WITHIN)
     barring = BARS * _bar_pictures(found.boxes, setting)
     return found._replace(costs=found.costs + crowd + barring)
 

@@ -23,18 +23,18 @@ GAPS = (0.6, 1.2)
 FURTHER, BESIDE, ELSEWHERE = 0.1, 0.15, 0.6
 """What a door counts that is not the main one, a spot at the end of a row of machines, and one at
 any wall."""
-FAR, MOST = 0.1, 12.0
+LITTER_FAR, MOST = 0.1, 12.0
 """What a metre from where litter comes from costs at walls, and the metres that count at most."""
-NEAR, CROWD = 9.0, 0.3
+BINS_WITHIN, BINS_CROWD = 9.0, 0.3
 """Within how many metres bins are too many, and what each metre of that costs."""
 
 
 def find_bin_spots(setting: Setting, size: Size) -> Spots:
     """Spots for the next bin, cheaper away from those that stand."""
     boxes = line_walls(setting.walls, size)[0]
-    walls = make_spots(boxes, ELSEWHERE + FAR * _measure_way(setting, boxes))
+    walls = make_spots(boxes, ELSEWHERE + LITTER_FAR * _measure_way(setting, boxes))
     found = join_spots([*_flank_doors(setting, size), _end_machines(setting, size), walls])
-    crowd = CROWD * measure_crowd(found.boxes, setting.others, NEAR)
+    crowd = BINS_CROWD * measure_crowd(found.boxes, setting.others, BINS_WITHIN)
     return found._replace(costs=found.costs + crowd)
 
 

@@ -35,6 +35,7 @@ from scenewright.domains.hall.accessories.stools import (
 from scenewright.domains.hall.build_problem import MARGIN, SIDES, HallContext
 from scenewright.domains.hall.classes import SERVING
 from scenewright.domains.hall.demands.holdings import HallDemand
+from scenewright.domains.hall.measures import ARM
 from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.solvers.outcome import MeasuredLayout, lacking, measure_among
 
@@ -45,10 +46,8 @@ HIDDEN, BEHIND = 1.5, 3.0
 """What a spot costs behind a desk, where only those who serve there see it, and how many metres."""
 BEFORE = 0.6
 """Metres before a small object in which others had better not stand."""
-AT_WALL = 0.045
+BACK_OFF_WALL = 0.045
 """Metres from a wall to the back of what is to stand at one: the referee asks for 5 mm more."""
-ARM = 0.2
-"""Metres that an arm reaches beyond the side of who walks by."""
 TRIED, SAME = 12, 0.01
 """How many of the best spots, and of the others, are tried for what bars a way on the first, and
 metres between two spots that are one."""
@@ -248,7 +247,7 @@ def _have_wall(boxes: Floats, setting: Setting) -> Bools:
     )
     built = polygons_of([p for p in setting.pieces if p.category == "partition"])
     walls = np.append(shapely.linestrings(setting.walls.reshape(-1, 2, 2)), built)
-    near = shapely.STRtree(walls).query(shapely.points(back), "dwithin", AT_WALL)[0]
+    near = shapely.STRtree(walls).query(shapely.points(back), "dwithin", BACK_OFF_WALL)[0]
     return np.asarray(np.isin(np.arange(len(boxes)), near), bool)
 
 

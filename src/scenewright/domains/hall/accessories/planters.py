@@ -28,13 +28,13 @@ PAIR, RANK, LATER = 0.0, 0.3, 0.15
 """What a spot of a pair costs, and more for each door after the main entrance and a wider gap."""
 EDGED = (*SERVING, "ticket_gate", "lockers")
 """What they border at its ends."""
-BENCH, CORNER, WALL, EDGE, ROW = 1.3, 1.0, 2.0, 2.3, 3.0
+BENCH, CORNER, WALL, EDGE, IN_ROW = 1.3, 1.0, 2.0, 2.3, 3.0
 """What a spot costs at the end of a bench, in a corner, at a wall, at the end of a desk, and on in
 a row with planters."""
-IN_CORNER, END, TOUCH = 0.3, 0.12, 0.02
+IN_CORNER, END, PLANTERS_TOUCH = 0.3, 0.12, 0.02
 """Metres from the end of a wall that count as its corner, from a bench, and between planters of a
 row."""
-NEAR, CROWD = 4.0, 0.3
+PLANTERS_WITHIN, PLANTERS_CROWD = 4.0, 0.3
 """Within how many metres planters are too many, and what each metre of that costs."""
 
 
@@ -43,7 +43,7 @@ def find_planter_spots(setting: Setting, size: Size) -> Spots:
     pairs = [_frame_doors(setting, size), _frame_stages(setting, size)]
     edges = _border(setting, size), _go_on(setting, size)
     found = join_spots([*pairs, _end_benches(setting, size), _line_walls(setting, size), *edges])
-    crowd = CROWD * measure_crowd(found.boxes, setting.others, NEAR)
+    crowd = PLANTERS_CROWD * measure_crowd(found.boxes, setting.others, PLANTERS_WITHIN)
     return found._replace(costs=found.costs + crowd)
 
 
@@ -118,6 +118,8 @@ def _go_on(setting: Setting, size: Size) -> Spots:
     """End to end with planters that stand."""
     parts = [np.zeros((0, 5))]
     for x, y, heading, wide, _ in setting.others:
-        along = (0.5 * (wide + size.width) + TOUCH) * np.array([np.sin(heading), -np.cos(heading)])
+        along = (0.5 * (wide + size.width) + PLANTERS_TOUCH) * np.array(
+            [np.sin(heading), -np.cos(heading)]
+        )
         parts.append(face(np.array([x, y]) + np.array([along, -along]), heading, size))
-    return make_spots(np.concatenate(parts), ROW)
+    return make_spots(np.concatenate(parts), IN_ROW)

@@ -16,13 +16,14 @@ from scenewright.core.space import Space
 from scenewright.domains.hall.build_problem import HallContext
 from scenewright.domains.hall.classes import SERVING
 from scenewright.domains.hall.demands.holdings import HallDemand
+from scenewright.domains.hall.measures import QUEUE
 from scenewright.domains.hall.problem import Floats
 from scenewright.domains.hall.visit.doors import visitor_exits, ways_in
 
 Bools = NDArray[np.bool_]
 
-WAY, QUEUE = 3.0, 2.0
-"""Metres that stay free on the way in and out behind a door, and before a desk."""
+WAY = 3.0
+"""Metres that stay free on the way in and out behind a door."""
 LITTLE, SHORT = 1e-4, 1e-3
 
 

@@ -10,7 +10,7 @@ import numpy as np
 from scenewright.core.scene import Size
 from scenewright.domains.hall.problem import Floats, Ints
 
-AT_WALL, FROM_END, STEP, APART = 0.02, 0.12, 0.5, 0.8
+OFF_THE_WALL, FROM_END, STEP, SPOTS_APART = 0.02, 0.12, 0.5, 0.8
 """Metres off the wall, from the end of it, and between two spots along it and on open floor."""
 NO_PAIR = -1
 
@@ -54,7 +54,7 @@ def line_walls(walls: Floats, size: Size) -> tuple[Floats, Floats]:
         along = np.unique([*np.arange(half, length - half, STEP), length - half])
         way = np.array([x1 - x0, y1 - y0]) / length
         inward = np.array([-way[1], way[0]])
-        points = [x0, y0] + along[:, None] * way + (AT_WALL + 0.5 * size.depth) * inward
+        points = [x0, y0] + along[:, None] * way + (OFF_THE_WALL + 0.5 * size.depth) * inward
         rows.append(face(points, np.arctan2(inward[1], inward[0]), size))
         far.append(np.minimum(along, length - along) - 0.5 * size.width)
     return np.concatenate(rows), np.concatenate(far)
@@ -66,7 +66,7 @@ def flank(
     """Boxes (2 g, 5) to both sides of something ``width`` metres wide in the line of a wall, at
     ``gaps`` from it; ``middle`` (2,) lies in the face of the wall, ``inward`` (2,) leads off it."""
     right = np.array([inward[1], -inward[0]])
-    front = middle + (AT_WALL + 0.5 * size.depth) * inward
+    front = middle + (OFF_THE_WALL + 0.5 * size.depth) * inward
     off = np.array([[side * (0.5 * (width + size.width) + g)] for g in gaps for side in (-1, 1)])
     return face(front + off * right, np.arctan2(inward[1], inward[0]), size)
 
@@ -92,7 +92,7 @@ def spread_spots(
 ) -> Spots:
     """Spots all over the floor within some bounds, lengthwise and across."""
     x0, y0, x1, y1 = bounds
-    grid = np.meshgrid(np.arange(x0 + 0.3, x1, APART), np.arange(y0 + 0.3, y1, APART))
+    grid = np.meshgrid(np.arange(x0 + 0.3, x1, SPOTS_APART), np.arange(y0 + 0.3, y1, SPOTS_APART))
     points = np.stack([part.ravel() for part in grid], axis=1)
     turned = [face(points, heading, size) for heading in (-0.5 * np.pi, 0.0)]
     return make_spots(np.concatenate(turned), 0.0)

@@ -28,7 +28,7 @@ AT_TABLE, SERVING, NEXT = 0.5, 1.5, 0.04
 queue, and each next one of the same."""
 BARS = ("bar", "theke", "tresen", "barra", "comptoir à", "吧台", "バー", "カウンター席")
 """Parts of the names of counters to sit at."""
-WIDEST = 0.9
+STOOL_GAP = 0.9
 """Metres from stool to stool before a counter at most."""
 SMALL = 0.9
 """Up to how many metres wide and deep a table has a place at each of its sides."""
@@ -113,7 +113,7 @@ def spread_stools(counter: Piece, boxes: Floats, served: float = SERVED) -> Floa
     heading, count = counter.pose.heading, len(boxes)
     right = np.array([math.sin(heading), -math.cos(heading)])
     along = (boxes[:, :2] - counter.pose[:2]) @ right
-    pitch = min(max((counter.size.width - served) / count, CLOSE), WIDEST)
+    pitch = min(max((counter.size.width - served) / count, CLOSE), STOOL_GAP)
     evenly, order = pitch * (np.arange(count) - 0.5 * (count - 1)), np.argsort(along)
     found = boxes.copy()
     found[order, :2] += (evenly - along[order])[:, None] * right

@@ -29,7 +29,7 @@ LEAVING, ELSEWHERE = 1.0, 1.8
 ISLAND, OF, NEXT = -0.8, "exhibit_island", 0.25
 """What a spot beside an island costs, which has too little floor around it always; what is one, and
 metres between both."""
-NEAR, CROWD = 5.0, 0.5
+TOTEMS_WITHIN, TOTEMS_CROWD = 5.0, 0.5
 """Within how many metres totems say the same, and what each metre of that costs."""
 
 
@@ -41,7 +41,7 @@ def find_totem_spots(setting: Setting, size: Size) -> Spots:
     parts.append(make_spots(line_walls(setting.walls, size)[0], ELSEWHERE))
     found = join_spots(parts)
     return found._replace(
-        costs=found.costs + CROWD * measure_crowd(found.boxes, setting.others, NEAR)
+        costs=found.costs + TOTEMS_CROWD * measure_crowd(found.boxes, setting.others, TOTEMS_WITHIN)
     )
 
 

@@ -31,7 +31,7 @@ FAIR, ROW, FULL = 0.5, 3, 0.8
 the floor that all may take for that."""
 MOST_NAMED, LITTLE = 3, 0.05
 """Of how many others a note says what they take, and from which share of the floor on."""
-AT_WALL = 0.45
+WALL_TO_TABLES = 0.45
 """What stays free between walls and tables with their chairs, in metres."""
 WALL_SHARE = 0.8
 """Share of the walls of a zone that things may fill; the rest is corners."""
@@ -93,7 +93,7 @@ def _count_tables(demand: Demand, hall: HallContext, chairs: float, used: float)
     found, taken = 0, (used - floor_needed(demand)) / max(int(zones.sum()), 1)
     for zone in (one for one, held in zip(hall.plan.zones, zones, strict=True) if held):
         short, long = sorted(np.ptp(zone.outline, axis=0))
-        sides = np.array([short, long - taken / short]) + hall.passage - 2.0 * AT_WALL
+        sides = np.array([short, long - taken / short]) + hall.passage - 2.0 * WALL_TO_TABLES
         found += int(np.prod(np.maximum(sides // wide, 0.0)))
     return found
 

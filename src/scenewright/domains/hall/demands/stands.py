@@ -9,7 +9,7 @@ from scenewright.domains.hall.demands.holdings import HallDemand
 
 ISLAND, STAND = "exhibit_island", "exhibit_island_stand"
 """The category of stands, and how they are drawn."""
-AISLE, SEVERAL = 2.4, 2
+STAND_AISLE, SEVERAL = 2.4, 2
 """Metres free before stands: people stop on both sides and others pass; and how many stand so at
 least."""
 
@@ -31,4 +31,4 @@ def _is_stand(wish: HallDemand, catalog: Catalog) -> bool:
 
 
 def _abut(wish: HallDemand) -> HallDemand:
-    return wish._replace(clearance=(max(AISLE, wish.clearance[0]), 0.0, 0.0, 0.0))
+    return wish._replace(clearance=(max(STAND_AISLE, wish.clearance[0]), 0.0, 0.0, 0.0))

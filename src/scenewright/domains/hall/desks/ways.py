@@ -11,7 +11,7 @@ from scenewright.domains.hall.build_problem import HallContext, zone_areas
 from scenewright.domains.hall.demands.holdings import SEATWAY, HallDemand
 from scenewright.domains.hall.desks.chairs import ADVISING
 
-WAY, APART = 0.6, 1.2
+WAY, DESKS_APART = 0.6, 1.2
 """Metres between the sides of two desks: one person passes; customers of two do not hear each
 other's talk."""
 SEATED = 0.55
@@ -64,7 +64,7 @@ def _with_way(wish: HallDemand) -> HallDemand:
     """Desks with half of the way on either side, and the floor of the chairs that come with desks
     for advice."""
     advising = any(word in f"{wish.id} {wish.name}".casefold() for word in ADVISING)
-    aside = 0.5 * (APART if advising else WAY)
+    aside = 0.5 * (DESKS_APART if advising else WAY)
     chairs = SEATED if advising and not wish.seated else 0.0
     sizes = tuple(
         Size(size.width + 2.0 * aside, size.depth + 2.0 * chairs, size.height)

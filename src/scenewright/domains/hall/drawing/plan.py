@@ -26,14 +26,14 @@ from scenewright.domains.hall.drawing.zones import (
     zones_mark,
 )
 from scenewright.domains.hall.hall_layout import HallLayout, Tour, Zone
+from scenewright.domains.hall.measures import HEAD_HEIGHT
 from scenewright.drawing.layers import PlanLayer
 from scenewright.drawing.marks import PaperView, group, to_paper
 from scenewright.drawing.pieces import footprint
 from scenewright.drawing.signs import bubble
 
-LEAST, HEAD_ROOM, STOPS = 0.01, 2.0, 500
-"""The least area and length worth drawing, the height from which one walks under things, in
-metres, and how many stops of a tour are drawn."""
+LEAST, STOPS = 0.01, 500
+"""The least area and length worth drawing, in metres, and how many stops of a tour are drawn."""
 
 
 class Halls(NamedTuple):
@@ -154,7 +154,7 @@ def solid_of(walls: Geometry, pieces: Sequence[Piece], catalog: Catalog) -> Geom
     bodies = [
         Polygon(footprint(piece))
         for piece in pieces
-        if piece.pose.z < HEAD_ROOM and piece.category not in flat
+        if piece.pose.z < HEAD_HEIGHT and piece.category not in flat
     ]
     return shapely.union_all([walls, *bodies])
 

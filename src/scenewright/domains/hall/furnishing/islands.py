@@ -24,12 +24,12 @@ from scenewright.domains.hall.classes import CARPETED_EXHIBITS, CARPETED_SEATS
 from scenewright.domains.hall.hall_layout import HallLayout, PlacedGroup, Zone
 
 CARPETS = ("carpet_grey", "carpet_sand", "carpet_sage")
-BEYOND, APART, SEAM = 0.7, 1.3, 0.15
+BEYOND, ONE_CARPET, SEAM = 0.7, 1.3, 0.15
 """How far a carpet reaches beyond what stands on it, up to which gap two share one, and how far it
 keeps from the border of its zone, metres."""
 RINGS = ("radiation", "circulation")
 """Patterns on a round carpet."""
-LEAST = 3.0
+LEAST_CARPET = 3.0
 """Square metres of a carpet, at least."""
 HOLE, FULL, ROUND = 12.0, 0.7, 0.85
 """Square metres of a hole in a carpet that is filled, the share of its rectangle from which on a
@@ -76,13 +76,15 @@ def _lay_carpet(
     if not standing:
         return None
     whole = shapely.union_all([_surround(some, name in RINGS) for name, some in standing])
-    joined = _close(whole, APART / 2).simplify(0.05)
+    joined = _close(whole, ONE_CARPET / 2).simplify(0.05)
     holes = [hole for hole in zone.holes if shapely.Polygon(hole).area > COLUMN]
     floor = shapely.Polygon(zone.outline, holes)
-    if floor.area < LEAST:
+    if floor.area < LEAST_CARPET:
         return None
     floor = floor.buffer(-SEAM, join_style="mitre")
-    parts = [p for p in polygons(plain_carpet(joined).intersection(floor)) if p.area >= LEAST]
+    parts = [
+        p for p in polygons(plain_carpet(joined).intersection(floor)) if p.area >= LEAST_CARPET
+    ]
     colour = CARPETS[number % len(CARPETS)]
     name = f"{zone.space}/{zone.id}/carpet"
     rings = tuple(map(_rings, parts))
@@ -103,7 +105,7 @@ def _surround(held: tuple[Piece, ...], ring: bool) -> Geometry:
         far = np.hypot(*(corners(boxes).reshape(-1, 2) - middle).T).max()
         return shapely.Point(middle).buffer(float(far) + 0.5 * BEYOND, quad_segs=16)
     boxes[:, 3:] += 2 * BEYOND
-    return _close(shapely.union_all(shapely.polygons(corners(boxes))), APART / 2)
+    return _close(shapely.union_all(shapely.polygons(corners(boxes))), ONE_CARPET / 2)
 
 
 def plain_carpet(shape: Geometry) -> Geometry:

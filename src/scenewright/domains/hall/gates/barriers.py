@@ -34,7 +34,7 @@ HEIGHT = 1.0
 ASTRAY = 3.5
 """Metres of fault from which on gates stand where no way in is: rails would close nothing."""
 
-TOUCH = 0.002
+RAILS_SHARE = 0.002
 """How much of a rail may stand in others, in metres: less than is a collision."""
 
 
@@ -56,7 +56,7 @@ def place_barriers(
         row = find_row(problem, layout.boxes, unit)
         row = row._replace(others=np.concatenate([row.others, solid]))
         for rails in _choices(problem, row):
-            free = measure_blocked(problem, row, rails) <= TOUCH
+            free = measure_blocked(problem, row, rails) <= RAILS_SHARE
             if free and _leads_on(problem, layout, rails):
                 name = problem.names[unit]
                 found = (*found, *make_barriers(space, name, demands[name], rails, catalog))
@@ -129,4 +129,4 @@ def _clip(rails: Floats, floor: shapely.Polygon) -> Floats:
         span = (-0.5 * float(rail[3]), 0.5 * float(rail[3]))
         low, high = clip_span(floor, middle, way, span, float(rail[4]))
         rail[:2], rail[3] = middle + 0.5 * (low + high) * way, high - low
-    return found[found[:, 3] > TOUCH]
+    return found[found[:, 3] > RAILS_SHARE]

@@ -17,14 +17,8 @@ from scenewright.domains.hall.build_problem import HallContext
 from scenewright.domains.hall.demands.holdings import HallDemand
 from scenewright.domains.hall.furnishing.pieces import make_piece
 from scenewright.domains.hall.gates.barriers import make_barriers
-from scenewright.domains.hall.gates.rails import (
-    INSIDE,
-    LANE,
-    RowOfGates,
-    WayIn,
-    lay_rails,
-    sides_of,
-)
+from scenewright.domains.hall.gates.rails import LANE, RowOfGates, WayIn, lay_rails, sides_of
+from scenewright.domains.hall.measures import DOOR_OUTSIDE
 from scenewright.domains.hall.problem import Floats
 from scenewright.domains.hall.retouch.arrivals import box_round
 from scenewright.domains.hall.visit.doors import visitor_exits, ways_in
@@ -71,7 +65,7 @@ def _find_exits(hall: HallContext, wish: HallDemand) -> list[DoorApproach]:
     if wish.category != GATE or not wish.unstated or len(wish.zones) != 1:
         return []
     outline = hall.plan.zones[hall.names.index(wish.zones[0])].outline
-    low, high = outline.min(0) - INSIDE, outline.max(0) + INSIDE
+    low, high = outline.min(0) - DOOR_OUTSIDE, outline.max(0) + DOOR_OUTSIDE
     near = {g.opening.id: g for g in gates(hall.space) if _lies_in(g.face, low, high)}
     if any(door.id in near for door in ways_in(hall.space)):
         return []

@@ -10,7 +10,7 @@ from scenewright.building.door_approach import gates
 from scenewright.catalog.kinds import KINDS
 from scenewright.domains.hall.build_problem import HallContext
 from scenewright.domains.hall.demands.holdings import HallDemand
-from scenewright.domains.hall.gates.rails import INSIDE
+from scenewright.domains.hall.measures import DOOR_OUTSIDE
 from scenewright.domains.hall.visit.doors import ways_in
 from scenewright.domains.hall.visit.roles import is_first
 from scenewright.domains.hall.zoning.assign import Unit
@@ -41,5 +41,5 @@ def _count_doors(hall: HallContext, zone: int) -> int:
     faces = {gate.opening.id: gate.face for gate in gates(hall.space)}
     points = np.array([faces[door.id] for door in ways_in(hall.space)]).reshape(-1, 2)
     outline = hall.plan.zones[zone].outline
-    inside = (points >= outline.min(0) - INSIDE) & (points <= outline.max(0) + INSIDE)
+    inside = (points >= outline.min(0) - DOOR_OUTSIDE) & (points <= outline.max(0) + DOOR_OUTSIDE)
     return int(inside.all(1).sum())

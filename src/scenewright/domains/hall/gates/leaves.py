@@ -22,7 +22,7 @@ from scenewright.domains.hall.visit.roles import GATE
 GATE_LEAF = "gate_leaf"
 THICK, HEIGHT, SLIT = 0.03, 0.9, 0.03
 """How thick and high a leaf is, and how far from the housings on both sides it ends; metres."""
-LEAST, WIDEST = 0.3, 2.0
+NARROWEST_LEAF, WIDEST_LEAF = 0.3, 2.0
 """How wide what it closes is at least, and at most from a gate to a wall; metres."""
 Span = tuple[Floats, Floats]
 """The ends (2,) of a leaf."""
@@ -63,7 +63,7 @@ def _span_to_gate(post: Piece, pieces: Sequence[Piece]) -> Span | None:
     front = math.cos(post.pose.heading), math.sin(post.pose.heading)
     gates = [p for p in pieces if p.group == post.group and p.category == GATE]
     way = min((_measure_lane(post, gate, front) for gate in gates), key=abs, default=0.0)
-    if abs(way) <= LEAST:
+    if abs(way) <= NARROWEST_LEAF:
         return None
     start = np.array(post.pose[:2]) + math.copysign(0.5 * post.size.depth, way) * np.array(front)
     return start, start + way * np.array(front)
@@ -80,7 +80,7 @@ def _span_to_wall(space: Space, group: str, pieces: Sequence[Piece]) -> Span | N
             start = np.array(gate.pose[:2]) + 0.5 * gate.size.width * way
             far = reach(edges_of(space), start, way)
             line = shapely.LineString([start + 0.05 * way, start + (far - 0.01) * way])
-            if LEAST < far <= WIDEST and not line.intersects(fence):
+            if NARROWEST_LEAF < far <= WIDEST_LEAF and not line.intersects(fence):
                 found.append((far, (start, start + far * way)))
     return min(found, key=lambda one: one[0], default=(0.0, None))[1]
 

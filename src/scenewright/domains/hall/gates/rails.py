@@ -9,19 +9,18 @@ import numpy as np
 import shapely
 
 from scenewright.core.layout import corners
+from scenewright.domains.hall.measures import DOOR_OUTSIDE
 from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.terms.visitors import FIRST
 
-INSIDE = 0.6
-"""How far outside the bounds of its zone a door may lie, in metres."""
-BESIDE_DOOR, AT_WALL, SHORTEST, THICK = 0.4, 1.6, 0.2, 0.06
+BESIDE_DOOR, RAIL_TO_WALL, SHORTEST, THICK = 0.4, 1.6, 0.2, 0.06
 """How far beside a door rails begin, how near a wall lies to which they run on instead of turning
 back, the shortest of them, and how thick they are; metres."""
 POST = 0.2
 """How thick the post of the wide gate is, in metres."""
 BARE = 0.25
 """What it counts that it has none, as metres of rails on floor that others need."""
-APART = 0.01
+RAIL_GAP = 0.01
 """What rails stay off walls, gates and one another, in metres."""
 LANE, MARGIN, THROUGH = 0.9, 0.2, 3.0
 """How wide the wide gate behind a door is at least, by how much it is wider than the route, and how
@@ -47,7 +46,7 @@ def find_way_in(problem: HallProblem, unit: int) -> WayIn:
     bounds, lane = ground.zone_bounds[zone], max(LANE, problem.route)
     ahead = np.column_stack([np.cos(ground.doors[:, 2]), np.sin(ground.doors[:, 2])])
     points = ground.doors[:, :2] + (0.5 * ground.doors[:, 4:] + 0.4) * ahead
-    inside = (points >= bounds[:2] - INSIDE) & (points <= bounds[2:] + INSIDE)
+    inside = (points >= bounds[:2] - DOOR_OUTSIDE) & (points <= bounds[2:] + DOOR_OUTSIDE)
     door = problem.visitors.entrances[0]
     if inside.all(1).any():
         far = np.hypot(*(points - door).T) + 1e3 * ~inside.all(1)
@@ -106,21 +105,21 @@ def lay_rails(edges: Floats, row: RowOfGates, side: int) -> Floats:
     aside, half = float((centre - way_in.start) @ right), 0.5 * float(row.box[3])
     found, post = list[tuple[Floats, Floats]](), list[list[float]]()
     for end in (-1, 1):
-        begin = half + APART + (way_in.width + MARGIN if end == side else 0.0)
-        wall = reach(edges, centre + end * (half + APART) * right, end * right) + half + APART
+        begin = half + RAIL_GAP + (way_in.width + MARGIN if end == side else 0.0)
+        wall = reach(edges, centre + end * (half + RAIL_GAP) * right, end * right) + half + RAIL_GAP
         beyond = max(begin, way_in.half + BESIDE_DOOR - end * aside)
-        turns = way_in.half > 0.0 and wall - beyond > AT_WALL
+        turns = way_in.half > 0.0 and wall - beyond > RAIL_TO_WALL
         stop = beyond if turns else wall
         if end == side and way_in.half > 0.0 and stop >= begin:
             bears = turns or stop - begin > POST + SHORTEST
-            inner = begin if bears else stop - POST - APART
+            inner = begin if bears else stop - POST - RAIL_GAP
             off = end * (inner + 0.5 * POST)
             post.append([*(centre + off * right), _turn_across(way), float(row.box[4]), POST])
-            begin, stop = (begin + POST + APART, stop) if bears else (begin, inner - APART)
+            begin, stop = (begin + POST + RAIL_GAP, stop) if bears else (begin, inner - RAIL_GAP)
         if stop - begin > SHORTEST:
             found.append((centre + end * begin * right, centre + end * stop * right))
         if turns:
-            corner = centre + end * (max(beyond, begin - APART) + 0.5 * THICK + APART) * right
+            corner = centre + end * (max(beyond, begin - RAIL_GAP) + 0.5 * THICK + RAIL_GAP) * right
             back = reach(edges, corner, -way)
             found += [(corner, corner - back * way)] * (back > SHORTEST)
     return np.array([*(_rail(*line) for line in found), *post]).reshape(-1, 5)
@@ -129,7 +128,7 @@ def lay_rails(edges: Floats, row: RowOfGates, side: int) -> Floats:
 def find_open_end(row: RowOfGates, side: int) -> Floats:
     """The box (5,) of the floor in the wide gate of a row, and before and behind it."""
     way, wide = row.way_in.way, row.way_in.width
-    off = 0.5 * float(row.box[3]) + APART + 0.5 * (wide + MARGIN)
+    off = 0.5 * float(row.box[3]) + RAIL_GAP + 0.5 * (wide + MARGIN)
     x, y = row.box[:2] + side * off * np.array([way[1], -way[0]])
     return np.array([x, y, np.arctan2(way[1], way[0]), wide, max(2.0 * wide, THROUGH)])
 
@@ -206,7 +205,7 @@ def _rail(start: Floats, end: Floats) -> list[float]:
     """The box (5,) of a rail between two points."""
     along = end - start
     x, y = 0.5 * (start + end)
-    return [x, y, _turn_across(along), float(np.hypot(*along)) - 2 * APART, THICK]
+    return [x, y, _turn_across(along), float(np.hypot(*along)) - 2 * RAIL_GAP, THICK]
 
 
 def _turn_across(along: Floats) -> float:

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from scenewright.core.layout import corners
 from scenewright.domains.hall.desks.unserved import find_staff_floor
+from scenewright.domains.hall.measures import DOOR_OUTSIDE
 from scenewright.domains.hall.patterns import CHAIN, SINGLE
 from scenewright.domains.hall.problem import Floats, HallProblem, Ints
 from scenewright.domains.hall.retouch.arrivals import box_round, find_met
@@ -31,9 +32,7 @@ FAR, TOO_FAR, PAYING, LITTLE = 3.0, 0.4, 0.2, 0.05
 to first, of one at which one pays, and of others."""
 NEXT = 0.05
 """Metres from the end of a wall at which a row begins at least."""
-INSIDE = 0.6
-"""How far inside the bounds of its zone a door may lie, in metres."""
-WAY, WIDE, QUEUE = 6.0, 1.2, 1.5
+WAY, WIDE, QUEUE_TRIED = 6.0, 1.2, 1.5
 """Length and half width of the way in that stays free, and depth of the queue, in metres."""
 WAITING = 0.3
 """What a square metre of queue on the way in counts, of desk one metre."""
@@ -110,7 +109,9 @@ def _is_at_door(problem: HallProblem, unit: int) -> bool:
     """Whether a unit visitors come to first stands in the zone of the entrance."""
     x0, y0, x1, y1 = problem.ground.zone_bounds[problem.units.zones[unit]]
     x, y = problem.visitors.entrances[0]
-    inside = x0 - INSIDE <= x <= x1 + INSIDE and y0 - INSIDE <= y <= y1 + INSIDE
+    inside = (
+        x0 - DOOR_OUTSIDE <= x <= x1 + DOOR_OUTSIDE and y0 - DOOR_OUTSIDE <= y <= y1 + DOOR_OUTSIDE
+    )
     return bool(inside and int(problem.visitors.roles[unit]) & FIRST)
 
 
@@ -183,8 +184,8 @@ def measure_desks(problem: HallProblem, boxes: Floats, row: int, rates: Rates) -
     far = np.hypot(*(middles - door).T)
     turned = BACK_TO * _turn_back(problem, boxes)
     adrift = np.minimum(np.maximum(adrift - BEHIND, 0.0), rates.off_wall)
-    before = middles + 0.5 * (depth + QUEUE) * front
-    queues = np.column_stack([before, boxes[:, 2:4], np.full(len(boxes), QUEUE)])
+    before = middles + 0.5 * (depth + QUEUE_TRIED) * front
+    queues = np.column_stack([before, boxes[:, 2:4], np.full(len(boxes), QUEUE_TRIED)])
     middle, ahead = door + 0.5 * WAY * inward, np.arctan2(inward[1], inward[0])
     free = shapely.polygons(corners(np.array([[*middle, ahead, 2 * WIDE, WAY]])))[0]
     across = _share(boxes, free) + WAITING * _share(queues, free)

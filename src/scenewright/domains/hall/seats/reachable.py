@@ -13,11 +13,12 @@ from scenewright.core.piece_outlines import boxes_of, polygons_of
 from scenewright.core.scene import Piece, Size
 from scenewright.core.space import Space
 from scenewright.domains.hall.accessories.setting import lead_before
+from scenewright.domains.hall.measures import ARM
 from scenewright.domains.hall.problem import HallProblem
 from scenewright.domains.hall.solvers.outcome import MeasuredLayout, lacking, measure_among
 
-HALF, ARM = 0.2, 0.2
-"""Half of what one takes sideways between furniture, and how far one stands off a chair, metres."""
+HALF = 0.2
+"""Half of what one takes sideways between furniture, metres."""
 BACK, SEEN = 0.3, 0.01
 """Metres that a chair is drawn back at least, and square metres of that floor that do not count."""
 LITTLE = 1e-4

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 
+from scenewright.domains.hall.measures import QUEUE
 from scenewright.domains.hall.patterns import WALL
 from scenewright.domains.hall.terms.state import Floats, PreparedHall, Scratch, State
 from scenewright.domains.hall.terms.table import egress_cost
@@ -18,8 +19,6 @@ from scenewright.geometry.compiled import inlined
 
 RAYS = 5
 """Lines of sight to the main exhibit, over four fifths of its width."""
-QUEUE = 2.0
-"""Depth of the floor before a till on which people wait, in metres: about four of them."""
 FIRST, TILL, MAIN, LANE, GUIDE, SPEAKER, ALOOF, LOUNGE, LOW = 1, 2, 4, 8, 16, 32, 64, 128, 256
 STAGE, TABLE, RECEPTION, MACHINE, WAITING = 512, 1024, 2048, 4096, 8192
 """Roles of groups: seen first, passed last, the main exhibit, tills with lanes between them, ropes

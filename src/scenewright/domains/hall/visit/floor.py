@@ -12,12 +12,12 @@ from scenewright.core.catalog import Catalog
 from scenewright.core.piece_outlines import boxes_of
 from scenewright.core.scene import Piece
 from scenewright.core.space import Opening, Points, Space
+from scenewright.domains.hall.measures import HEAD_HEIGHT
 from scenewright.geometry.distance_raster import DistanceRaster, clearance, walls_between
 
 Floats = NDArray[np.float64]
 
 CELL, MOST_CELLS = 0.1, 400_000
-HEAD_HEIGHT = 2.0
 AT_EASE = 1.2
 """Clearance to both sides from which on more makes nobody walk faster, in metres."""
 PRESSED = 0.5
@@ -26,7 +26,7 @@ BRUSHING = 6.0
 """Seconds a metre through a cell that is less than half a cell too narrow."""
 NARROW = 1e6
 """Seconds a metre where it is narrower than asked for: any other way is quicker."""
-LEAST = 0.15
+LEAST_PASSED = 0.15
 """Nobody passes with less clearance to both sides, in metres."""
 
 
@@ -75,8 +75,8 @@ def _slowness(clear: DistanceRaster, half: float) -> Floats:
     slow = 1.0 / (PRESSED + (1.0 - PRESSED) * ease)
     slow[free < half] = BRUSHING
     tight = free < half - clear.cell / 2
-    slow[tight] = NARROW * half / np.maximum(free[tight], LEAST)
-    slow[free < max(LEAST, 0.75 * clear.cell)] = np.inf
+    slow[tight] = NARROW * half / np.maximum(free[tight], LEAST_PASSED)
+    slow[free < max(LEAST_PASSED, 0.75 * clear.cell)] = np.inf
     return slow
 
 

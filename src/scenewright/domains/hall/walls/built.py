@@ -16,7 +16,7 @@ from scenewright.domains.hall.zoning.borders import floor_of
 
 CEILING, TALLEST = 0.3, 4.0
 """A partition stays so far below the ceiling, and under so many metres."""
-AT_WALL = 0.15
+BUILT_AT_WALL = 0.15
 """What stands at a wall has its back at most this far from it, in metres."""
 SHORTEST = 0.3
 """Shorter walls are not built, in metres."""
@@ -96,4 +96,4 @@ def _holds(backs: Floats, middle: Floats, way: Floats, half: float, thickness: f
     """Whether one of the backs (k, 2) lies at a wall about its ``middle``."""
     off = backs - middle
     across = np.abs(off @ (-way[1], way[0]))
-    return bool(((np.abs(off @ way) <= half) & (across <= 0.5 * thickness + AT_WALL)).any())
+    return bool(((np.abs(off @ way) <= half) & (across <= 0.5 * thickness + BUILT_AT_WALL)).any())

@@ -20,8 +20,8 @@ from scenewright.core.layout import corners
 from scenewright.core.space import Opening, Points, Space
 from scenewright.domains.hall.hall_layout import Zone
 
-TOUCH = 0.02
-JOG = 3 * TOUCH
+BORDERS_TOUCH = 0.02
+JOG = 3 * BORDERS_TOUCH
 BEND = 0.03
 BORDER_BEND = 0.1
 LEAST_BORDER = 0.1
@@ -97,7 +97,7 @@ def wall_stretches(zone: Zone, space: Space) -> tuple[WallStretch, ...]:
     holes = (hole for hole in space.holes if outlines.run_lengths(hole)[-1] >= LEAST_HOLE)
     walls = np.vstack([outlines.edges(ring) for ring in (space.outline, *holes)])
     _, _, pieces = _alongside(zone_edges(zone), walls, 1.0)
-    lines = _strung(pieces, TOUCH)
+    lines = _strung(pieces, BORDERS_TOUCH)
     gaps = [_gap(opening) for opening in space.openings if opening.kind != "window"]
     if gaps and lines:
         cut = shapely.difference(np.array(lines), shapely.union_all(gaps))
@@ -132,7 +132,7 @@ def _alongside(
     both exist and abs(d) is at most 2 cm.
     """
     lines, tree = _lines(edges), shapely.STRtree(_lines(others))
-    own, other = tree.query(lines, predicate="dwithin", distance=TOUCH)
+    own, other = tree.query(lines, predicate="dwithin", distance=BORDERS_TOUCH)
     start, along, length = _split_edges(edges[own])
     a, b = others[other, :2] - start, others[other, 2:] - start
     ta, tb = (a * along).sum(1), (b * along).sum(1)
@@ -142,10 +142,10 @@ def _alongside(
     low, high = np.maximum(np.minimum(ta, tb), 0.0), np.minimum(np.maximum(ta, tb), length)
     flat = np.abs(slope) < 1e-9
     safe = np.where(flat, 1.0, slope)
-    ends = np.sort([ta + (-TOUCH - da) / safe, ta + (TOUCH - da) / safe], axis=0)
+    ends = np.sort([ta + (-BORDERS_TOUCH - da) / safe, ta + (BORDERS_TOUCH - da) / safe], axis=0)
     low = np.where(flat, low, np.maximum(low, ends[0]))
     high = np.where(flat, high, np.minimum(high, ends[1]))
-    kept = ~steep & (high - low > 1e-6) & (~flat | (np.abs(da) <= TOUCH))
+    kept = ~steep & (high - low > 1e-6) & (~flat | (np.abs(da) <= BORDERS_TOUCH))
     pieces = np.hstack([start + low[:, None] * along, start + high[:, None] * along])
     return own[kept], other[kept], pieces[kept]
 
@@ -193,7 +193,7 @@ def _segments(points: Points, first: int, second: int) -> list[Border]:
 def _gap(opening: Opening) -> shapely.Polygon:
     """What a door takes of the wall: its width and 0.1 m at each side."""
     heading = np.arctan2(opening.ux, -opening.uy)
-    width, depth = opening.width + 2 * BESIDE_DOOR, opening.thickness + 2 * (BEND + TOUCH)
+    width, depth = opening.width + 2 * BESIDE_DOOR, opening.thickness + 2 * (BEND + BORDERS_TOUCH)
     return shapely.Polygon(corners(np.array([[opening.x, opening.y, heading, width, depth]]))[0])
 
 

@@ -13,15 +13,15 @@ import shapely
 
 from scenewright.core.space import Points, Space
 from scenewright.domains.hall.hall_layout import Zone
-from scenewright.domains.hall.zoning.borders import TOUCH, Border, floor_of, zone_of
+from scenewright.domains.hall.zoning.borders import BORDERS_TOUCH, Border, floor_of, zone_of
 from scenewright.domains.hall.zoning.cuts import GRID
 
 SAME_WAY = 1e-3
-FAR = 1e3
+BEYOND_ANY = 1e3
 """Longer than any hall, in metres."""
 LOST = 1e-3
 """Square metres by which zones may differ from the floor they had, for rounding."""
-LEAST = 0.6
+LEAST_KEPT = 0.6
 """Least share of its floor that a zone keeps."""
 
 
@@ -77,8 +77,8 @@ def _joins(one: BorderLine, other: BorderLine) -> bool:
     across = abs(one.way[0] * step[1] - one.way[1] * step[0])
     turn = abs(one.way[0] * other.way[1] - one.way[1] * other.way[0])
     ends = sorted(float((p - one.start) @ one.way) for p in _ends(other))
-    touch = ends[0] <= one.length + TOUCH and ends[1] >= -TOUCH
-    return bool(turn < SAME_WAY and across < TOUCH and touch)
+    touch = ends[0] <= one.length + BORDERS_TOUCH and ends[1] >= -BORDERS_TOUCH
+    return bool(turn < SAME_WAY and across < BORDERS_TOUCH and touch)
 
 
 def _ends(line: BorderLine) -> tuple[Points, Points]:
@@ -131,8 +131,8 @@ def shift_zones(
 def _widen(line: BorderLine) -> list[tuple[float, float, int, int]]:
     """The pieces of a line, the first and the last drawn out beyond its ends."""
     found = list(line.pieces)
-    found[0] = (found[0][0] - FAR, *found[0][1:])
-    found[-1] = (found[-1][0], found[-1][1] + FAR, *found[-1][2:])
+    found[0] = (found[0][0] - BEYOND_ANY, *found[0][1:])
+    found[-1] = (found[-1][0], found[-1][1] + BEYOND_ANY, *found[-1][2:])
     return found
 
 
@@ -149,7 +149,8 @@ def _touching(shape: shapely.Geometry, line: BorderLine) -> shapely.Geometry:
     near = [
         part
         for part in shapely.get_parts(shape).tolist()
-        if part.area > 0.0 and part.intersection(lies.buffer(TOUCH)).area > 0.5 * TOUCH**2
+        if part.area > 0.0
+        and part.intersection(lies.buffer(BORDERS_TOUCH)).area > 0.5 * BORDERS_TOUCH**2
     ]
     return shapely.union_all(near)
 
@@ -161,10 +162,10 @@ def _fill_alike(zones: tuple[Zone, ...], moved: tuple[Zone, ...], space: Space) 
     if not shapely.is_valid(after).all():
         return False
     areas, kept = shapely.area(before), shapely.area(after)
-    if (kept < LEAST * areas).any() or abs(kept.sum() - areas.sum()) > LOST:
+    if (kept < LEAST_KEPT * areas).any() or abs(kept.sum() - areas.sum()) > LOST:
         return False
     whole = shapely.union_all(after)
-    outside = whole.difference(floor_of(space).buffer(TOUCH)).area
+    outside = whole.difference(floor_of(space).buffer(BORDERS_TOUCH)).area
     return bool(abs(whole.area - areas.sum()) < LOST and outside < LOST)
 
 
