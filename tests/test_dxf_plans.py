@@ -206,9 +206,23 @@ def test_what_is_no_plan_is_refused_with_its_reason(tmp_path: Path) -> None:
     (tmp_path / "a.dxf").write_bytes(b"AC1032" + b"\0" * 100)
     with pytest.raises(InputError, match=r"DWG.*save it as .dxf"):
         read(tmp_path / "a.dxf")
-    (tmp_path / "b.dxf").write_bytes(b"")
-    with pytest.raises(InputError):
-        read(tmp_path / "b.dxf")
+    ezdxf.new().saveas(tmp_path / "none.dxf")
+    with pytest.raises(InputError, match=r"no lines that may be walls; save the model"):
+        read(tmp_path / "none.dxf")
+
+
+@pytest.mark.parametrize("suffix", ["dxf", "pdf", "svg", "ifc", "json"])
+def test_empty_files_are_refused_as_empty(tmp_path: Path, suffix: str) -> None:
+    (tmp_path / f"b.{suffix}").write_bytes(b"")
+    with pytest.raises(InputError, match="is empty: 0 bytes; save or export it again"):
+        read(tmp_path / f"b.{suffix}")
+
+
+def test_binary_dxf_is_read_as_its_text(tmp_path: Path) -> None:
+    draw(tmp_path / "plan.dxf", 6, 1.0)
+    ezdxf.readfile(tmp_path / "plan.dxf").saveas(tmp_path / "binary.dxf", fmt="bin")
+    assert (tmp_path / "binary.dxf").read_bytes().startswith(b"AutoCAD Binary DXF")
+    assert areas(read(tmp_path / "binary.dxf")) == [12.0, 9.0]
 
 
 def test_damaged_files_are_refused_or_read(tmp_path: Path) -> None:

@@ -45,6 +45,8 @@ def open_source(source: str | os.PathLike[str]) -> Opened:
         raise InputError("there is no such file", "check the path")
     if not path.is_file():
         raise InputError("is not a file", "give the file itself")
+    if not path.stat().st_size:
+        raise InputError("is empty: 0 bytes", "save or export it again from its program")
     note_read(path)
     return Opened(path, row)
 

@@ -140,7 +140,10 @@ def _storeys(faces: Faces, drawn: Drawn) -> list[list[int]]:
 
 
 def _no_plan(chosen: Drawn) -> InputError:
-    size = np.ptp(chosen.walls.reshape(-1, 2), axis=0) if len(chosen.walls) else (0.0, 0.0)
+    if not len(chosen.walls):
+        remedy = "save the model of a storey with its walls, from the program it was drawn in"
+        return InputError("holds no floor plan: no lines that may be walls", remedy)
+    size = np.ptp(chosen.walls.reshape(-1, 2), axis=0)
     extent = f"{len(chosen.walls):,} lines, {size[0]:,.4g} x {size[1]:,.4g} units"
     return InputError(
         f"holds no floor plan: in no unit do its walls ({extent}) enclose rooms with doors",
