@@ -71,3 +71,17 @@ def test_a_budget_or_a_stop_ends_it_and_says_so() -> None:
     stopped = repair(by, (7, 7), 500, lambda: True)
     assert not stopped.settled
     assert stopped.state == (7, 7)
+
+
+def test_what_a_better_state_must_hold_besides_is_asked_of_better_states_only() -> None:
+    asked: list[tuple[int, int]] = []
+
+    def holds(state: tuple[int, int]) -> bool:
+        asked.append(state)
+        return state[0] < 2
+
+    by = Repair(_judge, MOVES, {}, lambda state: state, 0.0, holds)  # type: ignore[arg-type]
+    done = repair(by, (0, 5), 500)
+    assert done.state[0] < 2
+    assert any(state[0] == 2 for state in asked)
+    assert all(better(_judge(state), _judge((0, 5))) for state in asked)

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from scenewright.core.catalog import Group, Member
 from scenewright.core.scene import Piece, Size
 from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask
+from scenewright.domains.home.composing.homewide.settling import try_in_home
 from scenewright.domains.home.composing.judging import Placed
 from scenewright.domains.home.composing.placed_faults import measure_before_doors
 from scenewright.domains.home.composing.places.moving import dress_group
@@ -83,8 +84,8 @@ def _add(
         if _stands_in_front(task, placed) > _stands_in_front(task, before.placed):
             continue
         answer = before._replace(placed=placed, gone=_without_stand(before.gone))
-        trial = [answer if k == room else other for k, other in enumerate(found)]
-        if _count_lost(opened(trial)) == _count_lost(trial):
+        trial = try_in_home(room, answer, found, opened)
+        if trial is not None:
             return trial
     return found
 
@@ -100,10 +101,6 @@ def _stands_in_front(task: RoomTask, placed: Placed) -> float:
     them."""
     doors = sum(measure_before_doors(group, task.ground) for group in placed)
     return sum_rows(("doors",), placed, None, task.fixed) + doors
-
-
-def _count_lost(answers: Sequence[RoomAnswer]) -> int:
-    return sum(len(answer.gone) + len(answer.missing) for answer in answers)
 
 
 def _list_with_stand(task: RoomTask, placed: Placed, at: int) -> Iterator[FurnishedGroup]:
