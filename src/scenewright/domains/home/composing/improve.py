@@ -8,7 +8,7 @@ stays if it costs less, counting energy and faults (:mod:`.placed_faults`), and 
 
 from __future__ import annotations
 
-from collections import Counter
+from collections import defaultdict
 from collections.abc import Iterator
 
 from scenewright.domains.home.attempt import RoomTask
@@ -58,7 +58,7 @@ def list_worst_first(task: RoomTask, placed: Placed) -> list[str]:
         "seating": cost_of_hearth(placed, task.ground, rule.costs.screen) + view,
     }
     table = compile_table(list_together(task.space.functions), rule.costs)
-    together = Counter[str]()
+    together = defaultdict[str, float](float)
     for fault in list_faults(table, placed, (), task.ground):
         together[fault.group] += fault.cost * fault.row.moves
     unmet = float(count_unmet(task, placed) > 0)

@@ -17,7 +17,6 @@ from scenewright.domains.home.composing.filling.amid_walls import list_amid_wall
 from scenewright.domains.home.composing.filling.widths import BOOKS
 from scenewright.domains.home.composing.judging import Placed
 from scenewright.domains.home.composing.placed_faults import (
-    SEEN,
     measure_before_doors,
     measure_before_windows,
     measure_hung_over_doors,
@@ -27,6 +26,7 @@ from scenewright.domains.home.composing.views import RESTING, is_unseen
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.domains.home.groups.living import low_board
 from scenewright.domains.home.programme import WELCOME, Wish
+from scenewright.domains.home.rules.every import SEEN
 from scenewright.domains.home.shortfall import list_lacking
 
 FOCAL = "screen or focal point"
