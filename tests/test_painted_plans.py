@@ -163,6 +163,15 @@ def test_walls_by_the_widest_pen_and_the_written_scale(tmp_path: Path) -> None:
     assert inner.swing == "in"
 
 
+def test_what_is_painted_many_times_is_seen_once(tmp_path: Path) -> None:
+    """Layers copied onto each other; lines that coincide cost much where all are cut by all."""
+    note = '<text x="0" y="200" font-size="5">Scale 1 : 50</text>'
+    once = read(save(tmp_path / "once.svg", two_rooms(20.0) + note, PAPER))
+    often = read(save(tmp_path / "often.svg", two_rooms(20.0) * 150 + note, PAPER))
+    assert [room.outline for room in often.rooms] == [room.outline for room in once.rooms]
+    assert [len(room.doors) for room in often.rooms] == [len(room.doors) for room in once.rooms]
+
+
 @pytest.mark.parametrize(
     ("size", "attributes"), [(20.0, PAPER), (37.0, 'viewBox="-30 -30 400 297"')]
 )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Hashable, Iterable, Iterator, Sequence
 from itertools import groupby
 from typing import NamedTuple
 
@@ -66,16 +66,19 @@ def sheet_of(paper: Paper) -> tuple[Sheet, dict[str, float]]:
     dark; and the widths of the pens."""
     layers: dict[str, Layer] = {}
     pens: dict[str, float] = {}
+    shapes = _list_seen(paper.shapes)
     for shape in paper.shapes:
+        layers.setdefault(_layer_name(shape), Layer()).count("PATH")
+    for shape in shapes:
         name = _layer_name(shape)
         if shape.pen is not None:
             pens[name] = shape.pen
-        _add_shape(layers, name, shape)
+        _add_shape(layers[name], shape)
     if paper.printed:
         _take_frame(layers, paper)
     solid = layers.setdefault(DARK_FILLS, Layer())
     tolerance = PLAIN * float(np.hypot(*(paper.high - paper.low)))
-    dark = shapely.simplify(_without_letters(dark_area(paper.shapes), paper), tolerance)
+    dark = shapely.simplify(_without_letters(dark_area(shapes), paper), tolerance)
     for ring in _rings_of(dark):
         solid.add_path(ring.tolist())
     words = layers.setdefault("words", Layer())
@@ -92,9 +95,18 @@ def _layer_name(shape: Shape) -> str:
     return f"{shape.layer} ({pen})" if shape.layer else pen
 
 
-def _add_shape(layers: dict[str, Layer], name: str, shape: Shape) -> None:
-    layer = layers.setdefault(name, Layer())
-    layer.count("PATH")
+def _list_seen(shapes: Sequence[Shape]) -> list[Shape]:
+    """Shapes in the order they are painted, of those that are the same the last, which is seen."""
+    return list({_painted(shape): shape for shape in reversed(shapes)}.values())[::-1]
+
+
+def _painted(shape: Shape) -> Hashable:
+    """What is the same for shapes of which nobody sees more than one."""
+    runs = (run for subpath in shape.subpaths for run in subpath)
+    return shape.fill, shape.pen, shape.layer, tuple(run.points.tobytes() for run in runs)
+
+
+def _add_shape(layer: Layer, shape: Shape) -> None:
     lettered = shape.pen is None and shape.fill is not None and shape.fill < DARK
     for run in (run for subpath in shape.subpaths for run in subpath):
         arc = None if lettered else arc_of(run)
