@@ -126,7 +126,7 @@ def add_lines(path: Path, *lines: tuple[tuple[float, float], ...]) -> None:
 
 def broken(*corners: tuple[float, float]) -> list[tuple[tuple[float, float], ...]]:
     """A ring of walls as strokes 3 m long with 2 m between them, and 1 m at corners."""
-    strokes = []
+    strokes: list[tuple[tuple[float, float], ...]] = []
     for (x, y), (u, v) in pairwise((*corners, corners[0])):
         length = max(abs(u - x), abs(v - y))
         dx, dy = (u - x) / length, (v - y) / length
