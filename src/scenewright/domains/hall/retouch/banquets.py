@@ -7,6 +7,7 @@ zone; they are packed beside it as well as before it.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import product
 from typing import NamedTuple
 
 import numpy as np
@@ -14,14 +15,14 @@ import numpy as np
 from scenewright.domains.hall.patterns import CHAIN, GRID
 from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.retouch.audience import BEFORE, OFF_AXIS, SIDE, VIEW
-from scenewright.domains.hall.retouch.lines import count_objects
-from scenewright.domains.hall.retouch.places import fill_floor, find_axes
+from scenewright.domains.hall.retouch.lines import count_objects, find_layers, set_rows
+from scenewright.domains.hall.retouch.places import EDGES, find_axes, share_room
 from scenewright.domains.hall.retouch.stages import measure_stage, propose_stages
 from scenewright.domains.hall.terms.state import Kept
 from scenewright.domains.hall.terms.visitors import STAGE, TABLE
 
-FEWEST, MOST, ROWS = 4, 12.0, 12
-"""Tables of a banquet at least, metres of fault at most, and rows fewer and more that are tried."""
+FEWEST, MOST = 4, 12.0
+"""Tables of a banquet at least, and metres of fault at most."""
 NARROW, BARE = 1.0, 1.0
 """What each metre counts by which gaps lack the passage wished for, and by which the floor beside
 and behind the tables is wider than their gaps."""
@@ -102,7 +103,27 @@ def propose_banquets(problem: HallProblem, kept: Kept, boxes: Floats) -> Iterato
     """Layouts with a stage where it stands or amid a wall, and its tables in rows over the floor
     before it."""
     for tables, stage in find_banquets(problem, kept):
-        row, there = int(problem.units.spans[stage, 0]), boxes.copy()
-        for moved, there[row] in propose_stages(problem, kept, boxes, stage):
-            moved.pose[tables, 2] = there[row, 2] + np.pi
-            yield from fill_floor(problem, moved, there, tables, fewer=ROWS, more=ROWS)
+        zone = problem.ground.zone_bounds[int(problem.units.zones[tables])]
+        for moved, box in propose_stages(problem, kept, boxes, stage):
+            yield from _fill_floor(problem, moved, tables, box, zone)
+
+
+def _fill_floor(
+    problem: HallProblem, kept: Kept, tables: int, stage: Floats, zone: Floats
+) -> Iterator[Kept]:
+    """Layouts with tables in all rows and gaps that find room before a stage (5,)."""
+    row, most = find_layers(problem, tables)
+    number, bounds = int(count_objects(problem)[tables]), _see_bounds(stage, zone)
+    size = problem.units.sizes[slice(*problem.units.spans[tables])].max(0)
+    right, front = find_axes(stage[2])
+    middle = stage[:2] + 0.5 * bounds[0].sum() * right
+    middle = middle + (0.5 * stage[4] + 0.5 * bounds[1, 1]) * front
+    for rows in range(1, min(most, number) + 1):
+        columns = -(-number // rows)
+        if -(-number // columns) != rows:
+            continue
+        many, room = np.array([columns, rows]), np.diff(bounds, axis=1)[:, 0]
+        for edge, other in product(EDGES, repeat=2):
+            gaps = share_room(room, many, size, np.array([edge, other]))
+            if gaps.min() > 0.0:
+                yield set_rows(kept, tables, row, number, many, gaps, (*middle, stage[2] + np.pi))

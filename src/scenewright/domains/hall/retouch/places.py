@@ -111,17 +111,10 @@ def along_walls(problem: HallProblem, unit: int) -> list[Floats]:
 
 
 def fill_floor(
-    problem: HallProblem,
-    kept: Kept,
-    boxes: Floats,
-    unit: int,
-    aside: Sequence[float] = (0.0,),
-    fewer: int = FEWER,
-    more: int = MORE,
+    problem: HallProblem, kept: Kept, boxes: Floats, unit: int, aside: Sequence[float] = (0.0,)
 ) -> Iterator[Kept]:
     """Layouts with a unit in the middle of the floor free about it, as it is, and in rows as far
-    apart as that floor lets them be, in some ``more`` and in ``fewer`` of them; ``aside`` of that
-    too."""
+    apart as that floor lets them be, in some more and in fewer of them; ``aside`` of that too."""
     axes = find_axes(float(kept.pose[unit, 2]))
     bounds = _find_free(problem, boxes, unit, axes)
     mine = corners(boxes[slice(*problem.units.spans[unit])]).reshape(-1, 2) @ axes.T
@@ -133,7 +126,7 @@ def fill_floor(
     (first, most), number = find_layers(problem, unit), int(count_objects(problem)[unit])
     size, used = problem.units.sizes[slice(*problem.units.spans[unit])].max(0), kept.rows[unit, 1]
     loose = kept.layers[first, ALONG] > LEAST
-    for rows in range(max(int(used) - fewer, 1), min(int(used) + more, most, number) + 1):
+    for rows in range(max(int(used) - FEWER, 1), min(int(used) + MORE, most, number) + 1):
         columns = -(-number // rows)
         if -(-number // columns) != rows:
             continue
