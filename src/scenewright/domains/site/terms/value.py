@@ -10,11 +10,11 @@ what is left out never pays:
   times the share of buildings that stand;
 * H = Σ w d h / Σ w d h, the volume that stands of all asked for.
 
-R and H of a layout that holds all that is asked for are constants, and so is M as printed: the sum
-counts facades nobody sees. In the repaired form M is what walkers on the ways see, the mean of
-V over eyes as a share of :data:`FULL` (:mod:`scenewright.geometry.walker`). Where the brief gives
-a library and a target, models are chosen while solving, and R = 1 - abs(covered / target - 1) of
-the ground, H the same of floor area.
+R and H of a layout that holds all that is asked for are constants, and so is M as a sum over all
+facades: it counts those nobody sees. In the repaired form M is what walkers on the ways see, the
+mean of V over eyes as a share of :data:`FULL` (:mod:`scenewright.geometry.walker`). Where the brief
+gives a library and a target, models are chosen while solving, and R = 1 - abs(covered / target - 1)
+of the ground, H the same of floor area.
 """
 
 from __future__ import annotations
