@@ -15,9 +15,10 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
-from benchmarks.damaged_formats import FORMATS, DamagedFormat
+from benchmarks.damaged_formats import FORMATS
 from benchmarks.damaged_plugins import run_plugins
 from benchmarks.damaged_runs import DamagedRun, run_all
+from benchmarks.damaged_uses import DamagedFormat
 
 Record = dict[str, Any]
 Progress = Callable[[float, str], None]

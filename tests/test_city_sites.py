@@ -129,6 +129,16 @@ def test_what_is_left_out_of_a_city_is_told(tmp_path):
     assert found.brief.name == "town"
 
 
+def test_a_building_of_impossible_size_is_left_out_by_name(tmp_path):
+    """A solution with it could not be read again."""
+    slab = [(200, 0), (900, 0), (900, 20), (200, 20)]
+    found = read_report(saved(tmp_path / "town.city.json", city(TOWN | {"slab": slab})))
+    assert [(row.name, row.reason) for row in found.skipped] == [
+        ("slab", "is 700 m large, more than a building's 500 m")
+    ]
+    assert found.buildings == 4
+
+
 def test_buildings_of_one_name_keep_apart(tmp_path):
     long = "x" * 90
     town = city({long + "a": L_SHAPE, long + "b": BLOCK})

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from scenewright.catalog.classes import EATING_TABLES
 from scenewright.catalog.kinds import KINDS
-from scenewright.core.solution import Piece
+from scenewright.core.scene import Piece
 from scenewright.core.space import Space
 from scenewright.domains.home.groups.alone import own_groups
 from scenewright.domains.home.groups.classes import BED_GROUPS

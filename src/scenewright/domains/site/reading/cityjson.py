@@ -23,6 +23,7 @@ from scenewright.catalog.models.cityjson import City, city_of, parts_at, roots_o
 from scenewright.catalog.models.files import MEBIBYTE, whole
 from scenewright.catalog.models.model import SkippedModel, clean
 from scenewright.core.brief import Brief
+from scenewright.core.brief.fields import BUILDING
 from scenewright.core.catalog import OWN, Part
 from scenewright.core.errors import InputError
 from scenewright.domains.site.brief import VERGE
@@ -245,6 +246,11 @@ def _buildings(city: City, stem: str, notes: list[Note]) -> Iterator[CityBuildin
         attributes = city.objects[key].get("attributes")
         name = clean(attributes.get("name")) if isinstance(attributes, dict) else ""
         height = max(float(np.ptp(points[:, 2])), 1.0)
+        side = max(height, float(np.ptp(local, axis=0).max()))
+        if side > BUILDING:
+            large = f"is {side:,.0f} m large, more than a building's {BUILDING:g} m"
+            notes.append(Note(key, "left out", large, True))
+            continue
         yield CityBuilding(
             key, name or f"building {number}", model, shape, (x, y), angle - np.pi / 2, height
         )
