@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 import shapely
+from benchmarks.damaged_samples import IMDF
 
 import scenewright as sw
 from catalogs import city, flat, saved
@@ -18,6 +19,7 @@ from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
 from scenewright.core.projection import projection
 from scenewright.core.reference_system import system_of
+from scenewright.ground.map_features import collection
 
 CASES = Path(__file__).parent / "data" / "field_cases"
 SQUARE = [[0.0, 0.0], [60.0, 0.0], [60.0, 40.0], [0.0, 40.0], [0.0, 0.0]]
@@ -89,6 +91,15 @@ def test_remade_indoor_maps_are_read(case: str, level: str, shop: str) -> None:
     assert room.demands
     assert brief.input_report is not None
     assert (brief.input_report.features, brief.input_report.complete) == (3, True)
+
+
+def test_every_feature_of_imdf_is_kept_or_skipped() -> None:
+    """Also an opening whose place is no number that a computer has."""
+    rows = json.loads(json.dumps(IMDF))
+    rows["features"][3]["geometry"]["coordinates"][0][0] = 10**400
+    found = collection(rows)
+    assert len(found.features) + len(found.skipped) == len(rows["features"])
+    assert [row.feature for row in found.skipped] == ["o"]
 
 
 def test_imdf_is_an_indoor_map() -> None:

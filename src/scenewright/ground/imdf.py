@@ -101,7 +101,7 @@ def _as_door(row: dict[str, Any]) -> dict[str, Any]:
     geometry = row["geometry"]
     try:
         (x1, y1), (x2, y2) = ([float(v) for v in geometry["coordinates"][k][:2]] for k in (0, -1))
-    except (TypeError, ValueError, KeyError, IndexError):
+    except (TypeError, ValueError, OverflowError, KeyError, IndexError):
         return row
     x, y = (x1 + x2) / 2, (y1 + y2) / 2
     across = (x2 - x1) * math.cos(math.radians(y)) if math.isfinite(y) else math.nan
