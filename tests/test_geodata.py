@@ -339,6 +339,8 @@ def raw_count(path: Path) -> int:
         return sum((size - 100) // 8 for size in sizes)
     data = path.read_bytes()
     root = ElementTree.fromstring(gzip.decompress(data) if path.suffix == ".gz" else data)
+    if path.suffix == ".kml":
+        return sum(1 for _ in root.iter("{http://www.opengis.net/kml/2.2}Placemark"))
     objects = [one for one in root if one.tag in ("node", "way", "relation")]
     return sum(one.find("tag") is not None for one in objects)
 
@@ -354,3 +356,39 @@ def test_every_feature_of_real_maps_has_a_fate(real_data: Path, kind: str) -> No
         assert len(found.features) + len(found.skipped) == raw_count(path), path.name
         names = [f.id for f in found.features] + [row.feature for row in found.skipped]
         assert len(set(names)) == len(names), path.name
+
+
+@pytest.mark.realdata
+@pytest.mark.parametrize("name", ["luneray_shp.zip", "bubenec.gpkg"])
+def test_every_feature_of_real_maps_as_kml_has_a_fate(
+    real_data: Path, tmp_path: Path, name: str
+) -> None:
+    """Rewritten by GDAL, counted by placemarks."""
+    source, path = real_data / "professional_files" / "gis" / name, tmp_path / "map.kml"
+    rewrite_as_kml(source, path)
+    found = load_map(path)
+    assert len(found.features) + len(found.skipped) == raw_count(path) > 0
+
+
+def rewrite_as_kml(source: Path, path: Path) -> None:
+    """Each layer of a map in longitude and latitude, shapes only."""
+    import pyogrio
+    from pyproj import Transformer
+
+    for layer, kind in pyogrio.list_layers(source):
+        info, _, shapes, _ = pyogrio.raw.read(source, layer=layer, columns=[], force_2d=True)
+        turn = Transformer.from_crs(info["crs"], "EPSG:4326", always_xy=True).transform
+        moved = shapely.transform(shapely.from_wkb(shapes), turn, interleaved=False)
+        wkb, more = shapely.to_wkb(moved), path.exists()
+        pyogrio.raw.write(
+            path,
+            wkb,
+            [],
+            [],
+            layer=layer,
+            driver="LIBKML",
+            geometry_type=kind,
+            crs="EPSG:4326",
+            append=more,
+            promote_to_multi=True,
+        )
