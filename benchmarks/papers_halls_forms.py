@@ -24,7 +24,7 @@ SPREADS = (0.0, 0.3, 0.6, 0.9, 1.2)
 
 def printed_forms(case: str) -> list[Row]:
     """E_s and E_u, repaired (ours) and as printed (baseline), of one first layout as the gaps of
-    all its rows are spread out: the printed E_u stays the same, the printed E_s saturates."""
+    all its rows are spread out: the printed E_u stays the same; E_s is divided by β in both."""
     ready, found = posed(compared(case), 0, printed=True).fitted, []
     for metres in SPREADS:
         kept = spread_rows(ready.start, metres)

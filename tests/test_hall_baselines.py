@@ -210,7 +210,7 @@ def started(seed: int) -> tuple[HallProblem, Kept, float]:
     return problem, start, float(begin_chain(problem, start, streams(0, 1)[0]).tally[0])
 
 
-@pytest.mark.parametrize(("solve", "steps"), [(random_hall, 2000), (genetic_hall, 10_000)])
+@pytest.mark.parametrize(("solve", "steps"), [(random_hall, 2000), (genetic_hall, 20_000)])
 @pytest.mark.parametrize("seed", [0, 1])
 def test_random_and_genetic_layouts_stand_and_are_better_than_the_first(
     solve: HallRun, steps: int, seed: int

@@ -217,7 +217,9 @@ def test_the_ship_is_seen_and_the_desk_comes_first() -> None:
         tills = [piece.pose for piece in with_all.pieces if piece.function == "tills"]
         astray = np.mean([1.0 - abs(_toward_exit(p.exits, till)) for till in tills])
         assert values["queues"] == pytest.approx(astray, abs=1e-5), "all the floor before is free"
-        assert astray < 0.1
+        assert all(abs(math.sin(till.heading)) > 0.99 for till in tills), "lanes lead straight out"
+        middle = np.mean([till[:2] for till in tills], axis=0)
+        assert np.hypot(*(middle - p.exits[0])) < 5.0, "and end near the way out"
 
 
 def _toward_exit(exits: Any, till: Any) -> float:

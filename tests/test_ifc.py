@@ -104,7 +104,7 @@ def test_furniture_stays_where_it_is_to_be_kept(model: Path, solution: Solution)
 @pytest.mark.parametrize(
     ("content", "fault"),
     [
-        (b"", "is no IFC text file"),
+        (b"", "is empty"),
         (b"\xef\xbb\xbf<ifcXML>", "an IFC building model as XML"),
         (b"PK\x03\x04" + bytes(100), "is an archive"),
         (b"ISO-10303-21;\nHEADER;/* IFC4 */\n" + b"\xff" * 300, "cannot be read as IFC"),

@@ -35,7 +35,7 @@ def door(**more: Any) -> str:
 
 
 BAD_JSON = {
-    "empty": ("", ".json: is empty; give a brief"),
+    "empty": ("", ".json: is empty: 0 bytes"),
     "broken": ('{"rooms": [', "line 1, column 12: broken JSON"),
     "trailing comma": ('{"rooms": [],}', "line 1"),
     "a list": ("[]", "no JSON object"),

@@ -49,11 +49,12 @@ def _step(axis: int, by: int) -> object:
 
 
 MOVES = {f"{axis}{by:+}": _step(axis, by) for axis, by in product((0, 1), (-1, 1))}
+BY_ROW = dict.fromkeys(("near", "x", "y"), tuple(MOVES))
 
 
 @pytest.mark.parametrize("start", list(product(range(-4, 8, 3), repeat=2)))
 def test_it_settles_where_no_move_is_better_and_gains_what_it_says(start: tuple[int, int]) -> None:
-    by = Repair(_judge, MOVES, {}, lambda state: state, 0.0)  # type: ignore[arg-type]
+    by = Repair(_judge, MOVES, BY_ROW, lambda state: state, 0.0)  # type: ignore[arg-type]
     done = repair(by, start, 500)
     begun = _judge(start)
     assert done.settled
@@ -66,7 +67,7 @@ def test_it_settles_where_no_move_is_better_and_gains_what_it_says(start: tuple[
 
 
 def test_a_budget_or_a_stop_ends_it_and_says_so() -> None:
-    by = Repair(_judge, MOVES, {}, lambda state: state)  # type: ignore[arg-type]
+    by = Repair(_judge, MOVES, BY_ROW, lambda state: state)  # type: ignore[arg-type]
     assert not repair(by, (7, 7), 2).settled
     stopped = repair(by, (7, 7), 500, lambda: True)
     assert not stopped.settled
@@ -80,7 +81,7 @@ def test_what_a_better_state_must_hold_besides_is_asked_of_better_states_only() 
         asked.append(state)
         return state[0] < 2
 
-    by = Repair(_judge, MOVES, {}, lambda state: state, 0.0, holds)  # type: ignore[arg-type]
+    by = Repair(_judge, MOVES, BY_ROW, lambda state: state, 0.0, holds)  # type: ignore[arg-type]
     done = repair(by, (0, 5), 500)
     assert done.state[0] < 2
     assert any(state[0] == 2 for state in asked)

@@ -34,9 +34,9 @@ class Repaired(NamedTuple, Generic[State]):
 
 class Repair(NamedTuple, Generic[State]):
     """What the loop works with: the verdict on a state (``judge``), the ``moves`` by name and those
-    each row names (``by_row``; any other row names all), what tells two states apart (``key``),
-    by how much a cost falls at ``least``, and what a better state must hold besides that is too
-    dear to ask of all (``holds``)."""
+    each row names (``by_row``; a row that is not in it names none), what tells two states apart
+    (``key``), by how much a cost falls at ``least``, and what a better state must hold besides that
+    is too dear to ask of all (``holds``)."""
 
     judge: Callable[[State], Verdict]
     moves: Mapping[str, Move[State]]
@@ -56,7 +56,7 @@ def repair(
 
     >>> judge = lambda n: Verdict(cost={"even": float(n % 2), "large": float(n)})
     >>> moves = {"less": lambda n, row: [n - 1] if n else [], "half": lambda n, row: [n // 2]}
-    >>> done = repair(Repair(judge, moves, {"even": ("less",)}, lambda n: n), 6, 100)
+    >>> done = repair(Repair(judge, moves, {"large": ("less", "half")}, lambda n: n), 6, 100)
     >>> done.state, done.settled, [(step.row, step.move) for step in done.steps][:2]
     (2, True, [('large', 'half'), ('large', 'less')])
     """
@@ -81,7 +81,7 @@ def repair(
 def _propose(by: Repair[State], state: State, verdict: Verdict) -> Iterable[tuple[str, str, State]]:
     """What the moves make of a state, for its worst row first, with the names of both."""
     for row in list_worst(verdict):
-        for move in by.by_row.get(row, tuple(by.moves)):
+        for move in by.by_row.get(row, ()):
             for proposed in by.moves[move](state, row):
                 yield row, move, proposed
 

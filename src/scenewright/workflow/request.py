@@ -79,7 +79,6 @@ def plan_request(request: ArrangeRequest) -> Planned:
         map_options=request.map_options,
     )
     check_outputs(request.outputs, brief)
-    check_targets([*request.outputs, *filter(None, [request.trace])])
     domain: Domain = domain_of(brief.domain)
     if request.accessible:
         brief = make_accessible(brief, domain, request.source)
@@ -88,6 +87,7 @@ def plan_request(request: ArrangeRequest) -> Planned:
     check_name("solver", request.solver, (*solvers, None))
     check_work(request, brief, plan, domain)
     if request.trace is not None:
+        check_targets([*request.outputs, request.trace])
         check_traced(request, domain)
     return Planned(brief, plan, domain)
 

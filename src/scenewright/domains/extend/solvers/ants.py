@@ -155,7 +155,7 @@ def update_trails(
     >>> flat, ways = np.full((3, 3), 0.05), (np.array([0, 1]), np.array([0, 2]))
     >>> best = BestAnt(ways[0], 0.9)
     >>> after, far = update_trails(flat, ways, np.array([0.9, 0.4]), best, 0.5, ColonySettings())
-    >>> far, after[0].round(3).tolist(), after[1, 2]
+    >>> far, after[0].round(3).tolist(), float(after[1, 2])
     (1, [0.05, 0.305, 0.475], 0.05)
     """
     found, far = trails.copy(), 0

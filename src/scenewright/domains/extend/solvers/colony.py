@@ -232,8 +232,10 @@ def swap_blocks(one: Genes, other: Genes, rng: np.random.Generator) -> Genes:
     """A matrix with a random block of another.
 
     >>> none, all_ = np.zeros((3, 3), int), np.ones((3, 3), int)
-    >>> swap_blocks(none, all_, np.random.default_rng(0)).tolist()
-    [[0, 0, 0], [1, 0, 0], [1, 0, 0]]
+    >>> child = swap_blocks(none, all_, np.random.default_rng(0))
+    >>> rows, columns = child.any(axis=1), child.any(axis=0)
+    >>> (child == np.outer(rows, columns)).all().item()
+    True
     """
     child = one.copy()
     rows, columns = (np.sort(rng.integers(0, n + 1, 2)) for n in one.shape)

@@ -22,7 +22,7 @@ from scenewright.domains.hall.terms.visitors import ALOOF
 LARGEST = 1.2
 OFF_LINE = 0.2
 """What a metre counts by which a column stands off the line of the row it is in."""
-AISLE, IN_AISLE, IN_SIGHT = 1.2, 1.5, 0.5
+AISLE, IN_AISLE, IN_SIGHT = 1.2, 6.0, 0.5
 """The clear width an aisle with a column in it keeps, what such a column counts however wide the
 aisle, and what a seat counts whose view it crosses; metres."""
 SPREAD, AROUND, TOUCH = 2.2, 0.1, 0.05

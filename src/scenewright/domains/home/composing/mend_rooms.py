@@ -65,11 +65,10 @@ def _mend(room: int, task: RoomTask, found: list[RoomAnswer], opened: Opened) ->
         is_open = bars_no_more(narrow, answer.placed, barred[0])
         return is_open and try_in_home(room, answer, found, opened) is not None
 
-    now = judge_room(task, start)
     by = Repair[RoomAnswer](
         judge=lambda answer: judge_room(task, answer, start.placed),
         moves={name: partial(move, task) for name, move in MOVES.items()},
-        by_row=dict.fromkeys((*now.findings, *now.cost), ()) | MOVES_OF,
+        by_row=MOVES_OF,
         key=_key_of,
         least=LEAST,
         holds=holds,

@@ -250,7 +250,7 @@ def evolve(
         genes, state = solver.ask(state, rng)
         if not len(genes):
             over = state.age >= solver.generations
-            reason = "the last generation" if over else f"nothing new in {solver.known} generations"
+            ended = "the last generation" if over else f"nothing new in {solver.known} generations"
             break
         energies = judge.energies(genes)
         state, done = solver.tell(state, genes, energies), done + len(genes)
@@ -260,12 +260,12 @@ def evolve(
         tell_generation(budget, state, done, least)
         full = budget.steps is not None and done + solver.population > budget.steps
         if watch.over(done, least, layout) or full:
-            reason = "cancelled" if watch.cancelled() else "the budget is spent"
+            ended = "cancelled" if watch.cancelled() else "the budget is spent"
             break
         if not bounded and state.stalled > rule.stalled:
-            reason = f"nothing gained in {rule.stalled} generations of local search"
+            ended = f"nothing gained in {rule.stalled} generations of local search"
             break
-    tell(budget.hear, "stop", state.age, reason=reason, evaluations=done, best=-least)
+    tell(budget.hear, "stop", state.age, reason=ended, evaluations=done, best=-least)
     settled = state.settled if state.settled >= 0 else state.age
     return answer(problem, judge.boxes(best[None])[0], done, settled)
 

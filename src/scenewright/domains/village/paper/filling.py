@@ -72,28 +72,28 @@ def fill_as_paper(
     shapely.prepare(free)
     candidates = list_candidates(problem.houses)
     houses = tell_standing(problem.fixed, problem.streets)
-    found, reason = PaperFilling((), ()), f"{MOST} houses stand"
+    found, ended = PaperFilling((), ()), f"{MOST} houses stand"
     tell(hear, "begin", 0, pixels=PIXELS, candidates=len(candidates), standing=len(houses.bases))
     while len(found.houses) < MOST:
         if goes_on is not None and not goes_on(found):
-            reason = "cancelled"
+            ended = "cancelled"
             break
         view, number = paint(frame, problem.floor, houses), len(found.houses) + 1
         odds = odds_of_another(nets, view)
         if odds < LIKELY or _is_enough(problem, houses):
-            reason = "continue says stop" if odds < LIKELY else "as much stands as is asked for"
+            ended = "continue says stop" if odds < LIKELY else "as much stands as is asked for"
             tell(hear, "continue", number, odds=odds, another=False)
             break
         placed = _place(nets, problem.floor, free, frame, houses, view, candidates, rng)
         if placed is None:
-            reason = f"no place found in {TRIES} tries"
+            ended = f"no place found in {TRIES} tries"
             break
         chosen, at = placed
         house = {"house": chosen.number, "classes": chosen.house.classes, "pose": at.pose}
         tell(hear, "house", number, odds=odds, another=True, **house)
         found = PaperFilling((*found.houses, chosen.number), (*found.poses, at.pose))
         houses = _with(houses, at, chosen.house.classes)
-    tell(hear, "stop", len(found.houses), reason=reason)
+    tell(hear, "stop", len(found.houses), reason=ended)
     return found
 
 
