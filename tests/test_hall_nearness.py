@@ -58,7 +58,7 @@ def set_up_seats(seed: int) -> float:
 def test_nothing_stands_against_a_column_or_the_seats_of_others(
     hall: Any, seeds: tuple[int, ...], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    assert min(hall(seed) for seed in seeds) > 0.449
+    assert min(hall(seed) for seed in seeds) > 0.45
     if hall is set_up_cases:  # rows among columns keep clear of them by themselves
         return
     others = tuple(row for row in retouch.RETOUCHES if row.name != "nearness")
