@@ -30,7 +30,7 @@ from scenewright.domains.home.rules.classes import (
 )
 from scenewright.domains.home.rules.every import BRIGHT, DAYLIT
 from scenewright.domains.home.rules.living import APART
-from scenewright.domains.home.rules.sources import DAYLIGHT, FLATS, NKBA, PANERO
+from scenewright.domains.home.rules.sources import DAYLIGHT, FLATS, NKBA, NKBA_17, PANERO
 from scenewright.domains.home.settings import MERE_KITCHEN
 
 AT_FRIDGE = 0.5  # what a machine beside the fridge costs of one away from all units
@@ -85,7 +85,7 @@ KITCHEN = (
     ),
     Row(
         "shelf_at_hob", stand("a hob", "hob_cabinet"), apart(), stand("a bookcase", "bookcase"),
-        0.3, 6.0, _NEAR, NKBA, late=True,
+        0.3, 6.0, _NEAR, NKBA_17, late=True,
         example=Example(
             broken=(Place("hob_cabinet", 1.0, 3.7, -90.0, 0.6, 0.6),
                     Place("bookcase", 1.75, 3.8, -90.0, 0.8, 0.3)),
