@@ -81,7 +81,7 @@ def _find_together(pieces: Sequence[Piece], name: str) -> tuple[Piece, ...]:
 
 
 def _group_of(piece: Piece, pieces: Sequence[Piece]) -> tuple[Piece, ...]:
-    """The group of a piece; the piece alone if it came with the brief by itself."""
+    """The group of a piece; the piece alone if the brief fixed it alone."""
     if piece.function in ("", "fixed"):
         return (piece,)
     return tuple(p for p in pieces if p.group == piece.group)

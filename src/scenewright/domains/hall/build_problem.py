@@ -42,14 +42,14 @@ SHARE, MOST = 0.75, 0.8
 MARGIN = 0.1
 """Passages are planned this much wider than asked for, in metres."""
 EACH = 2.0
-"""Access of sides each of which must be reached: those of two rows back to back."""
+"""Access flag of sides that must all be reached: those of two rows back to back."""
 SIDES = ("front", "left", "back", "right")
 
 
 class HallContext(NamedTuple):
     """A hall ready to be posed: its space, zones and links, borders between zones, the walls of
-    each zone, what stands there already, the width of the route, what stands in other rooms and
-    reaches in, and the ``passage`` wished for between objects people walk round."""
+    each zone, fixed objects, the width of the route, objects of other rooms that
+    reach in, and the ``passage`` wished for between objects people walk round."""
 
     space: Space
     plan: HallPlan
@@ -88,14 +88,14 @@ def wall_lengths(hall: HallContext) -> Floats:
 
 
 def taken_floor(hall: HallContext) -> Floats:
-    """Boxes (n, 5) of the floor that doors and windows need, and of what stands there already."""
+    """Boxes (n, 5) of the floor that doors and windows need, and of fixed objects."""
     solid = [piece for piece in (*hall.fixed, *hall.beside) if _solid(piece)]
     standing = [list(box) for piece in solid for box in boxes_of(piece)]
     return _rows([*_kept_free(hall.space, gates(hall.space)), *standing], 5)
 
 
 def zone_areas(hall: HallContext) -> Floats:
-    """Square metres of each zone less what stands there already."""
+    """Square metres of each zone, less fixed objects."""
     shapes = [shapely.Polygon(zone.outline, zone.holes) for zone in hall.plan.zones]
     taken = [*polygons_of([p for p in (*hall.fixed, *hall.beside) if _solid(p)])]
     solid = shapely.union_all(taken) if taken else shapely.Polygon()
@@ -251,7 +251,7 @@ def _wall_need(wishes: list[HallDemand], units: list[Unit], zone: int) -> WallNe
 
 
 def _without_windows(walls: tuple[WallStretch, ...]) -> tuple[WallStretch, ...]:
-    """Stretches without their windows, which what stands at a wall would cover."""
+    """Stretches without their windows, which objects at the wall would cover."""
     found = []
     for wall in walls:
         cuts = [0.0, *(t for low, high, _ in sorted(wall.windows) for t in (low, high))]

@@ -128,7 +128,7 @@ def _middles(problem: HallProblem) -> Floats:
 
 
 def capacity(counts: Ints) -> Ints:
-    """How many layers units of so many objects may have.
+    """How many layers units of ``counts`` objects may have.
 
     ``counts`` (g,) objects of each unit; the layers (g,).
     """

@@ -138,8 +138,8 @@ def place_lacking(
     fitted: Fitted,
     cancel: Cancel | None,
 ) -> Fitted:
-    """Units with all of what lacks that stands beside the others where the route reaches all; in
-    the second half of the tries with one more wall for what stands at walls."""
+    """Units with the missing objects added where they fit beside the others and the route reaches
+    all; the second half of the tries adds one more wall for objects that need one."""
     rule = hall.settings.fit
     absent = list_absent(wishes, fitted.units, hall.names) if fitted.units else []
     if absent and not _all_reached(fitted.problem, fitted.start, seed, rule.looked):
@@ -198,7 +198,7 @@ def _keep_off_gates(
 
 
 def _build_on_borders(hall: HallContext, lack: Floats, spare: bool) -> tuple[Host, ...]:
-    """The same for zones that ``lack`` (z,) so many metres."""
+    """The same for zones short of ``lack`` (z,) metres."""
     order = visiting_order(hall.plan.links, hall.names, _first_zone(hall))
     found = hosts(hall.borders, hall.plan.links, hall.names, order, lack, spare)
     return clear_hosts(found, taken_floor(hall), THICKNESS)

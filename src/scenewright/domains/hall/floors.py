@@ -61,8 +61,8 @@ def _least(term: TermValue, groups: dict[str, PlacedGroup], printed: bool) -> fl
 
 
 def fewest_lines(count: int) -> int:
-    """The least a + b with a b at least ``count``: lines along and across on whose crossings so
-    many objects can stand.
+    """The least a + b with a b at least ``count``: lines along and across whose crossings hold
+    ``count`` objects.
 
     >>> [fewest_lines(count) for count in (0, 1, 2, 4, 5, 9, 10)]
     [0, 2, 3, 4, 5, 6, 7]

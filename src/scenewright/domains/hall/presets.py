@@ -50,7 +50,7 @@ PRESETS: dict[str, HallPreset] = {
 
 
 def count_steps(preset: HallPreset, groups: int) -> int:
-    """Layouts looked at in a hall of so many groups: fewer below :data:`FEW`, more above
+    """Layouts looked at in a hall of ``groups`` groups: fewer below :data:`FEW`, more above
     :data:`USUAL`; the paper's are the same for all.
 
     >>> [count_steps(PRESETS["default"], groups) for groups in (3, 9, 20, 40)]

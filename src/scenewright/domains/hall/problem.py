@@ -25,7 +25,7 @@ class HallGround(NamedTuple):
     """The hall and its zones.
 
     ``edges`` (e, 4): directed edges x0, y0, x1, y1 of outline and holes, the inside on the left.
-    ``obstacles`` (o, 5) boxes of what stands there already, ``keep_free`` (k, 5) boxes before
+    ``obstacles`` (o, 5) boxes of fixed objects, ``keep_free`` (k, 5) boxes before
     doors, ``doors`` (d, 5) boxes of the ways in through the wall.
     ``zone_edges`` (f, 4) the directed edges of all zones, zone z owning rows ``zone_spans[z]``
     (start, end); ``zone_areas`` (z,) in square metres, ``zone_bounds`` (z, 4).
@@ -39,7 +39,7 @@ class HallGround(NamedTuple):
     partition each may carry (left out: all of the border), ``host_shifts`` (p, 2) how far to its
     right and left it may stand off (left out: nowhere), ``zone_walls`` (z,) metres of wall that the
     objects of a zone need (left out: none). ``standing`` (k, 5) locked objects that must stay
-    within reach, ``standing_access`` (k, 4) 1 for the sides of which one must be reached.
+    within reach, ``standing_access`` (k, 4) 1 for sides at least one of which must be reached.
     """
 
     edges: Floats
@@ -68,7 +68,7 @@ class Units(NamedTuple):
     """What is to be placed: ``n`` objects in ``g`` units.
 
     ``sizes`` (n, 2) width and depth; ``clear`` (n, 4) free depth wished for beyond each side;
-    ``access`` (n, 4) 1 for sides of which one must be reached, 2 for those that must each. Unit u
+    ``access`` (n, 4) 1 for sides any of which will do, 2 for those that must be reached. Unit u
     owns objects ``spans[u]`` (start, end) and stands in zone ``zones[u]``. ``walls`` (g,) 1 for a
     row along walls. ``choices`` (g, 8) 1 for each pattern (row of the pattern table) the unit may
     take. ``demands`` (g,) the number of the demand each unit serves, ``targets`` (g,) the unit each

@@ -29,7 +29,7 @@ class MoveSettings(NamedTuple):
     where a passage is too narrow, something out of reach or it stands off already (``aside``), and
     elsewhere (``seldom``). Share of the other moves drawn blindly that go to what is in the way
     (``called``), of guided ones that change the pattern (``form``), and of slides that go four
-    times as far (``far``). The route is looked at after so many accepted moves (``block``)."""
+    times as far (``far``). The route is looked at after every ``block`` accepted moves."""
 
     walls: float = 0.03
     few: float = 80.0
@@ -72,11 +72,11 @@ class SearchSettings(NamedTuple):
 
 class FitSettings(NamedTuple):
     """Making demands fit: ``rounds`` in which groups that are to stay whole are not split, of
-    ``most_rounds``; first layouts ``tried`` in each; units of no more than so many objects are not
-    split (``small``). Other first layouts (``chances``) are tried where no more than the share
+    ``most_rounds``; first layouts ``tried`` in each; units of at most ``small`` objects are not
+    split. Other first layouts (``chances``) are tried where no more than the share
     ``little`` of the objects finds no room; where more does not, objects get these ``shares`` of
-    their clearances in turn, and so many layouts of each are ``looked`` at. What lacks is tried
-    ``again`` beside what stands so many times."""
+    their clearances in turn, and ``looked`` layouts of each are looked at. Missing objects are
+    tried ``again`` times beside those placed."""
 
     rounds: int = 12
     most_rounds: int = 120
@@ -102,11 +102,11 @@ class BorderSettings(NamedTuple):
 
 
 class ZoningSettings(NamedTuple):
-    """Proposing zones by annealing trees of cuts: at most so many ``attempts``; of each the best
+    """Proposing zones by annealing trees of cuts: at most ``attempts``; of each the best
     ``tried`` divisions for every plan asked for; two plans put at least the share ``different`` of
     the floor into other zones. Floors in one piece of up to ``exhaustive`` zones are divided in
-    every way; else ``rounds`` of ``starts`` follow one another, the best ``kept`` of which are
-    annealed for so many ``steps`` as ``heat`` falls from the first to the second, until one costs
+    every way; else ``rounds`` of ``starts`` follow one another, the best ``kept`` of them
+    annealed for ``steps`` steps as ``heat`` falls from the first to the second, until one costs
     less than ``good`` a zone; halls of more than ``large`` hundred corners times zones get less.
     Weights of not meeting whom a zone should (``pair``), not being at its ``door``, cutting a door
     in two (``cut_door``), ``narrow`` ends in square metres, and of another ``area``."""

@@ -180,7 +180,7 @@ def hall_contexts(
     variant: int,
     zoning: ZoningSettings = USUAL_ZONING,
 ) -> list[HallContext]:
-    """Every hall of a brief: its zones, walls and what stands there."""
+    """Every hall of a brief: its zones, walls and fixed objects."""
     pairs = zip(brief.rooms, rooms, strict=True)
     standing = [tuple(fixed_pieces(room, space, catalog)) for room, space in pairs]
     beside = reaching_in(standing, rooms)

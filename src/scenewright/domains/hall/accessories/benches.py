@@ -40,10 +40,10 @@ BEFORE, ASIDE, BARS = 1.5, 0.6, 3.0
 """Metres before a picture and beside it that a bench bars, and what that costs: whoever looks at it
 stands there."""
 CLOSE, WEDGED = 0.8, 4.5
-"""Metres that a bench amid the floor keeps from walls, columns and whatever stands there, and what
+"""Metres that a free-standing bench keeps from walls, columns and objects, and what
 it costs nearer: wedged between two tables it looks pushed aside, at a wall it does not."""
 TOUCHING, PUSHED = 0.4, 4.0
-"""The same where it all but touches what stands there, more."""
+"""The same for a bench that all but touches its neighbour; added to the cost above."""
 
 HIDDEN, SIGHT = 6.0, 0.2
 """What a place costs from where a column or a wall hides what one is to look at, and half of the
@@ -80,10 +80,10 @@ def find_bench_spots(setting: Setting, size: Size) -> Spots:
             looks[:, 3] = 2.0 * SIGHT
             hidden = HIDDEN * _cross_walls(looks, setting)
             parts.append(spots._replace(costs=spots.costs + hidden))
-    amid = join_spots(parts)
-    wedged = WEDGED * _stand_near(amid.boxes, setting, CLOSE)
-    wedged = wedged + PUSHED * _stand_near(amid.boxes, setting, TOUCHING)
-    found = join_spots([at_walls, amid._replace(costs=amid.costs + wedged)])
+    free = join_spots(parts)
+    wedged = WEDGED * _stand_near(free.boxes, setting, CLOSE)
+    wedged = wedged + PUSHED * _stand_near(free.boxes, setting, TOUCHING)
+    found = join_spots([at_walls, free._replace(costs=free.costs + wedged)])
     crowd = BENCHES_CROWD * measure_crowd(found.boxes, setting.others, BENCHES_WITHIN)
     barring = BARS * _bar_pictures(found.boxes, setting)
     return found._replace(costs=found.costs + crowd + barring)
@@ -111,7 +111,7 @@ def _cross_walls(boxes: Floats, setting: Setting) -> Bools:
 
 
 def _stand_near(boxes: Floats, setting: Setting, near_by: float) -> Bools:
-    """Which of boxes (k, 5) stand nearer than so many metres to some piece, another bench, a column
+    """Which of boxes (k, 5) are nearer than ``near_by`` metres to a piece, another bench, a column
     or a wall."""
     bodies = polygons_of([p for p in setting.pieces if p.pose.z < HEAD_HEIGHT])
     walls = shapely.linestrings(setting.walls.reshape(-1, 2, 2))

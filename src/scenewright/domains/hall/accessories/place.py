@@ -1,4 +1,4 @@
-"""Small objects set among what stands: each on the best spot that leaves all ways open."""
+"""Small objects placed among the rest: each on the best spot that leaves all routes open."""
 
 from __future__ import annotations
 
@@ -139,9 +139,9 @@ def _measure_ways(
 
 
 def _find_used(small: list[HallDemand], boxes: Placed) -> tuple[Floats, Floats]:
-    """The boxes (n, 5) of those demands, and 1 for the sides (n, 4) of which one of each must be
-    reached: any where its kind is used from none, none of what one sits on at another, to which one
-    goes sideways past those who sit there."""
+    """Boxes (n, 5) of the demands, and access flags (n, 4): at least one flagged side of a box must
+    be reached. Any side will do if its kind is used from none; a seat at another object has no
+    flag, as people reach it sideways past those who sit there."""
     access = [
         np.tile([float(_may_use(wish.category, side)) for side in SIDES], (n, 1))
         for wish, n in zip(small, (len(_stack(mine)) for mine in boxes), strict=False)
@@ -184,8 +184,8 @@ def _place_all(
 def can_stand_before(
     boxes: Floats, category: str, standing: shapely.Geometry, reach: float
 ) -> Bools:
-    """Before which of boxes (k, 5) of a kind the middle of a person can come, on the floor where it
-    may be (``standing``), so many metres straight before a side it is used from.
+    """Which of boxes (k, 5) of a kind a person can use: a point ``reach`` metres in front of one of
+    its sides of use lies on ``standing``, the floor where a person's centre may be.
 
     >>> bins = np.array([[0.2, 0.2, 0.0, 0.4, 0.4], [1.0, 0.2, 1.5708, 0.4, 0.4]])
     >>> can_stand_before(bins, "litter_bin", shapely.box(0.45, 0.45, 5, 5), 0.6)

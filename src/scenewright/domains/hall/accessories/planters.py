@@ -1,6 +1,6 @@
 """Planters and trees in pots: in pairs beside ways in and stages, else at ends of benches, in
 corners, at walls and partitions, at ends of desks, gates and lockers, and on in a row with others:
-never amid the floor as long as one of these is free."""
+never in the open floor as long as one of these is free."""
 
 from __future__ import annotations
 

@@ -39,7 +39,7 @@ class Doorway(NamedTuple):
 
 class Setting(NamedTuple):
     """The doorways of a hall, the main entrance first, its walls (w, 4) with the inside on the
-    left, what stands there, and what of that ``others`` (n, 5) are of the kind that is set."""
+    left, the objects there, and which of them (``others``, n, 5) are of the kind being placed."""
 
     doorways: tuple[Doorway, ...]
     walls: Floats
@@ -48,8 +48,8 @@ class Setting(NamedTuple):
 
 
 class FreeFloor(NamedTuple):
-    """The ``floor`` small objects may stand on, zone by zone, what stands there (``bodies``), and
-    what of the floor has to stay free besides (``kept``)."""
+    """The ``floor`` small objects may stand on, zone by zone, the objects there (``bodies``), and
+    the floor that has to stay free as well (``kept``)."""
 
     floor: shapely.GeometryCollection
     bodies: shapely.STRtree
@@ -124,7 +124,7 @@ def find_free(free: FreeFloor, boxes: Floats, used: bool = False) -> Bools:
 
 
 def lie_open(free: FreeFloor, boxes: Floats, before: float, around: float) -> Bools:
-    """Of which of boxes (k, 5) so many metres of floor ``before`` and ``around`` are free (k,)."""
+    """Which of boxes (k, 5) have ``before`` and ``around`` metres of free floor (k,)."""
     wider = boxes.copy()
     wider[:, 3:] += 2.0 * around
     found = np.ones(len(boxes), bool)
@@ -135,7 +135,7 @@ def lie_open(free: FreeFloor, boxes: Floats, before: float, around: float) -> Bo
 
 
 def lead_before(boxes: Floats, deep: float) -> Floats:
-    """Boxes (k, 5) of the floor so many metres ``deep`` before boxes (k, 5)."""
+    """The floor in front of boxes (k, 5), ``deep`` metres deep, as boxes (k, 5)."""
     ahead, off = boxes.copy(), 0.5 * (boxes[:, 4] + deep)
     ahead[:, 0] += off * np.cos(boxes[:, 2])
     ahead[:, 1] += off * np.sin(boxes[:, 2])

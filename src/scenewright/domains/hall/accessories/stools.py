@@ -131,8 +131,8 @@ def stand_before(counter: Piece, boxes: Floats) -> NDArray[np.bool_]:
 
 
 def count_before(wide: float) -> int:
-    """How many stools have a place before a counter of so many metres, closer together where one
-    more finds a place so.
+    """How many stools fit before a counter ``wide`` metres long, closer together where that makes
+    room for one more.
 
     >>> count_before(4.0), count_before(3.0)
     (5, 4)

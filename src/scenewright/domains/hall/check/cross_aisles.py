@@ -24,8 +24,8 @@ ASKEW = 0.05
 def find_unbroken_rows(
     pieces: tuple[Piece, ...], spaces: tuple[Space, ...], asked: Mapping[str, Room]
 ) -> list[Finding]:
-    """A finding for each demand with an ``aisle`` of which more pieces than that allows stand in a
-    row with no gap as wide between them; by how many metres the widest gap there is too narrow."""
+    """A finding for each demand with an ``aisle`` that has more pieces in an unbroken row than
+    allowed; its size is how many metres the widest gap of the row is too narrow."""
     found = []
     for space in spaces:
         demands = asked[space.id].demands if space.id in asked else []

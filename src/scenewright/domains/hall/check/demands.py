@@ -1,4 +1,4 @@
-"""The demands of a hall against what stands: how many, of what category, and in which zone."""
+"""The demands of a hall against its objects: how many, of what category, and in which zone."""
 
 from __future__ import annotations
 

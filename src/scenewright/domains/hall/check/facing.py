@@ -25,7 +25,7 @@ demand that may."""
 def note_seats_turned_away(
     bodies: Bodies, spaces: tuple[Space, ...], wishes: Mapping[str, Room]
 ) -> list[Note]:
-    """A note for each demand of seats more than a tenth of which look past their stage, screen or
+    """A note for each demand with over a tenth of its seats looking past their stage, screen or
     lectern by over 60 degrees."""
     notes = []
     for space in spaces:

@@ -104,7 +104,7 @@ def _judge(
 
 
 def _floor(bodies: Bodies, hall: JudgedHall, walk: Walk) -> dict[str, float]:
-    """Shares of the floor: covered by what stands on it, and swept by the visitors' route."""
+    """Shares of the floor: covered by objects, and swept by the visitors' route."""
     area = max(float(hall.shape.area), 1e-9)
     stands = shapely.union_all(bodies.footprints[hall.solids])
     near = shapely.buffer(hall.shape, walk.radius)

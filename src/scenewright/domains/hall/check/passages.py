@@ -31,7 +31,7 @@ _ABOUT = 0.15
 
 class MeasuredPassage(NamedTuple):
     """A link as it is: the clear ``width`` in metres (0: closed), where it is narrowest (none if it
-    is as wide as is measured), and the rows of what stands there (-1: a wall)."""
+    is as wide as is measured), and the rows of the pieces there (-1: a wall)."""
 
     link: JudgedLink
     width: float

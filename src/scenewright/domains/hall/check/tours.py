@@ -107,8 +107,8 @@ def line_of(bodies: Bodies, hall: JudgedHall, ground: JoinedFloor) -> Line:
 def bottlenecks(
     bodies: Bodies, hall: JudgedHall, line: Line, wanted: float
 ) -> list[dict[str, Any]]:
-    """Where the tour is narrower than ``wanted`` metres: the narrowest place of each stretch, what
-    stands on both sides, the narrowest first.
+    """Where the tour is narrower than ``wanted`` metres: the narrowest place of each stretch, the
+    objects on both sides, the narrowest first.
 
     Near the doors, where the width is that of the opening, nothing is reported.
     """

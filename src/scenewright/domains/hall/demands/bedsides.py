@@ -1,6 +1,6 @@
 """Nightstands asked for where beds stand are beside these: one at each bed, then at the other side.
 
-A bed with what stands beside its head is laid out as one object, as a lounge is, and furnished
+A bed with its nightstands is laid out as one object, as a lounge is, and furnished
 piece by piece.
 """
 
@@ -13,12 +13,12 @@ from scenewright.domains.hall.seats.lounges import lay_as_one
 STAND = "nightstand"
 SIDES = 2
 GAP = 0.05
-"""Metres between a bed and what stands beside it."""
+"""Metres between a bed and its nightstand."""
 
 
 def join_bedsides(wishes: list[HallDemand]) -> list[HallDemand]:
-    """Demands in which beds have the nightstands of the same zones beside them, of which a brief
-    does not say where they stand."""
+    """Demands in which beds have the nightstands of the same zones beside them, unless a brief
+    says where those stand."""
     left = {wish.id: wish for wish in wishes}
     for beds in (wish for wish in wishes if wish.category in BEDS and not wish.facing):
         near = [w for w in left.values() if w.category == STAND and w.zones == beds.zones]

@@ -1,4 +1,4 @@
-"""Aisles across rows: what stands in a row between two of them is laid out as one object.
+"""Aisles across rows: the pieces of a row between two of them are laid out as one object.
 
 So every layout of the search has rows broken where the brief breaks them, and the aisles are floor
 like any other: people, tours and the referee go through them.
@@ -11,7 +11,7 @@ from scenewright.domains.hall.seats.lounges import lay_as_one
 
 
 def break_rows(wish: HallDemand) -> HallDemand:
-    """A demand of which each object is the ``every`` pieces of a row between two aisles, the last
+    """A demand whose objects are each ``every`` pieces of a row between two aisles, the last
     the rest, with half an aisle free at both ends; as it is where no aisle is asked for."""
     if not wish.aisle or wish.chairs or wish.lounges:
         return wish

@@ -1,7 +1,7 @@
 """How many of a demand a hall takes, where the brief leaves that to the floor.
 
-A demand with ``fill`` is to bring what stands in its zones, with the free floor around each, to
-that share of them. In practice a third to a little over half: of a shop's floor fixtures with
+A demand with ``fill`` adds objects until all in its zones, with the free floor around each, take
+that share of the zones. In practice a third to a little over half: of a shop's floor fixtures with
 their aisles of 1.2 m take half (:mod:`scenewright.domains.hall.demands.programme`, after Neufert
 2012); shelves 0.6 m deep at 1.5 to 1.7 m from middle to middle, as libraries have them, 35 to 40
 per cent without their aisles (Neufert 2012). Exhibits want 0.75 m around each, so that a wheelchair
@@ -27,7 +27,7 @@ from scenewright.domains.hall.seats.chairs import out_of_table, seats_around
 LONGEST, MOST_NOTES = 400, 100
 """Letters of a note of a brief, and notes, at most."""
 FAIR, ROW, FULL = 0.5, 3, 0.8
-"""Part of what a demand would fill by itself that others leave it, objects of a row, and share of
+"""Part of what a demand would fill if alone that others leave it, objects of a row, and share of
 the floor that all may take for that."""
 MOST_NAMED, LITTLE = 3, 0.05
 """Of how many others a note says what they take, and from which share of the floor on."""

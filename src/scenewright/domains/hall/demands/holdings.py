@@ -94,7 +94,7 @@ def may_stand_together(one: HallDemand, other: HallDemand) -> bool:
 def collect_demands(
     brief: Brief, number: int, locked: tuple[Piece, ...], catalog: Catalog
 ) -> list[HallDemand]:
-    """The demands of room ``number`` less what stands there ``locked`` already."""
+    """The demands of room ``number``, less the ``locked`` objects there."""
     room = brief.rooms[number]
     ids = ids_of(room.demands)
     shows, tables = find_shows(room.demands, ids), find_tables(room.demands, ids)

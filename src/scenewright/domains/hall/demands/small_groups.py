@@ -10,8 +10,8 @@ RINGS, FEWEST = ("radiation", "circulation"), 5
 
 
 def drop_small_rings(hall: HallContext, wishes: list[HallDemand]) -> list[HallDemand]:
-    """Demands of a few objects, the pattern of which a brief leaves open, without rings; as they
-    are where groups stay as printed."""
+    """Demands without rings for small groups whose pattern the brief leaves open; unchanged
+    where groups stay as printed."""
     if hall.settings.whole:
         return wishes
     return [_without_rings(wish) if wish.unplaced else wish for wish in wishes]

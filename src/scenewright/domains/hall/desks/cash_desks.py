@@ -34,7 +34,7 @@ NAMED = (
 
 
 def is_cash_desk(demand: Demand, room: Room) -> bool:
-    """Whether the tills of a demand are desks without belts: of no stated size, and one by itself
+    """Whether the tills of a demand are desks without belts: of no stated size, and a single one
     or several in a shop that sells no groceries; the name of the hall or the tills may say
     otherwise.
 

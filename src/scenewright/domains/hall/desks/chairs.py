@@ -15,7 +15,7 @@ from scenewright.domains.hall.seats.chairs import CHAIRS, keep_free
 
 
 class DeskChair(NamedTuple):
-    """A chair at desks of a ``category``: of which kind, at their front or behind them, how far off
+    """A chair at desks of a ``category``: its kind, at their front or behind them, how far off
     their middle as a share of their width, and how far it is pushed in, in metres. It stands at
     desks from ``least`` to ``most`` metres wide, ``called`` by one of some words (none: all)."""
 

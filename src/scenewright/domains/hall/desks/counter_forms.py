@@ -1,6 +1,6 @@
 """Forms in which several counters of a demand stand where its brief leaves that open.
 
-One line at a wall, with its staff before the wall; one line amid the floor; two lines back to back,
+One line at a wall, with its staff before the wall; one free-standing line; two lines back to back,
 their staff between them; two lines at walls. Each is one object until it is furnished.
 """
 
@@ -20,7 +20,7 @@ COUNTER = "counter"
 """Of what several stand in a line unless the brief says otherwise."""
 RACKS = ("coat_rack",)
 ROUND = 2.4
-"""Metres by which a zone is longer than a line amid its floor: one goes round it."""
+"""Metres by which a zone is longer than its free-standing line, for the way round both ends."""
 
 
 def leaves_line_open(wish: HallDemand) -> bool:
@@ -82,7 +82,7 @@ def _line_at_wall(wish: HallDemand, lines: int) -> HallDemand:
 
 
 def _line_free(wish: HallDemand) -> HallDemand:
-    """One line amid the floor."""
+    """One free-standing line."""
     whole = _join(wish.sizes, wish.sizes[0].depth)
     return wish._replace(sizes=(whole,), row=wish.sizes, patterns=("single",))
 

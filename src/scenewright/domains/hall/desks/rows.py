@@ -16,7 +16,7 @@ CLASS = 6
 
 
 def turn_to_show(wishes: list[HallDemand], catalog: Catalog) -> list[HallDemand]:
-    """Demands of which desks with chairs of their own are laid out with these and turned, where
+    """Demands in which desks with chairs of their own are laid out with these and turned, where
     they are to look at a stage, a screen or a lectern, or are many in a zone that has one."""
     asked = {wish.category for wish in wishes}
     return [_turn(wish, wishes, asked, catalog) for wish in wishes]

@@ -38,9 +38,9 @@ def fit_with_staff(
     small: Sequence[HallDemand] = (),
 ) -> tuple[list[HallDemand], Fitted]:
     """Demands as they find room, and their first layout (:func:`.fit.fit`): counters at walls in
-    rows with room for their staff, else each by itself, else with their backs at the wall, where
-    something lacks in any case as lacks least; lounges apart where they find no room; those of
-    which the brief leaves open where they stand in the first form (:mod:`.counter_forms`,
+    rows with room for their staff, else singly, else with their backs at the wall, whichever leaves
+    least unplaced; lounges apart where they find no room; counters whose place
+    the brief leaves open in the first form (:mod:`.counter_forms`,
     :mod:`.lounges`) by which nothing is lost that else would stand. As they are where groups stay
     as printed. ``small`` objects are set last. What lacks in the end is tried again beside all that
     stands."""
@@ -132,12 +132,12 @@ def _built_for(stand: Stand, before: list[HallDemand]) -> bool:
 
 
 def _count_objects(wish: HallDemand, count: int) -> int:
-    """How many objects so many of a demand are once they are furnished."""
+    """How many furnished objects ``count`` objects of a demand become."""
     return count_parts(wish, count) * max(len(wish.row), 1) * (2 if wish.double else 1)
 
 
 def _ways_to_stand(wishes: list[HallDemand]) -> Iterator[list[HallDemand]]:
-    """The demands with their counters at walls in rows, each by itself and as they are."""
+    """The demands with their counters at walls in rows, each singly, and unchanged."""
     staffed = [_with_staff(wish) for wish in wishes]
     in_rows = [_in_row(wish) for wish in staffed]
     if in_rows != staffed:
@@ -188,7 +188,7 @@ def part_row(wish: HallDemand, pose: Pose, size: Size) -> list[Place]:
 
 
 def _ahead(pose: Pose, far: float) -> Pose:
-    """A pose so many metres ahead."""
+    """A pose ``far`` metres ahead."""
     x, y = pose.x + far * math.cos(pose.heading), pose.y + far * math.sin(pose.heading)
     return pose._replace(x=x, y=y)
 

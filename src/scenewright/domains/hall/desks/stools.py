@@ -16,8 +16,8 @@ from scenewright.domains.hall.demands.holdings import HallDemand, may_stand_toge
 
 
 def keep_stools(wishes: list[HallDemand]) -> list[HallDemand]:
-    """Demands of which bars, then high tables, then other counters take up the floor of stools as
-    well: those of the stools' own zones first, until all have a place."""
+    """Demands in which bars, then high tables, then other counters also take up the floor of their
+    stools: those of the stools' own zones first, until all have a place."""
     found = {wish.id: wish for wish in wishes}
     for stools in (wish for wish in wishes if wish.category == STOOL and wish.unstated):
         left = len(stools.sizes)
@@ -45,7 +45,7 @@ def _count_places(wish: HallDemand) -> int:
 
 
 def _widen(wish: HallDemand, out: float) -> HallDemand:
-    """Counters with so many metres more before them, tables at the sides at which stools stand."""
+    """Counters with ``out`` metres more before them, tables at the sides at which stools stand."""
     if wish.category != COUNTER:
         return with_floor(wish, out, all(sits_around(size) for size in wish.sizes))
     more = max(out - wish.before, 0.0)

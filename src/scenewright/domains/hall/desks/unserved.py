@@ -15,8 +15,8 @@ from scenewright.domains.hall.classes import SERVING
 from scenewright.domains.hall.problem import Floats
 
 ROOM, WITHIN, MIDDLE = 0.75, 0.025, 0.8
-"""Metres of floor behind a desk on which those stand who serve, so far of them within it (a back
-may be at the wall), over so much of its width."""
+"""Floor behind a desk for those who serve: its depth in metres, how far it reaches into the desk
+(whose back may be at the wall), and its share of the desk's width."""
 
 
 def count_unserved(space: Space, pieces: Iterable[Piece]) -> int:

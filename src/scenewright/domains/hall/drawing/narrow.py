@@ -31,7 +31,7 @@ def narrow_places(tour: Tour, passage: float, solid: Geometry) -> list[Narrow]:
     """Where the way of a tour is narrower than ``passage``: local least widths, the narrowest
     first, not at its doors.
 
-    The width is measured from the nearest solid across the point to what stands opposite, so
+    The width is measured from the nearest solid across the point to the one opposite, so
     that a way along one side of a wide aisle is not called narrow.
     """
     run = run_of(tour.points)

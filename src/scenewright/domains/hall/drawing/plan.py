@@ -149,7 +149,7 @@ def ways_layers(view: PaperView, halls: Halls, solid: Geometry) -> list[PlanLaye
 
 
 def solid_of(walls: Geometry, pieces: Sequence[Piece], catalog: Catalog) -> Geometry:
-    """Walls and what stands on the floor, but carpets and leaves that swing, in plan metres."""
+    """Walls and objects, except carpets and swinging leaves, in plan metres."""
     flat = {name for name, kind in catalog.kinds.items() if kind.flat or kind.swings}
     bodies = [
         Polygon(footprint(piece))

@@ -37,8 +37,8 @@ from scenewright.drawing.signs import (
 )
 
 FIGURE, WORD, EVERY, APART, MOST, HEADS = 1.8, 2.1, 38.0, 14.0, 12, 300
-"""Text heights; millimetres from arrow head to arrow head and between narrow places; at most so
-many narrow places and heads."""
+"""Text heights; millimetres from arrow head to arrow head and between narrow places; most
+narrow places, and most heads."""
 
 Vector = NDArray[np.float64]
 

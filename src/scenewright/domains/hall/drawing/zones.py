@@ -33,7 +33,7 @@ TINTS = ("#faf0d6", "#c6dbec", "#fce0ce", "#d6cce0", "#cde5d2", "#d9eff5", "#efc
 """Soft fills of CIE lightness 95 to 81, at least 1.4 apart, so that they differ in grey too."""
 
 BESIDE = 0.3
-"""Zones up to so many metres apart are neighbours."""
+"""Most metres between neighbouring zones."""
 
 ARROW, HEAD, WORDS = 3.0, 1.5, 1.8
 """Millimetres: half the arrow of a passage, its heads, the text beside it."""

@@ -1,1 +1,1 @@
-"""From a solved hall to its pieces: walls, objects, what stands on a stage, carpets."""
+"""From a solved hall to its pieces: walls, objects, objects on a stage, carpets."""

@@ -42,7 +42,7 @@ def assemble_solution(
     seed: int,
     seconds: float,
 ) -> Solution:
-    """The solution of all halls of a brief; those not in ``laid`` hold what stands there."""
+    """The solution of all halls of a brief; those not in ``laid`` hold their fixed objects only."""
     found = [laid.get(number) for number in range(len(halls))]
     done = [answer for answer in found if answer is not None]
     pieces = [

@@ -1,4 +1,4 @@
-"""Islands: what stands together in a hall on a carpet of its own, lit from the ceiling.
+"""Islands: groups in a hall that share a carpet, lit from the ceiling.
 
 Only drawn: carpets and spots belong to the scene of a hall, not to its solution, and bar nothing.
 """
@@ -25,7 +25,7 @@ from scenewright.domains.hall.hall_layout import HallLayout, PlacedGroup, Zone
 
 CARPETS = ("carpet_grey", "carpet_sand", "carpet_sage")
 BEYOND, ONE_CARPET, SEAM = 0.7, 1.3, 0.15
-"""How far a carpet reaches beyond what stands on it, up to which gap two share one, and how far it
+"""How far a carpet reaches beyond its objects, up to which gap two share one, and how far it
 keeps from the border of its zone, metres."""
 RINGS = ("radiation", "circulation")
 """Patterns on a round carpet."""
@@ -42,7 +42,7 @@ MOST_SPOTS = 400
 
 
 def scene_of_hall(solution: Solution, plan: Plan) -> Scene:
-    """The scene of halls, with a carpet under what stands free together and a spot over each of
+    """The scene of halls, with a carpet under each free-standing group and a spot over each of
     its exhibits."""
     scene = scene_of_rooms(solution, plan)
     if solution.detail is None:  # a saved hall without its groups

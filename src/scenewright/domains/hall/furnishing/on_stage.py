@@ -1,6 +1,6 @@
 """What stands on the stage instead of beside it: the lectern, at the side of it and near its edge,
 as speakers do, so that what is shown behind them stays in sight, a screen along its back, and
-before seats for an audience a desk by itself, in the middle."""
+before seats for an audience a single desk, in the middle."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ CARRIED = (LECTERN, SCREEN, PIANO, DESK)
 ASIDE = 0.28
 """How far off the middle of the stage, as a share of its width: beside the steps at its ends."""
 EDGE = 0.5
-"""Between what stands on it and the front of the stage, in metres."""
+"""Between the objects on a stage and its front edge, in metres."""
 BESIDE = 0.7
-"""Between the end of a desk amid the stage and the middle of a lectern, in metres."""
+"""Between the end of a desk in the middle of a stage and the centre of a lectern, in metres."""
 BEHIND = 0.9
 """Least depth for who speaks, or plays, in metres."""
 WING = 0.35
@@ -120,8 +120,8 @@ def _find_turn(carried: list[HallDemand], number: int) -> int:
 def _on(
     stage: Piece, wish: HallDemand, side: float, group: str, catalog: Catalog, room: float
 ) -> Piece:
-    """One object at one ``side`` (-1 or 1) of a stage or along its back, with so much room above
-    it."""
+    """One object at one ``side`` (-1 or 1) of a stage or along its back, at most ``room`` metres
+    high."""
     size = Size(*wish.sizes[0])
     size = size._replace(height=min(size.height, room))
     right, ahead, turn = _stand(stage.size, wish.category, size, side)

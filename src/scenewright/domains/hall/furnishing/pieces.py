@@ -88,8 +88,8 @@ def _furnish_lounge(
     pose: Pose,
     catalog: Catalog,
 ) -> Iterator[Piece]:
-    """The pieces of a lounge that stands at a pose, after so many pieces ``before`` it in its
-    group."""
+    """The pieces of a lounge at a pose; ``before`` pieces of its group come before
+    them."""
     told = Counter[str]()
     for part, at in set_parts(lounge, pose):
         told[part.wish.id] += 1

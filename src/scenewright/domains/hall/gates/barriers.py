@@ -47,8 +47,8 @@ def place_barriers(
     catalog: Catalog,
 ) -> tuple[Piece, ...]:
     """The barriers beside every row of gates of a layout from which the route still leads
-    everywhere, none where others stand in all their places. ``solid`` (n, 5) are boxes of what
-    stands beside the layout, ``demands`` the demand of each group."""
+    everywhere, none where others stand in all their places. ``solid`` (n, 5) are boxes of objects
+    beside the layout, ``demands`` the demand of each group."""
     found: tuple[Piece, ...] = ()
     for unit in find_gates(problem, layout.kept) if not layout.loose else ():
         if measure_gates(problem, layout.kept, layout.boxes, unit) > ASTRAY:
@@ -116,7 +116,7 @@ def make_barriers(
 
 
 def _clip(rails: Floats, floor: shapely.Polygon) -> Floats:
-    """Rails (k, 5) that end where a slanting wall begins, less those of which nothing is left.
+    """Rails (k, 5) cut where a slanting wall begins, without those of no length.
 
     >>> floor = shapely.Polygon([(0, 0), (4, 0), (4, 3), (0, 5)])
     >>> rails = np.array([[2, 3, 0, 4, 0.2], [9, 3, 0, 4, 0.2]])

@@ -115,7 +115,7 @@ def _shorten(search: HallSearch, fitted: Fitted, kept: Kept, unit: int, count: i
 def _find_places(
     chain: HallChain, fitted: Fitted, boxes: Floats, unit: int, most: float, lane: bool
 ) -> list[Kept]:
-    """Layouts with the ropes of a unit near their place that cost at most so much, the cheapest
+    """Layouts with the ropes of a unit near their place that cost at most ``most``, the cheapest
     first."""
     found: list[tuple[float, int, Kept]] = []
     for number, kept in enumerate(_propose(fitted, boxes, unit)):

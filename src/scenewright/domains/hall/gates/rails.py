@@ -92,13 +92,13 @@ class RowOfGates(NamedTuple):
 
 
 def find_stops(problem: HallProblem, row: RowOfGates) -> Floats:
-    """The directed edges (e, 4) of walls and of what stands beside a row, at which rails end."""
+    """The directed edges (e, 4) of walls and of objects beside a row, at which rails end."""
     return np.concatenate([problem.ground.edges, sides_of(_solid(problem, row))])
 
 
 def lay_rails(edges: Floats, row: RowOfGates, side: int) -> Floats:
     """Boxes (k, 5) of the rails of a row of gates with the wide gate on one ``side`` (-1 or 1) of
-    it: to the ``edges`` (e, 4) of walls, or of what stands at them; last the post beyond that gate,
+    it: to the ``edges`` (e, 4) of walls, or of objects at them; last the post beyond that gate,
     like the housing of one."""
     way_in, way, centre = row.way_in, row.way_in.way, row.box[:2]
     right = np.array([way[1], -way[0]])
@@ -134,7 +134,7 @@ def find_open_end(row: RowOfGates, side: int) -> Floats:
 
 
 def _solid(problem: HallProblem, row: RowOfGates) -> Floats:
-    """Boxes (n, 5) of what stands beside a row."""
+    """Boxes (n, 5) of the objects beside a row."""
     return np.concatenate([row.others, problem.ground.obstacles])
 
 

@@ -64,7 +64,7 @@ def _stands(row: SkippedFeature, rooms: set[str]) -> bool:
 def _used(
     features: Sequence[Feature], floors: Sequence[IndoorFloor], doors: set[str]
 ) -> Iterator[str]:
-    """Features of which a floor was made, columns and walls that cut them, shops marked in them,
+    """Features that make up a floor, columns and walls that cut them, shops marked in them,
     and doors."""
     drawn = {floor.feature for floor in floors}
     drawn |= {f.id for f in features if f.polygons and role(f.tags) == "solid"}

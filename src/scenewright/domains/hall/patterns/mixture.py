@@ -41,7 +41,7 @@ def seed_mixture(
 
 @inlined
 def seed_single(layers: Floats, first: int, number: int) -> int:
-    """Write one layer for an object by itself.
+    """Write one layer for a single object.
 
     ``layers`` (L, 5), row ``first``; returns the layer after it.
     """

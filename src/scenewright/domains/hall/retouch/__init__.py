@@ -86,7 +86,7 @@ RETOUCHES: tuple[Pass[Retouch], ...] = (
         "bands",
         "rows",
         Retouch(_whole, measure_bands, propose_bands),
-        "a stage nobody has a seat before stands amid a wall",
+        "a stage nobody has a seat before stands at the middle of a wall",
     ),
     Pass(
         "lecterns",
@@ -98,7 +98,7 @@ RETOUCHES: tuple[Pass[Retouch], ...] = (
         "exhibit",
         "exhibits",
         Retouch(find_exhibit, stand_aside, propose_places, charge_hiding, find_placed),
-        "the main exhibit stands amid its zone or on the axis of the entrance",
+        "the main exhibit stands in the middle of its zone or on the axis of the entrance",
     ),
     Pass(
         "stands",

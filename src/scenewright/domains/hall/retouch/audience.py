@@ -30,8 +30,8 @@ PASSED, LONG = 0.5, 0.25
 """Metres between neighbours through which one leaves a row, and what each seat counts that a row
 without has more than between two aisles; metres."""
 THIN, STRETCHED, SEAT, LOOSENED = 0.6, 1.3, 1.0, 8.0
-"""Metres between neighbours, and between rows, from which on each counts so much of seats at most
-so wide: an audience sits together."""
+"""Gaps between neighbours and between rows, in metres, above which a metre more costs ``LOOSENED``,
+for seats up to ``SEAT`` wide: an audience sits together."""
 DEEP = 0.5
 """What each metre counts by which it is deeper than wide."""
 FAR, GAPS = (1.3, 2.0, 3.0), (1.1, 0.92, 0.57)
@@ -193,8 +193,8 @@ def _forms(problem: HallProblem, kept: Kept, seats: int) -> Iterator[Kept]:
 
 
 def _rows(number: int, room: int) -> list[int]:
-    """Numbers of rows that so many seats may stand in: those that divide them, and a few of rows
-    neither short nor long, of which the last have a seat more."""
+    """Numbers of rows for ``number`` seats: those that divide it, and a few of rows
+    neither short nor long, the last of them a seat longer."""
     most = range(2, min(ROWS, room, number // 2) + 1)
     uneven = [n for n in most if number % n and SHORT <= -(-number // n) <= BLOCK]
     fewest = sorted(uneven, key=lambda rows: -number % rows)[:UNEVEN]
@@ -202,7 +202,7 @@ def _rows(number: int, room: int) -> list[int]:
 
 
 def _long_rows(problem: HallProblem, seats: int, number: int, room: int) -> list[int]:
-    """The fewest rows that so many seats may stand in with aisles, by the longer side of the zone:
+    """The fewest rows for ``number`` seats with aisles, along the longer side of the zone:
     nearly all as long as its floor allows."""
     wide = float(problem.units.sizes[slice(*problem.units.spans[seats]), 0].max())
     low, high = problem.ground.zone_bounds[int(problem.units.zones[seats])].reshape(2, 2)

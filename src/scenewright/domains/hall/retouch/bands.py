@@ -1,4 +1,4 @@
-"""Stages before which nobody has a seat, of a band say: their back is amid a wall all the same."""
+"""Stages without an audience, such as a band's: they too back onto the middle of a wall."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def find_bands(problem: HallProblem, kept: Kept) -> list[int]:
 
 
 def measure_bands(problem: HallProblem, kept: Kept, boxes: Floats) -> float:
-    """How far those stages among boxes (n, 5) are from standing amid a wall, in metres."""
+    """How far those stages among boxes (n, 5) are from the middle of a wall, in metres."""
     return sum(measure_stage(problem, boxes, unit) for unit in find_bands(problem, kept))
 
 

@@ -100,7 +100,7 @@ def _find_gap(at: Floats, reach: Floats) -> float:
 
 
 def propose_banquets(problem: HallProblem, kept: Kept, boxes: Floats) -> Iterator[Kept]:
-    """Layouts with a stage where it stands or amid a wall, and its tables in rows over the floor
+    """Layouts with a stage where it stands or at mid-wall, and its tables in rows over the floor
     before it."""
     for tables, stage in find_banquets(problem, kept):
         zone = problem.ground.zone_bounds[int(problem.units.zones[tables])]

@@ -20,8 +20,8 @@ from scenewright.domains.hall.terms.state import Kept
 from scenewright.domains.hall.terms.visitors import LOUNGE
 
 FEWEST, MOST, EACH = 3, 6, 1.5
-"""Seats that are set round tables at least, those of one company at most, and what each more than
-two counts, up to so many, in metres."""
+"""Seats that are set round tables at least, those of one company at most, and what each beyond
+two counts, up to ``MOST``, in metres."""
 
 
 def measure_apart(problem: HallProblem, kept: Kept, boxes: Floats) -> float:  # noqa: ARG001

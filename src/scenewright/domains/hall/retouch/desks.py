@@ -45,7 +45,7 @@ LONGEST, LINES, SHORT = 4.0, 24, 6.5
 tried, and the longest row that may stand with its side at a wall, in metres."""
 AMID = 0.7
 """The most that metres off a wall count of a desk to ask at where no desk stands in the zone of the
-entrance, and metres between two places amid its zone that are tried."""
+entrance, and metres between the free-standing places tried."""
 MOST, PARTED = 6, 2.0
 """Desks that one row holds at most, and metres that each further row of a group counts."""
 SIDE_OF_STAFF, SAT, MOST_SAT = 3.0, 1.0, 4.0
@@ -261,8 +261,8 @@ def propose_desks(desks: Desks, kept: Kept, boxes: Floats) -> Iterator[Kept]:
 
 
 def _turn_round(box: Floats, most: float) -> Floats:
-    """Boxes (n, 5) of desks turned half round, where they stand and up to so many metres ahead of
-    or behind that."""
+    """Boxes (n, 5) of desks turned half round, where they stand and up to ``most`` metres ahead
+    or behind."""
     steps = STEP * np.arange(-int(most / STEP), int(most / STEP) + 1)
     places = np.tile(box, (len(steps), 1))
     places[:, :2] += steps[:, None] * np.array([np.cos(box[2]), np.sin(box[2])])
@@ -277,7 +277,7 @@ def _spread(problem: HallProblem, unit: int) -> Floats:
 
 
 def _spaced(places: Floats, order: Ints) -> list[int]:
-    """The first ``PROPOSED`` of some places (n, 5) in an order, and as many more of which none is
+    """The first ``PROPOSED`` of some places (n, 5) in an order, and as many more, none
     near another."""
     apart: list[int] = []
     for number in order[PROPOSED:]:
@@ -322,6 +322,6 @@ def _places(problem: HallProblem, boxes: Floats, unit: int) -> Floats:
 
 
 def _lines(values: Floats, low: float, high: float) -> Floats:
-    """The different values between two, to the millimetre, at most so many."""
+    """The distinct values between two, to the millimetre, thinned out to a maximum."""
     within = np.unique(np.round(values[(values > low) & (values < high)], 3))
     return within[:: max(len(within) // LINES, 1)]

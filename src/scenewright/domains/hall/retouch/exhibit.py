@@ -1,4 +1,4 @@
-"""The main exhibit: amid its zone, and where the axis of the entrance comes near there, on it."""
+"""The main exhibit: in the middle of its zone, on the entrance axis where that passes near."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Rows of lounge seats amid a hall: they look into it, not at a wall or a window close before."""
+"""Free-standing rows of lounge seats look into the hall, not at a wall or window close before."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from scenewright.domains.hall.terms.visitors import LOUNGE
 CLOSE, LOOKED = 2.0, 8.0
 """Metres to a wall at which nobody wants to look, and metres beyond which a view is no wider."""
 TURNED = 1.5
-"""What a group counts all of which looks at a wall close before, in metres."""
+"""What a group counts if all of it looks at a wall close before, in metres."""
 OFF = 0.1
 """What each metre counts between the backs of a group and a wall close behind: turned round, it
 stands nearer to that."""

@@ -53,7 +53,7 @@ def propose_lecterns(problem: HallProblem, kept: Kept, boxes: Floats) -> Iterato
 
 
 def _place(box: Floats, screen: Floats, side: float, beside: float, ahead: float) -> Floats:
-    """The pose (3,) of a lectern at one ``side`` (-1 or 1) of a screen, so many metres beside it
-    and before it."""
+    """The pose (3,) of a lectern at one ``side`` (-1 or 1) of a screen, ``beside`` and ``ahead``
+    metres from it."""
     off = side * (0.5 * (screen[3] + box[3]) + beside)
     return before(screen, [0.5 * (screen[4] + box[4]) + ahead], [off])[0]

@@ -33,8 +33,8 @@ def line_up(
     lines: int = 1,
     apart: float = 0.0,
 ) -> Kept:
-    """The layout with a unit at a pose (3,), side by side in so many lines, ``apart`` metres from
-    one another; one object by itself keeps its pattern."""
+    """The layout with a unit at a pose (3,), side by side in ``lines`` lines, ``apart`` metres from
+    one another; a single object keeps its pattern."""
     first, number = find_layers(problem, unit)[0], int(count_objects(problem)[unit])
     poses, layers, rows = kept.pose.copy(), kept.layers.copy(), kept.rows.copy()
     poses[unit, :3] = pose[:3]
@@ -47,7 +47,7 @@ def line_up(
 
 
 def turn_half_round(kept: Kept, unit: int, steps: Sequence[float]) -> Iterator[Kept]:
-    """Layouts with a unit turned half round, so many metres ahead of where it stands."""
+    """Layouts with a unit turned half round, each of ``steps`` metres ahead of where it stands."""
     heading = float(kept.pose[unit, 2])
     for step in steps:
         pose = kept.pose.copy()

@@ -45,7 +45,7 @@ def shift(kept: Kept, units: int | list[int], by: Floats) -> Kept:
 def before(
     frame: Floats, ahead: Iterable[float], aside: Iterable[float], turn: float = 0.0
 ) -> list[Floats]:
-    """Poses (3,) so many metres ahead of a frame (x, y, heading) and to its right, turned by
+    """Poses (3,) ``ahead`` and ``aside`` (right) metres from a frame (x, y, heading), turned by
     ``turn`` to it.
 
     >>> [pose.tolist() for pose in before(np.zeros(3), [2.0], [0.0, 1.0])]
@@ -102,8 +102,8 @@ def walk_edges(edges: Floats) -> Iterator[tuple[Floats, Floats, Floats, float]]:
 
 
 def along_walls(problem: HallProblem, unit: int) -> list[Floats]:
-    """Poses (2,) of a row at walls all along those of its zone, each at either end of the wall or
-    amid it."""
+    """Poses (2,) of a row at walls all along those of its zone, each at either end or in the
+    middle of a wall."""
     total = sum(length for *_, length in walk_walls(problem, unit))
     count = min(int(total / WALL_STEP) + 1, WALL_PLACES)
     starts = np.linspace(0.0, total, count, endpoint=False)
@@ -141,8 +141,8 @@ def fill_floor(
 
 
 def share_room(room: Floats, many: Floats, size: Floats, edges: Floats) -> Floats:
-    """Gaps (2,) of so many objects in a room (2,) that leave strips of so many ``edges`` of them
-    beside them, or the least; metres."""
+    """Gaps (2,) between ``many`` (2,) objects in a ``room`` (2,) whose outer strips are ``edges``
+    gaps wide, or the least; metres."""
     left = room - many * size
     even = left / (many - 1 + 2.0 * edges)
     tight = (left - 2.0 * LEAST) / np.maximum(many - 1, 1)
@@ -171,8 +171,8 @@ def find_axes(heading: float) -> Floats:
 
 
 def _find_free(problem: HallProblem, boxes: Floats, unit: int, axes: Floats) -> Floats:
-    """How far the floor about a unit of boxes (n, 5) is free along some axes (2, 2), to what stands
-    across it or to its zone (low and high, 2)."""
+    """How far the floor about a unit of boxes (n, 5) is free along ``axes`` (2, 2), to the next
+    object or the border of its zone (low and high, 2)."""
     first, last = problem.units.spans[unit]
     zone = int(problem.units.zones[unit])
     edges = problem.ground.zone_edges[slice(*problem.ground.zone_spans[zone].astype(int))]

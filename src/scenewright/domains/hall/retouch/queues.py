@@ -76,7 +76,7 @@ def _measure_lack(problem: HallProblem, boxes: Floats, lanes: Lanes) -> Floats:
 
 
 def propose_queues(problem: HallProblem, kept: Kept, boxes: Floats) -> Iterator[Kept]:
-    """Layouts with the tills of one row nearer to the way out and what stands before them farther
+    """Layouts with the tills of one row nearer to the way out and the objects before them farther
     off."""
     owner = np.repeat(np.arange(len(problem.units.spans)), count_objects(problem))
     for lanes in find_lanes(problem, kept, boxes):

@@ -1,5 +1,5 @@
 """Ropes where they guide somebody: in lines before the desk people queue at, and where a zone has
-none, in a row before its main exhibit or before what stands at its walls."""
+none, in a row before its main exhibit or before objects at its walls."""
 
 from __future__ import annotations
 
@@ -27,11 +27,11 @@ TURNED, ALONG, ASIDE, MOST_OFF = 2.0, 0.6, 0.5, 3.0
 """What ropes across what they should stand along count, those along a desk instead of up to it,
 what a metre beside it does, and metres beyond which more count no more."""
 NEARER, LONG = 5.0, 4.0
-"""What a metre counts by which ropes along a desk, or before one longer than so many metres, are so
-near that nobody passes between."""
+"""Cost of each metre by which ropes along a desk, or before one longer than ``LONG`` metres, are
+too near for anybody to pass between."""
 ANCHORS, WIDEST, SECOND = 12, 0.75, 0.6
-"""How many of what stands at walls are looked at, the part of the widest row of desks down to which
-people queue at others of the zone as well, and what ropes before less than that count."""
+"""How many objects at walls are looked at; the share of the widest row of desks down to which
+people queue at other rows of the zone too; and what ropes before a shorter row count."""
 
 
 IN_LINE = 0.02
@@ -66,7 +66,7 @@ def find_served(problem: HallProblem, unit: int) -> list[int]:
 
 
 def find_anchors(problem: HallProblem, kept: Kept, boxes: Floats, unit: int) -> list[Anchor]:
-    """What the ropes of a unit may guard in their zone, of the first kind of which there is any."""
+    """What the ropes of a unit may guard in their zone, of the first kind present."""
     units, roles = problem.units, problem.visitors.roles.astype(int)
     beside = [u for u in range(len(roles)) if units.zones[u] == units.zones[unit] and u != unit]
     desks = find_served(problem, unit)
@@ -191,7 +191,7 @@ class RopeForm(NamedTuple):
 
 
 def _forms(number: int, anchor: Anchor, room: int) -> list[RopeForm]:
-    """Forms that so many ropes may stand in; before a desk those that lead up to it first."""
+    """Forms for ``number`` ropes; before a desk those that lead up to it first."""
     if not anchor.queue:
         return [RopeForm(1, 0.0, False)]
     most = min(LINES, number, room)

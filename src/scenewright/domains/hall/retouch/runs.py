@@ -27,8 +27,8 @@ def measure_runs(problem: HallProblem, kept: Kept, boxes: Floats) -> float:
 
 
 def _find_long(problem: HallProblem, kept: Kept, boxes: Floats) -> list[int]:
-    """The units in rows of so many objects that aisles may part them (:mod:`..patterns.chain`),
-    that are too long and look at nothing."""
+    """The units in rows that are too long, look at nothing and have enough objects for aisles
+    between them (:mod:`..patterns.chain`)."""
     return [
         unit
         for unit in range(len(problem.names))
@@ -54,7 +54,7 @@ def _measure_row(problem: HallProblem, kept: Kept, boxes: Floats, unit: int) -> 
 
 
 def propose_runs(problem: HallProblem, kept: Kept, boxes: Floats) -> Iterator[Kept]:
-    """Layouts with aisles through the rows of one unit, what stands beside them closer together
+    """Layouts with aisles through the rows of one unit, their neighbours closer together
     where it has gaps."""
     for unit in _find_long(problem, kept, boxes):
         first, number = find_layers(problem, unit)[0], _most_of_row(problem, kept, unit)

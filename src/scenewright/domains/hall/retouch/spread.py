@@ -48,7 +48,7 @@ class Side(NamedTuple):
 
 
 def measure_spread(columns: Columns, kept: Kept, boxes: Floats) -> float:
-    """Metres by which strips beside what stands free in zones are too wide, of zones with groups
+    """Metres by which strips beside free-standing objects are too wide, in zones with groups
     that may move."""
     problem = columns.problem
     zones = {int(problem.units.zones[unit]) for unit in _find_movable(columns, kept)}
@@ -100,7 +100,7 @@ def _extend(boxes: Floats) -> Floats:
 
 
 def _measure_side(low: Floats, high: Floats, free: Ints, walls: Ints, bounds: Floats) -> Side:
-    """The strips and the gap of what is ``free`` (n,) between ``bounds`` (2,) and what stands at
+    """The strips and the gap of what is ``free`` (n,) between ``bounds`` (2,) and the objects at
     ``walls`` (n,)."""
     first, last = float(low[free].min()), float(high[free].max())
     begin = high[walls & (low < bounds[0] + NEAR) & (high <= first)].max(initial=bounds[0])

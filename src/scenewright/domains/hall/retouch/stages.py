@@ -16,10 +16,10 @@ from scenewright.domains.hall.terms.state import Kept
 from scenewright.engine.draws import streams
 
 AT_WALL = 0.02
-"""What a stage that stands by itself stays off its wall, in metres."""
+"""Gap between a free-standing stage and its wall, in metres."""
 WIDE, OFF_WALL, OFF_MIDDLE, MOST = 2.0, 0.5, 0.15, 4.0
-"""From which width on something stands amid its wall, in metres, what a metre off the wall and off
-its middle count, and beyond how many more count no more."""
+"""Width from which a stage belongs at the middle of its wall, in metres, what a metre off the wall
+and off its middle count, and the metres beyond which more count no more."""
 SIDES = (0.0, -1.0, 1.0)
 """Middle and ends of a wall, as rows along walls count them."""
 
@@ -39,7 +39,7 @@ def propose_stages(
 
 
 def measure_stage(problem: HallProblem, boxes: Floats, stage: int) -> float:
-    """How far a wide stage among boxes (n, 5) is from standing with its back amid a wall of its
+    """How far the back of a wide stage among boxes (n, 5) is from the middle of a wall of its
     zone, in metres: in the middle of the zone, of the wall where that has no room there."""
     unit = int(problem.units.spans[stage, 0])
     x, y, heading, width, depth = boxes[unit]
@@ -51,10 +51,10 @@ def measure_stage(problem: HallProblem, boxes: Floats, stage: int) -> float:
     for start, way, left, length in walk_walls(problem, stage):
         if left @ front > 0.99:
             along, off = float((back - start) @ way), float((back - start) @ left)
-            amid = float((middle - start) @ way)
-            if not 0.5 * width <= amid <= length - 0.5 * width:
-                amid = 0.5 * length
-            aside = abs(along - amid)
+            centre = float((middle - start) @ way)
+            if not 0.5 * width <= centre <= length - 0.5 * width:
+                centre = 0.5 * length
+            aside = abs(along - centre)
             if 0.0 <= along <= length:
                 found.append(OFF_WALL * min(off, MOST) + OFF_MIDDLE * min(aside, MOST))
     return min(found)
@@ -81,15 +81,15 @@ def _stand_free(
 
 
 def _stand_at_walls(problem: HallProblem, kept: Kept, stage: int) -> Iterator[tuple[Kept, Floats]]:
-    """In the middle and at the ends of each wall it finds room at, and amid its zone."""
+    """At the middle and both ends of each wall with room for it, and in the middle of its zone."""
     chain, zone = begin_chain(problem, kept, streams(0, 1)[0]), int(problem.units.zones[stage])
     first, last = chain.p.loop_spans[zone]
     lengths = chain.s.stretches[chain.p.loops[first:last], 4].copy()
     middle = problem.ground.zone_bounds[zone].reshape(2, 2).mean(0)
     for along in np.cumsum(lengths) - 0.5 * lengths:
-        amid, end = (_place(chain, kept, stage, along, side)[1][:2] for side in SIDES[::2])
-        way = end - amid
-        part = float((middle - amid) @ way) / max(float(way @ way), 1e-9)
+        centre, end = (_place(chain, kept, stage, along, side)[1][:2] for side in SIDES[::2])
+        way = end - centre
+        part = float((middle - centre) @ way) / max(float(way @ way), 1e-9)
         for side in (*SIDES, *((part,) if abs(part) < 1.0 else ())):
             yield _place(chain, kept, stage, along, side)
 

@@ -22,7 +22,7 @@ BESIDE, BEHIND, AHEAD, STAFF = 2.2, 3.0, 0.6, 2.0
 """Metres beside, behind and ahead of the front of a desk in which nobody waits, and what counts
 who does, in metres."""
 LOOSE, ADRIFT = 0.3, 2.0
-"""What each metre counts between a seat by itself and a wall at its back, up to so many."""
+"""What each metre between a lone seat and the wall behind it counts, and the most."""
 
 
 def measure_waiting(problem: HallProblem, kept: Kept, boxes: Floats) -> float:
@@ -35,7 +35,7 @@ def measure_waiting(problem: HallProblem, kept: Kept, boxes: Floats) -> float:
 
 
 def _measure_loose(problem: HallProblem, seats: Floats) -> float:
-    """What the distance from a wall counts of one seat (1, 5) by itself."""
+    """What the distance of one lone seat (1, 5) from a wall counts."""
     if len(seats) > 1:
         return 0.0
     x, y, heading, _, depth = seats[0]
@@ -45,7 +45,7 @@ def _measure_loose(problem: HallProblem, seats: Floats) -> float:
 
 
 def _find_waiting(problem: HallProblem, kept: Kept) -> list[int]:
-    """The units of seats to wait on at walls or one by itself: lounges stand where they have room
+    """The units of waiting seats at walls, or of one seat: lounges stand where they have room
     for their company."""
     waits = problem.visitors.roles.astype(int) & WAITING > 0
     if not waits.any():
@@ -99,7 +99,7 @@ def forgive_backs(
 
 def propose_waiting(problem: HallProblem, kept: Kept, boxes: Floats) -> Iterator[Kept]:
     """Layouts with the seats of one group that is not near a desk elsewhere in its zone, those at
-    walls farther along them, one by itself with its back at each wall too."""
+    walls farther along them, a lone one also with its back at each wall."""
     desks = _find_desks(problem, boxes)
     for unit in _find_waiting(problem, kept) if len(desks) else []:
         mine = boxes[slice(*problem.units.spans[unit])]

@@ -23,8 +23,8 @@ REASON = "no seats are left that could stand round it"
 
 
 def split_low_tables(wishes: list[HallDemand]) -> tuple[list[HallDemand], list[HallDemand]]:
-    """Demands less those of low tables of usual size for each of which there is a company of seats
-    round a table in the same zones, and those, ``set_last``."""
+    """Demands without the low tables of usual size that each have a group of seats round a table
+    in the same zones, and those tables, ``set_last``."""
     room = {wish.id: _count_companies(wish) for wish in wishes}
     rest, low = list[HallDemand](), list[HallDemand]()
     for wish in wishes:

@@ -1,4 +1,4 @@
-"""Chairs at tables: what goes with an object of a group without being asked for by itself."""
+"""Chairs at tables: they come with an object of a group without being asked for."""
 
 from __future__ import annotations
 

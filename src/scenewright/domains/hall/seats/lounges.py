@@ -80,7 +80,7 @@ def _join(sofas: HallDemand, left: dict[str, HallDemand], route: float) -> list[
 def _as_one(
     sofas: HallDemand, tables: HallDemand, lounges: tuple[tuple[LoungePart, ...], ...]
 ) -> HallDemand:
-    """A demand of sofas of which each object is a whole lounge."""
+    """A demand of sofas whose objects are each a whole lounge."""
     free = sofas.patterns if sofas.at_wall else ("single",)
     return lay_as_one(sofas, lounges)._replace(
         clearance=CLEARANCE,
@@ -90,7 +90,7 @@ def _as_one(
 
 
 def lay_as_one(wish: HallDemand, lounges: Sequence[tuple[LoungePart, ...]]) -> HallDemand:
-    """A demand of which each object is several pieces, its own the first, until it is furnished."""
+    """A demand whose objects are each several pieces, its own first, until it is furnished."""
     own = {part.wish.id: part.wish for lounge in lounges for part in lounge}
     names = [other.name for other in own.values() if other.id != wish.id]
     return wish._replace(
@@ -171,7 +171,7 @@ def list_lounge_forms(wish: HallDemand) -> Iterator[HallDemand]:
 
 
 def part_lounges(wishes: Iterable[HallDemand]) -> list[HallDemand]:
-    """Demands with what makes up lounges by itself again; rows stay broken."""
+    """Demands with lounges taken apart again; rows stay broken."""
     found = dict[str, HallDemand]()
     for wish in wishes:
         lounges = () if wish.aisle else wish.lounges

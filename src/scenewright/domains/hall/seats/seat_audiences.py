@@ -1,8 +1,8 @@
 """Seats that look past their stage are set up anew before it, as one group, as many as have room.
 
 What the search leaves in several groups, or turned away, finds no way back by single moves: rows
-are laid out afresh on the axis of what is shown, which may move to the middle of a wall, and what
-stands there finds other places. Seats that no rows hold are left out by name.
+are laid out afresh on the axis of what is shown, which may move to the middle of a wall; objects
+there find other places. Seats that no rows hold are left out by name.
 """
 
 from __future__ import annotations
@@ -35,8 +35,8 @@ from scenewright.engine.solve import Budget
 SHARES = (1.0, 0.95, 0.9, 0.8, 0.7, 0.6, 0.5, 0.4)
 """Parts of the seats that are tried one after another."""
 WALKED, SETTLED, STEPS = 8, 3, 3000
-"""How many layouts of so many seats are walked through as they are, in how many of them all else
-settles anew, and in how many steps."""
+"""How many layouts of seats are walked through unchanged, in how many of them all else is
+annealed again, and for how many steps."""
 REASON = "there is no room for them before what they are to look at"
 
 
@@ -65,8 +65,8 @@ def seat_found(search: HallSearch, fitted: Fitted, found: HallFound) -> tuple[Fi
 
 
 def _find_astray(search: HallSearch, fitted: Fitted, layout: MeasuredLayout) -> Iterator[int]:
-    """The demands of seats in one zone that alone look at one object, of which more than may look
-    past it or that stand in several groups."""
+    """The demands of seats in one zone that alone look at one object, where too many look
+    past it or they stand in several groups."""
     units = fitted.problem.units
     for demand in {unit.demand for unit in fitted.units}:
         mine, wish = _units_of(fitted, demand), search.wishes[demand]

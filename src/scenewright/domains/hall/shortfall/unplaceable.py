@@ -35,7 +35,7 @@ def drop_unplaceable(
 
 
 def _shares(wishes: list[HallDemand], units: list[Unit], left: Floats, share: float) -> list[Unit]:
-    """Units of which every one keeps the same share of its objects, by what is left of floor
+    """Units that each keep the same share of their objects, by what is left of floor
     and walls (2, z)."""
     most = np.minimum(
         left / np.maximum(_measure_demand(wishes, units, share, left.shape[1]), 1e-9), 1.0

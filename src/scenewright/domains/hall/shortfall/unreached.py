@@ -1,6 +1,6 @@
 """What nobody could get to, however it was laid out, is left out by name instead of standing there.
 
-Optional groups go first where a required one is not reached: they are what stands in its way.
+Optional groups go first where a required one is not reached: they are in its way.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ places are tried for what is left."""
 
 
 class Reached(NamedTuple):
-    """What was found in the end, and the numbers of the demands of which something was given up:
+    """The final layout, and the numbers of the demands with objects given up:
     for want of a way to it, or (``crowding``) only because passages were too narrow with it."""
 
     fitted: Fitted
@@ -70,8 +70,8 @@ def try_elsewhere(
     search: HallSearch, fitted: Fitted, found: HallFound, patient: bool
 ) -> tuple[Fitted, HallFound]:
     """The same groups from other first places where something is wrong: the first layout in which
-    everything is reached and no passage too narrow, else that of which least is wrong. What is
-    wrong weighs more than all else meanwhile. Who is not ``patient`` gives up where as much is
+    everything is reached and no passage too narrow, else the one with fewest such faults. These
+    outweigh all else meanwhile. Who is not ``patient`` gives up where as much is
     wrong twice."""
     once, seen, best = _tried_once(search), found.evaluations, (fitted, found)
     before = np.inf
@@ -94,7 +94,7 @@ def try_elsewhere(
 
 
 def _complete(search: HallSearch, units: list[Unit]) -> frozenset[int]:
-    """The demands of which everything has room: what they then lack was given up for its way."""
+    """The demands whose objects all have room: what they then lack was given up for its way."""
     counts = np.zeros(len(search.wishes), np.int64)
     for unit in units:
         counts[unit.demand] += unit.last - unit.first

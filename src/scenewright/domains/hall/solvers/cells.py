@@ -83,7 +83,7 @@ def divide(block: GroupBlock, members: CellObjects, rng: np.random.Generator) ->
 
 
 def _break(least: Floats, length: float, rng: np.random.Generator) -> Floats:
-    """Cuts (k + 1,) of a length into pieces of at least so much, the rest shared at random."""
+    """Cuts (k + 1,) of a length into pieces of ``least`` (k,) metres, the rest shared at random."""
     spare = max(length - float(least.sum()) - SLACK * len(least), 0.0)
     pieces = least + SLACK + spare * rng.dirichlet(np.ones(len(least)))
     return np.concatenate([[0.0], np.cumsum(pieces)])

@@ -98,7 +98,7 @@ def sweep(
     tally: Floats,
     best: Floats,
 ) -> None:
-    """Try so many moves at one temperature.
+    """Try moves at one temperature.
 
     ``tally`` (4,): energy, balance and circulation in it, least energy; ``best`` (n, 8) frames.
     Circulation, which takes longest, is only looked at when all else would let a move pass.
@@ -156,7 +156,7 @@ def merrell(
     cancel: Cancel | None = None,
     start: Floats | None = None,
 ) -> ObjectLayout:
-    """Place every object of a hall by itself; ``start`` are the first boxes (n, 5).
+    """Place every object of a hall independently; ``start`` are the first boxes (n, 5).
 
     Without a budget it takes the printed schedule; with one, the schedule is spread over it.
     Steps are moves. Hard rules are costs here, as in the paper: the result may break them.

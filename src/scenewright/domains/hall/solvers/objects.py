@@ -99,8 +99,8 @@ def drawn_place(p: PreparedHall, i: int, stream: Stream) -> Frame:
 
 @compiled
 def drop(p: PreparedHall, s: State, ways: Ways, tries: int, stream: Stream) -> int:
-    """Put every object somewhere in its zone, clear of all others if such a place is found in so
-    many tries; how many were not."""
+    """Put every object somewhere in its zone, clear of all others if such a place is found in
+    ``tries`` tries; how many were not."""
     failed, n = 0, s.frames.shape[0]
     for i in range(n):
         zone, good = p.zones[p.unit_of[i]], False
@@ -134,7 +134,7 @@ def lay(p: PreparedHall, s: State, ways: Ways, boxes: Floats) -> None:
 
 @compiled
 def cover_obstacles(p: PreparedHall, ways: Ways) -> None:
-    """Stamp what stands in the hall already."""
+    """Stamp the fixed objects of the hall."""
     for k in range(p.obstacles.shape[0]):
         stamp(ways, read_frame(p.obstacles, k), 1)
 

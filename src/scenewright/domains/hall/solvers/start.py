@@ -52,7 +52,7 @@ def place_units(
     stream: Stream,
     placed: Floats,
 ) -> None:
-    """Place units in a given order, the first of which ``stay`` where they are, the others in
+    """Place units in a given order: the first ``stay`` keep their places, the others get
     new forms where ``fresh``; ``placed`` (g,) tells which found room."""
     for i in range(s.frames.shape[0]):
         remove(s.buckets, i)

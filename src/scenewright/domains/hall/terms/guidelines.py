@@ -119,7 +119,7 @@ def put(p: PreparedHall, s: State, ways: Ways, i: int, frame: Frame) -> None:
 
 @inlined
 def stands(p: PreparedHall, frame: Frame, clear: Frame, zone: int) -> float:
-    """Overlap with what stands still and what lies beyond the zone, clearance beyond the hall."""
+    """Overlap with fixed objects and with floor outside the zone, clearance beyond the hall."""
     edges = p.zone_edges[p.zone_spans[zone, 0] : p.zone_spans[zone, 1]]
     overlap = 4.0 * frame[4] * frame[5] - area_in_polygon(frame, edges)
     covered = 4.0 * clear[4] * clear[5] - area_in_polygon(clear, p.edges)

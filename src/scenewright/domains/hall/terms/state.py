@@ -19,7 +19,7 @@ _NONE: Floats = np.zeros(0)
 STEP = 0.05
 """Length of a border's cells in metres."""
 LINE = 0.01
-"""Objects whose middles share a cell of so many metres stand in one line."""
+"""Cell size, in metres: objects whose centres share a cell stand in one line."""
 
 
 class PreparedHall(NamedTuple):

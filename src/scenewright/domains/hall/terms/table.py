@@ -29,7 +29,7 @@ PASS, ABUT = 0.6, 0.02
 EASE = 0.5
 """What a metre lacking of a wished passage costs beside one that nobody gets through."""
 NEAR_OUT = 15.0
-"""Nobody minds so many metres to a way out."""
+"""Metres to a way out that nobody minds."""
 
 SPACE, FILL, ACCESS, PROPORTION, REACH, BALANCE, FACING, ALIGNMENT, AISLES = range(9)
 EVENNESS, SIGHT, ORDER, QUEUES, EGRESS = range(9, 14)

@@ -64,8 +64,8 @@ def wall_between(edges: Floats, x0: float, y0: float, x1: float, y1: float) -> b
 
 @inlined
 def shade_of(p: PreparedHall, s: State, unit: int) -> int:
-    """The lines of sight that a unit hides, as bits; those of what stands already, of walls and
-    of partitions for ``unit`` g."""
+    """The lines of sight that a unit hides, as bits; for ``unit`` g those hidden by fixed objects,
+    walls and partitions."""
     x, y, mask = p.entrances[0, 0], p.entrances[0, 1], 0
     main = frame_at(s.frames, p.spans[p.main, 0])
     for k in range(RAYS):
@@ -156,7 +156,7 @@ def order_of(p: PreparedHall, s: State, moved: int, x: float, y: float) -> float
 
 @inlined
 def welcome_of(p: PreparedHall, s: State, unit: int) -> float:
-    """How far a desk that stands by itself is turned away from the main entrance and from the
+    """How far a free-standing desk is turned away from the main entrance and from the
     middle of its zone, 0 to 0.2; 0 for all others."""
     first, last = p.spans[unit, 0], p.spans[unit, 1]
     if not p.roles[unit] & FIRST or last - first > 1 or p.entrances.shape[0] == 0:

@@ -1,4 +1,4 @@
-"""The floor a visitor walks on: doors, what stands in the way, how fast it goes where."""
+"""The floor a visitor walks on: doors, obstacles, and walking speed by place."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ LEAST_PASSED = 0.15
 
 class WalkingFloor(NamedTuple):
     """``clear``: the clearance of every cell, at most :data:`AT_EASE`; ``slow`` (rows, columns)
-    seconds a metre; ``solids`` (k, 5) boxes of all walls and whatever stands in the way."""
+    seconds a metre; ``solids`` (k, 5) boxes of all walls and obstacles."""
 
     clear: DistanceRaster
     slow: Floats

@@ -25,7 +25,7 @@ LEAVE_ZONE, LEAVE_GROUP = 15.0, 4.0
 MANY = 600
 """Where there are many groups, each has fewer stops, so that there are not many more in all."""
 CROWDED = 10.0
-"""A stop in a narrow place is worth a way longer by so many metres, at most."""
+"""Most metres of detour that avoiding a stop in a narrow place is worth."""
 
 
 class Places(NamedTuple):

@@ -24,8 +24,8 @@ AWAY = (0.5, 0.7, 1.0, 1.4)
 ALONG = 2.0
 """A long object is looked at from places this far apart, in metres."""
 IN_VIEW = 3.0
-"""What could be seen from a place within so many metres is seen from here as well: a place looks
-after about 6 m of a row."""
+"""What is visible from any place within this many metres counts as seen from here: one place
+covers about 6 m of a row."""
 MOST, MOST_OF_SEATS = 6, 2
 SHARE = 1 / 8
 """Least share of a group's objects a further place must add."""
@@ -55,7 +55,7 @@ def stops_of(
     half: float,
     most: int = MOST,
 ) -> list[Cells]:
-    """Stops to see a group, at most so many: for each the cells of the raster that will do, the
+    """Stops to see a group, at most ``most``: for each the cells of the raster that will do, the
     best one first; none if there is no way to it.
 
     A place lies before a side its objects are used from, with nothing between. Places are taken

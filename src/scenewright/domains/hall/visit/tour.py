@@ -29,7 +29,7 @@ Cells = NDArray[np.int64]
 STEP, FINE = 0.5, 0.25
 """Distance of the points of a tour, and of those that are rounded off, at most, in metres."""
 BEHIND, TURN = 1.2, 16.0
-"""Turning round costs so many seconds a metre about so many metres behind: who can goes on."""
+"""Metres behind a visitor, and the seconds a metre there costs more, so that tours go on ahead."""
 SWERVE, ROUNDS = 0.6, 40
 
 

@@ -15,7 +15,7 @@ from scenewright.domains.hall.terms.state import Kept
 from scenewright.domains.hall.zoning.borders import floor_of
 
 CEILING, TALLEST = 0.3, 4.0
-"""A partition stays so far below the ceiling, and under so many metres."""
+"""Metres a partition stays below the ceiling, and its greatest height."""
 BUILT_AT_WALL = 0.15
 """What stands at a wall has its back at most this far from it, in metres."""
 SHORTEST = 0.3

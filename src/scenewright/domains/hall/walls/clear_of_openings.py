@@ -1,4 +1,4 @@
-"""Walls that are built keep off the floor before doors and windows, and off what stands already."""
+"""Walls that are built keep off the floor before doors and windows, and off fixed objects."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ OFF = 0.005
 
 
 def clear_hosts(hosts: tuple[Host, ...], taken: Floats, thickness: float) -> tuple[Host, ...]:
-    """Hosts whose walls, so many metres thick, meet none of the boxes ``taken`` (n, 5): each on the
+    """Hosts whose walls, ``thickness`` metres thick, meet no box ``taken`` (n, 5): each on the
     longest stretch that is free, its wall moved or shortened to stand there; without those on which
     no wall has room.
 

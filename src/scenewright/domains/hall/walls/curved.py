@@ -80,7 +80,7 @@ def longest_place(run: Sequence[WallStretch]) -> float:
 
 
 def _places(line: Floats, bend: float, need: WallNeed, total: float) -> list[WallStretch]:
-    """Places along a line (k, 2) that bends by so many radians to the left."""
+    """Places along a line (k, 2) that bends by ``bend`` radians to the left."""
     length = float(np.hypot(*np.diff(line, axis=0).T).sum())
     inner = max(1.0 - need.depth * bend / length, 0.3) if bend > 0.0 else 1.0
     pitch = need.width / inner + SPARE

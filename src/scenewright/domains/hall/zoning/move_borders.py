@@ -1,4 +1,4 @@
-"""Borders of zones searched together with what stands in them: ours.
+"""Borders of zones searched together with the objects in them: ours.
 
 A line of borders moves where the zones beside it are used unevenly (eq. 8 of Cao, Cheng and Zhang
 2024): the fuller side expands. The layout stays; what it costs with the new zones decides, and
@@ -83,7 +83,7 @@ def move_borders(
     progress: Progress | None,
     cancel: Cancel | None,
 ) -> ShiftedHall:
-    """Borders moved while that lowers the energy, in turn with annealing what stands there.
+    """Borders moved while that lowers the energy, in turn with annealing the objects.
 
     ``slack`` (z,) metres each zone allows. Only a layout in which nothing is wrong is touched.
     """

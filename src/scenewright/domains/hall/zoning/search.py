@@ -68,7 +68,7 @@ def rank_divisions(
 
 
 def _search_divisions(ground: ZoningGround, rng: np.random.Generator) -> Found:
-    """Every division tried, by its forest: rounds of many starts, the best of which are
+    """Every division tried, by its forest: rounds of many starts, the best
     improved, until one is good enough."""
     memory, rule = Memory({}, {}, {}), ground.rule
     if len(ground.parts) == 1 and len(ground.free) <= rule.exhaustive:
