@@ -68,6 +68,22 @@ def write(paths: Sequence[Path], name: str, records: Sequence[Record]) -> None:
             partial.write_text("\n".join(lines) + "\n", encoding="utf-8")
 
 
+def check_page(name: str, page: Path | None) -> None:
+    """InputError unless a page, if one is given, has a place for the table of a benchmark."""
+    if page is not None:
+        _open_folder(name)
+        import_module("benchmarks.page_tables").check_page(page, name)
+
+
+def write_into(
+    page: Path, name: str, extent: Extent, rescaled: bool, records: Sequence[Record]
+) -> None:
+    """Write the table of a benchmark in its place in a page, with what it was made by."""
+    words = ["" if extent == "usual" else f" --{extent}", " --rescaled" if rescaled else ""]
+    command = f"scenewright bench {name}{''.join(words)}"
+    import_module("benchmarks.page_tables").write_into(page, name, command, records)
+
+
 def markdown(name: str, records: Sequence[Record]) -> Iterable[str]:
     """The tables a benchmark makes itself (``markdown_lines``), else one of all records."""
     own = getattr(import_module(f"benchmarks.{name}"), "markdown_lines", None)
@@ -110,11 +126,7 @@ def _missing_package(name: str, error: ModuleNotFoundError) -> InputError | Modu
 def _run(
     name: str, extent: Extent, progress: Callable[[float, str], None], rescaled: bool
 ) -> Iterable[Record]:
-    folder = find_folder()
-    check_name("benchmark", name, names(folder))
-    root = str(folder.parent)
-    if root not in sys.path:
-        sys.path.insert(0, root)
+    _open_folder(name)
     function = import_module(f"benchmarks.{name}").records
     known, more = inspect.signature(function).parameters, dict[str, bool]()
     if extent == "full":
@@ -126,6 +138,15 @@ def _run(
             raise InputError(f"benchmark '{name}' has no plans to rescale", "leave --rescaled out")
         more["rescaled"] = True
     return function(extent == "quick", progress, **more)
+
+
+def _open_folder(name: str) -> None:
+    """Make the checkout's benchmarks importable; InputError unless one has this name."""
+    folder = find_folder()
+    check_name("benchmark", name, names(folder))
+    root = str(folder.parent)
+    if root not in sys.path:
+        sys.path.insert(0, root)
 
 
 @contextmanager

@@ -314,6 +314,10 @@ def bench(
         list[Path] | None,
         typer.Option("-o", "--output", metavar="OUT", help="A .json or .md; may be repeated."),
     ] = None,
+    into: Annotated[
+        Path | None,
+        typer.Option("--into", metavar="PAGE.md", help="Write its table in its place in a page."),
+    ] = None,
     as_json: JsonOption = False,
     quiet: QuietOption = False,
 ) -> int:
@@ -323,9 +327,12 @@ def bench(
 
     extent = cli_bench.extent_of(quick, full)
     cli_bench.check_outputs(outputs or ())
+    cli_bench.check_page(name, into)
     with show_progress(terminal.console(stderr=True), quiet) as progress:
         measured = cli_bench.measure(name, extent, progress, rescaled)
     cli_bench.write(outputs or (), name, measured.records)
+    if into is not None and not measured.interrupted:
+        cli_bench.write_into(into, name, extent, rescaled, measured.records)
     if as_json:
         tables.print_json(list(measured.records))
     elif not quiet:
