@@ -29,7 +29,7 @@ REMEDIES: tuple[Remedy, ...] = (
     Remedy(r"wheelchair", "widen the room, or forbid something else in it"),
     Remedy(
         r"walking route|bar ",
-        "widen the room, forbid what stands in the way, or allow a narrower route (route_width)",
+        "widen the room, forbid the furniture in the way, or allow a narrower route (route_width)",
     ),
     Remedy(r"^beds for", "state fewer residents, or add or enlarge a bedroom"),
     Remedy(r"seen from the sofa", "leave a wall opposite the seats free of openings"),

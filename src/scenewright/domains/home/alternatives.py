@@ -121,7 +121,7 @@ def _candidate(solution: Solution, room: str) -> Candidate:
 def compose_home(
     found: Sequence[Solution], take: Sequence[int], rooms: Sequence[Space]
 ) -> Solution:
-    """One home of which each room is that of the solution with the given number."""
+    """One home, each room taken from the solution with the given number."""
     parts = [(room.id, found[k]) for room, k in zip(rooms, take, strict=True)]
     return replace(
         found[0],

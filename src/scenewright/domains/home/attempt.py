@@ -58,7 +58,7 @@ class RoomTask(NamedTuple):
     ``forbidden`` are kinds of pieces the household will not have; sizes are those of a room
     ``amount`` times as large, of whose floor people furnish a ``share`` (none: not known), and
     ``welcome`` the welcome groups (none: the usual); ``asked`` is the room of the brief;
-    ``beside`` is what stands in other rooms and reaches into this one. In an
+    ``beside`` are pieces of other rooms that reach into this one. In an
     open space groups may stand ``elsewhere``, in another room of it, and this one has others
     ``instead``. ``entered`` are the doors one comes in by (none: any); ``closet`` says whether
     clothes can hang in a closet of the room. ``progress`` gets what the solvers report, ``watch``

@@ -40,8 +40,8 @@ TRIED = 12  # pieces taken away on trial, those nearest to the gap
 
 
 class Barred(NamedTuple):
-    """What no route leads to, a room or a piece of it (empty: the room), and the pieces of which
-    any one, or else only all together, would open the way (none: nothing would)."""
+    """What no route leads to, a room or a piece of it (empty: the room), and the pieces that
+    would open the way, any one of them or else only all together (none: nothing would)."""
 
     space: str
     piece: str
@@ -119,7 +119,7 @@ def _is_tight(walked: FloorWalk, room: str) -> bool:
 def _missed_pieces(
     walked: FloorWalk, space: Space, pieces: Sequence[Piece], catalog: Catalog
 ) -> list[BarredRegion]:
-    """The pieces of a room that are used from sides none of which the route comes to."""
+    """The pieces of a room whose sides of use are all off the route."""
     here = tuple(map(Same, pieces))
     named, regions = _regions_within(Same(walked.floor), Same(space), here, Same(catalog))
     far = ~shapely.intersects(walked.reached, regions)
@@ -185,7 +185,7 @@ def _squeeze(walked: FloorWalk, within: Shape) -> Shape:
 
 
 def _find_openers(walked: FloorWalk, missed: Sequence[BarredRegion]) -> list[tuple[str, ...]]:
-    """For each target the pieces any one of which opens the way to it, else a least set that does
+    """For each target the pieces that each open the way to it alone, else a least set that does
     so together."""
     if not missed or not walked.obstacles:
         return [()] * len(missed)

@@ -27,7 +27,7 @@ PASSED = 0.02  # share of an aisle that something may take, as a radiator does
 
 def list_aisles(bed: Piece, width: float = AISLE, further: float = AISLE) -> tuple[Box, Box]:
     """The boxes on the left and the right of a bed, ``width`` metres wide, from its nightstands to
-    so much ``further`` than its foot, metres."""
+    ``further`` metres beyond its foot."""
     long = bed.size.depth - HEAD + further
     ahead = (HEAD + further) / 2
     return _beside(bed, -1.0, ahead, width, long), _beside(bed, 1.0, ahead, width, long)

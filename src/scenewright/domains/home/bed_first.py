@@ -1,4 +1,4 @@
-"""A bed by itself, before all else, in a room for sleeping that would end without one.
+"""A bed alone, before all else, in a room for sleeping that would end without one.
 
 What is essential in a small room is looked for together and on a grid that is stricter than the
 walk through the home, so a wardrobe may keep the wall on which alone a bed stands. A bedroom

@@ -47,7 +47,7 @@ def make_breeder(brief: Brief, plan: Plan, seed: int = 0) -> Breeder:
 
 
 def _develop(plan: Plan, answer: Callable[[int], Solution], genome: Genome) -> Solution:
-    """The home of which each room is that of the answer its gene names."""
+    """The home with each room taken from the answer its gene names."""
     numbers = sorted(set(genome))
     parts = [answer(number) for number in numbers]
     return compose_home(parts, [numbers.index(number) for number in genome], plan.spaces)

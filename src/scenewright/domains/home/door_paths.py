@@ -1,7 +1,7 @@
 """The ways from door to door over a room's floor (Liu et al. 2017, cost 3, *Path*).
 
 The paper shades them and prints no rule. Here a way runs through the middle of both doors and is
-the shortest over the floor that leaves half its width to either side, where there is so much; all
+the shortest over the floor that leaves half its width to either side, where possible; all
 ways are united, so that floor on two of them counts once, and none of it lies outside the room.
 """
 

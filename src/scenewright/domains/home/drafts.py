@@ -25,7 +25,7 @@ from scenewright.domains.home.stated_needs import AskedRooms
 DRAFTS, GOOD = 8, 60.0
 """How often a studio is furnished at most, and from which cost on once more."""
 USUAL, FAIR = 4, 100.0
-"""After so many drafts one that costs less than this is good enough."""
+"""After this many drafts one that costs less than ``FAIR`` is good enough."""
 FIRST = 11
 """Drafts are numbered from here on; smaller numbers are those of second tries."""
 DRAFTED_FROM = 24.0  # square metres from which on a room is furnished several times

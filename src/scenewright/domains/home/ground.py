@@ -109,7 +109,7 @@ def _window(gate: DoorApproach) -> list[float]:
 
 def _wants_all(gate: DoorApproach) -> bool:
     """Whether an opening wants its whole width free though some may stand there: a window in a
-    wall, and a door or passage without a leaf of which the middle is kept free by rule."""
+    wall, and a door or passage without a leaf, whose middle is kept free by rule."""
     opening = gate.opening
     if opening.kind == "window":
         return opening.roof is None

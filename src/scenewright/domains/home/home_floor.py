@@ -1,7 +1,7 @@
 """Where people walk through a whole home, as exact regions of plan: the search's own measure.
 
 A person is a disc of radius r. Its middle may be wherever the disc lies on free floor: with F the
-rooms of a storey joined by their doorways and S what stands there, the region is F less S, eroded
+rooms of a storey joined by their doorways and S the obstacles, the region is F less S, eroded
 by r (discs as 32-gons), less the floor too low for the head. Metres.
 """
 
@@ -203,8 +203,8 @@ def list_bearing(pieces: Sequence[Piece], floor: HomeFloor, catalog: Catalog) ->
 
 
 def list_obstacles(pieces: Sequence[Piece], catalog: Catalog) -> tuple[Obstacle, ...]:
-    """What is in the way of the ``pieces`` that bear on a floor. Seats are pushed aside, and what
-    stands on or hangs over another piece takes no floor of its own."""
+    """What is in the way of the ``pieces`` that bear on a floor. Seats are pushed aside, and a
+    piece on or over another takes no floor of its own."""
     solid = [p for p in pieces if _takes_floor(p, catalog)]
     shapes = polygons_of(solid)
     carried = _find_carried(np.array([p.pose.z for p in solid]), shapes)

@@ -42,7 +42,7 @@ from scenewright.domains.home.measures import SOFA_OF_THREE
 from scenewright.domains.home.programme import Wish, resolve_bedrooms
 
 SLEEPERS = {"double_bedroom": 2, "single_bedroom": 1, "child_bedroom": 1}
-SHARED_ROOM = 14.0  # from so many square metres on two children share a room
+SHARED_ROOM = 14.0  # area from which two children share a room, m²
 LEAST_EATING = 9.0  # a room of less has no table put into it for the home's sake, square metres
 LEAST_DESK, LEAST_WORKING = 6.5, 13.0  # the same of a desk, where one sleeps alone, and elsewhere
 LEAST_BUNK = 7.0  # a room of less has no bunk beds, square metres

@@ -1,4 +1,4 @@
-"""A mini kitchen by itself, before all else, in a kitchen that would end without sink and hob.
+"""A mini kitchen alone, before all else, in a kitchen that would end without sink and hob.
 
 In a hall that is cooked in, one niche or stretch of wall holds a run, and a cabinet for shoes or a
 chest fits there as well. A kitchen without a hob is none: where no run stands when all else was

@@ -22,7 +22,7 @@ FLATTEST = 0.05
 TUCKED = 0.2
 """What of a rug lies under a bed or a sofa, and of a chair under its table, metres."""
 NARROWER = 0.08
-"""By so much narrower ways, metres, a grid of 0.04 m bars no more than an exact walk does: two
-cells."""
+"""Metres by which ways on a grid of 0.04 m are narrower, so that it bars no more than an exact
+walk: two cells."""
 SOFA_OF_THREE = 1.9
 """The width of a sofa for three, metres: three seats of 0.55 m and two arms."""

@@ -38,7 +38,7 @@ square metres."""
 
 
 class OpenPart(NamedTuple):
-    """One room of an open space: its number, the groups it would hold by itself, those that
+    """One room of an open space: its number, the groups it would hold alone, those that
     already stand in it, those the household names for it, whether all is listed (``ask``), and
     its free floor in square metres."""
 
@@ -88,7 +88,7 @@ def groups_there(pieces: Sequence[Piece]) -> frozenset[str]:
 def divide(
     parts: Sequence[OpenPart], eaten_in: bool
 ) -> list[tuple[OpenPart, frozenset[str], tuple[Wish, ...]]]:
-    """For every part of an open space what stands in another part and what it has instead;
+    """For every part of an open space, its groups in another part and what it has instead;
     ``eaten_in`` if some room of the home is for dining."""
     elsewhere: dict[int, frozenset[str]] = {part.number: frozenset() for part in parts}
     instead: dict[int, tuple[Wish, ...]] = {part.number: () for part in parts}

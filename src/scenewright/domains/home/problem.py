@@ -94,8 +94,8 @@ class Items(NamedTuple):
     ``low``, ``high``, ``wish`` (n, 2): least, greatest and preferred width and depth. ``height``
     (n,). ``back_to_wall`` (n,): 1 if the back edge belongs to a wall, 0 if free. ``main_wall``
     (n,): +1 faces the main wall, -1 backs it, 0 free. ``clear`` (n, 4): free depth wished for
-    beyond each side (front, left, back, right), outside the box. ``access`` (n, 4): 1 for each
-    side of which at least one must be reached by the route. ``inset`` (n, 4): depth inside the box
+    beyond each side (front, left, back, right), outside the box. ``access`` (n, 4): 1 for
+    sides, at least one of which the route must reach. ``inset`` (n, 4): depth inside the box
     at each side that can be walked on (the aisle beside a bed, the place of a chair): the route
     term takes the box less its insets as the solid part, and access boxes start at that solid
     part; all other terms take the whole box. ``daylight`` (n,): how much it wants a window near,

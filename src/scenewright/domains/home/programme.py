@@ -244,7 +244,7 @@ VIEW = PlacementPreference(draws=(Attraction(("outlook",), facing=0.1),))
 """Who sits on a balcony looks out or along it, not at the house."""
 PRIVATE = PlacementPreference(draws=(Attraction(("door",), near=3.0),))
 BED_APART_FROM = 40.0
-"""A bed in a room of so many square metres that is also lived or cooked in is away from doors."""
+"""Area in m² of a room also lived or cooked in from which its bed keeps away from doors."""
 
 DOUBLE_BEDROOM = 8.8
 SHARED = 0.15  # by how much the k-th further function of an open plan, times k, shrinks it

@@ -125,7 +125,7 @@ def _core(answer: RoomAnswer, wishes: tuple[Wish, ...], _: TrySettings) -> tuple
 
 
 def fill_rest(task: RoomTask, answer: RoomAnswer, budget: Budget) -> RoomAnswer:
-    """Try what is missing in the room that is left, with what stands taken as fixed."""
+    """Try the missing groups in the space left, with placed groups taken as fixed."""
     wanted = [m.wish for m in answer.missing if m.wish.rank < 2 or len(answer.missing) < 4]
     wishes = tuple(w._replace(small=True) for w in wanted)
     taken = np.array([p.dressed.box for p in answer.placed]).reshape(-1, 5)
@@ -171,8 +171,8 @@ def _better(first: RoomAnswer, second: RoomAnswer) -> RoomAnswer:
 
 
 def count_steps(task: RoomTask, each: int, items: int) -> int:
-    """The steps for a room with so many ``items`` of which ``each`` takes so many in a crowded one:
-    in proportion to how many there are, from a third of them on, or from all of them."""
+    """The steps for a room with ``items`` items, each of which takes ``each`` in a crowded room:
+    in proportion to ``items``, but at least a third of that, or all of it."""
     least = 1.0 if _needs_all_steps(task) else LEAST_SHARE
     return int(each * max(items, 1) * max(items / task.preset.settings.tries.crowded, least))
 

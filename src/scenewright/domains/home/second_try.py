@@ -126,7 +126,7 @@ def lacks_essentials(answer: RoomAnswer, costs: FaultCosts) -> float:
 
 def try_otherwise(task: RoomTask, number: int, wider: float) -> RoomTask:
     """A room to be furnished from other random numbers, the same for the same ``number``, with ways
-    that are ``wider`` by so many metres."""
+    ``wider`` metres wider."""
     return _otherwise(task, number, wider)
 
 

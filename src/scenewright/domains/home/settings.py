@@ -84,13 +84,13 @@ class CompositionCosts(NamedTuple):
     """What faults of composition cost, beside those of :class:`FaultCosts`: too little worktop in
     one piece, a hob beside the sink or at the end of its run, or one of ``few_rings``, fridge, sink
     and hob off a work triangle (``triangle``), a sink narrower than 0.6 m (``small_sink``) or
-    without worktop beside it, a fridge hard at the sink (``fridge_at_sink``), by itself or under
+    without worktop beside it, a fridge hard at the sink (``fridge_at_sink``), apart or under
     the worktop (``low_fridge``), hob and sink at walls ``across`` from each other or apart
     (``split``), a washing machine away from the run (``loose``), half a wardrobe, a shallow one, a
     bed for two with one nightstand or one side to get in, one of 1.9 m (``short_bed``), a single
     bed away from walls, a bed in the entrance (``at_door``), a desk away from daylight (``dark``),
     too few shelves, too few seats, a screen too small for its distance, a sofa that does not look
-    at it (``view``), is off its ``axis``, at a bad ``distance`` or behind what stands ``between``,
+    at it (``view``), is off its ``axis``, at a bad ``distance`` or with something ``between``,
     a sofa with something near before it (``outlook``), a screen on the wall (``hung``), a stand
     ``beside_run`` of a kitchen, a table with one chair
     (``lone``), for fewer than its room has (``few_places``), away from daylight (``dim_table``) or
@@ -158,10 +158,10 @@ class CompositionCosts(NamedTuple):
 class ComposingSettings(NamedTuple):
     """Groups of a furnished room tried in better forms and places: ``rounds`` over all of them;
     of each group ``forms``, of each form the best ``places``, looked at every ``step`` metres, that
-    are ``apart`` metres from one another; rooms of a ``few`` groups are composed ``anew`` for so
-    many faulty ones, from so many places of each (``starts``), all others in ``other_forms``; of a
-    bed and a wardrobe that are placed together, ``pair_forms`` at ``pair_places`` of each, and so
-    many ``pairs`` furnished; what may be paid for something ``lacking``, and for an
+    are ``apart`` metres from one another; rooms of at most ``few`` groups are composed again for
+    ``anew`` faulty ones, from ``starts`` places of each, all others in ``other_forms``; of a
+    bed and a wardrobe that are placed together, ``pair_forms`` at ``pair_places`` of each, and
+    ``pairs`` of them furnished; what may be paid for something ``lacking``, and for an
     ``addition`` nobody asked for; by how much the room is to cost less (``least``), and how much
     ``wider`` its ways stay on the grid, metres. ``costs`` are those of faults."""
 
@@ -198,7 +198,7 @@ class RetrySettings(NamedTuple):
 class WallSearchSettings(NamedTuple):
     """Essential groups tried at every place along the walls: ``places`` of one form, layouts whose
     ways are ``walked`` and ``answers`` given for one set of groups, at most; essential ``groups``
-    at most; of each so many of its smallest ``forms``."""
+    at most; of each its smallest ``forms``."""
 
     places: int = 6
     walked: int = 40
@@ -210,7 +210,7 @@ class WallSearchSettings(NamedTuple):
 class RearrangeSettings(NamedTuple):
     """Changes to a furnished room: layouts furnished (``layouts``); what it costs to put a group a
     metre away from where it was (``shift``); share of the work for groups placed anew; where a
-    group that was moved fits is looked for in so many ``nudges`` of one ``nudge``, metres, either
+    moved group fits is looked for in ``nudges`` steps of ``nudge`` metres either
     way."""
 
     layouts: int = 6

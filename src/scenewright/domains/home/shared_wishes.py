@@ -26,7 +26,7 @@ def share_wishes(
 def share_with_home(
     household: Household, task: RoomTask, asked: tuple[Wish, ...], others: frozenset[str]
 ) -> tuple[Wish, ...]:
-    """The wishes of one room as the home has them, those of a room of which all is listed as asked;
+    """The wishes of one room as the home has them, as asked where the brief lists them all;
     ``others`` are the groups in all its rooms. A bed that is wished for stays, however many live
     there."""
     listed = task.asked is not None and task.asked.ask is not None

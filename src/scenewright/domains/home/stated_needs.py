@@ -29,8 +29,8 @@ from scenewright.domains.home.wheelchair import count_shut, furnish_by_use
 from scenewright.engine.solve import Budget
 
 RANKS = ((WELCOME, 0.0), (WELCOME, 0.08), (1, 0.02), (1, 0.08))
-"""Further tries of a room hold what ranks before this, and what is required, with ways so much
-wider on the grid, metres: chairs in the way of an exact walk give way."""
+"""Further tries of a room: groups ranked before the first number and required ones, with ways wider
+by the second on the grid, metres, so that chairs in the way of an exact walk give way."""
 FEWER_SEATS = 3
 """Tries of a room in which sofas may seat fewer than there are residents."""
 SLEEPING_PLACES = 2
@@ -177,7 +177,7 @@ def _list_further_beds(
 
 
 def _list_bunks(task: RoomTask, sleepers: int) -> list[tuple[str, ...]]:
-    """Ever more bunks, or single beds where there are to be none, for up to so many sleepers."""
+    """Ever more bunks, or single beds where bunks are ruled out, for up to ``sleepers``."""
     if task.accessible or task.ground.area < LEAST_BUNK:
         return [("single",) * k for k in range(1, sleepers + 1)]
     return [("bunk",) * (k // 2) + ("single",) * (k % 2) for k in range(1, sleepers + 1)]

@@ -49,7 +49,7 @@ def essential_layouts(
     task: RoomTask, wishes: tuple[Wish, ...], before: RoomAnswer, rank: int = 0
 ) -> Iterator[RoomAnswer]:
     """Layouts of all that is essential in a room, up to a ``rank``, and of nothing else: first
-    beside what stands ``before``, then afresh, then with fallbacks, then in the least forms of all.
+    beside the pieces ``before``, then afresh, then with fallbacks, then in the least forms of all.
     The last may be out of reach on the grid, which is stricter than an exact walk. All other
     ``wishes`` are missing."""
     for way in _ways(task, wishes, before, rank):

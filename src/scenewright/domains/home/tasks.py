@@ -111,7 +111,7 @@ def grow_pieces(task: RoomTask, placed: Sequence[Piece]) -> list[Piece]:
 
 
 def list_extras(task: RoomTask, standing: Sequence[Piece]) -> list[Piece]:
-    """The lamps, curtains, mats and pictures that go with what stands in a room."""
+    """The lamps, curtains, mats and pictures that go with the furniture of a room."""
     if not task.preset.settings.exact:
         return []
     there = {p.id for p in standing} | task.forbidden

@@ -58,7 +58,7 @@ def find_unreached(
 
 class Walked(NamedTuple):
     """What a walk through a room looks at: boxes that stand in the way ``(k, 5)`` beside what is
-    built in, and boxes to be reached ``(z, 5)``, of which one of the same ``owner`` is enough."""
+    built in, and boxes to be reached ``(z, 5)``; one box of each ``owner`` is enough."""
 
     solid: Floats
     zones: Floats

@@ -285,7 +285,7 @@ def _pieces(answer: RoomAnswer) -> tuple[Piece, ...]:
 
 
 def _in_strips(task: RoomTask, answer: RoomAnswer, piece: Piece) -> frozenset[str] | None:
-    """Ids of what stands in both strips beside a piece; ``None`` if one is free."""
+    """Ids of the pieces in both strips beside a piece; ``None`` if one is free."""
     flat = flat_kinds(task.catalog)
     others = tuple(
         p

@@ -3,7 +3,7 @@
 Liu, Jiang, Mao, Wang (2017), section 3.4, take the group of the same function whose (length,
 width) is nearest to the patch, by a bounded k-d tree, and do not ask whether it fits. We take
 the nearest of those that *do* fit inside the patch, and shrink the patch to it. A function has
-at most some 120 cases, of which a mask and a sort of NumPy find the same ones sooner than a tree.
+at most some 120 cases, among which a NumPy mask and sort find the nearest sooner than a tree.
 
 A library is the shipped one unless a brief brings cases of its own: learned from furnished homes,
 or made with the furniture of its catalogues.

@@ -189,7 +189,7 @@ def _rebuild_case(case: Group, members: tuple[Member, ...]) -> Group:
 
 
 def _extent(members: tuple[Member, ...]) -> tuple[Floats, Floats]:
-    """The corners of the box round what stands on the floor."""
+    """The corners of the box round the members on the floor."""
     standing = [m for m in members if m.on < 0 and m.z < CARRIED]
     at = np.array([(m.x, m.y) for m in standing])
     half = np.array([reach(m) for m in standing])

@@ -1,7 +1,7 @@
 """What a user changes by hand in a furnished home: pieces moved, swapped, locked and let go.
 
 A group hangs together: who moves its main piece (the bed, the sofa) takes all of it along, who
-moves another (a chair) takes that and what stands on it. Locks are of whole groups.
+moves another (a chair) takes that and whatever is on it. Locks are of whole groups.
 """
 
 from __future__ import annotations
@@ -139,7 +139,7 @@ def whole(piece: Piece, pieces: Iterable[Piece]) -> tuple[Piece, ...]:
 
 
 def taken_along(piece: Piece, pieces: Iterable[Piece]) -> tuple[Piece, ...]:
-    """What moves with a piece: its whole group if it makes it, and what stands on all that."""
+    """What moves with a piece: its whole group if it is the main piece, and anything on these."""
     listed = tuple(pieces)
     ids = {p.id for p in whole(piece, listed)} if leads(piece) else {piece.id}
     while more := {p.id for p in listed if p.on in ids} - ids:

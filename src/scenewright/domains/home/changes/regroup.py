@@ -87,7 +87,7 @@ def _to_furnished_patch(pieces: Sequence[Piece], box: Floats) -> FurnishedPatch:
 
 
 def _round(pieces: Sequence[Piece]) -> Floats:
-    """The box round what stands, looking where the main piece looks."""
+    """The box round the pieces, heading as the main piece does."""
     essential = GROUPS[pieces[0].function].essential
     standing = [p for p in pieces if p.on is None and p.pose.z < BACKED] or list(pieces)
     h = next((p for p in standing if p.category in essential), standing[0]).pose.heading
@@ -108,7 +108,7 @@ def find_misplaced(
     task: RoomTask, pieces: Sequence[Piece], standing: StandingObstacles
 ) -> dict[str, str]:
     """Why pieces cannot stand where they are, by id: outside the room, before a door or window,
-    in something else, off their wall, or on something of which this is so."""
+    in something else, off their wall, or on a piece that cannot stay."""
     if not pieces:
         return {}
     boxes = np.array([(*p.pose[:2], p.pose.heading, *p.size[:2]) for p in pieces])

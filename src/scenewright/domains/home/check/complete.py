@@ -86,7 +86,7 @@ def _lacking(
 
 
 def find_unmet_asks(asked: Mapping[str, Room], bodies: Bodies, rooms: Rooms) -> list[Note]:
-    """A note for each group that was required of a room and of which too few stand in it."""
+    """A note for each group required of a room that it has too few of."""
     notes = []
     for i, space in enumerate(rooms.spaces):
         room = asked.get(space.id)

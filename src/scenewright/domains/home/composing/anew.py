@@ -48,7 +48,7 @@ MACHINE = 0.64  # of wall for a washing machine beside a run, metres
 MANY = 12
 """Forms and places in which a table is tried beside a run, or beside seats and screen."""
 Judges = Callable[[int], RoomJudge]
-"""The judge of the first so many groups of a room."""
+"""The judge of the first n groups of a room, by n."""
 
 
 def compose_anew(task: RoomTask, best: JudgedRoom, barred: frozenset[str]) -> JudgedRoom:
@@ -130,7 +130,7 @@ def _list_kitchens(
 ) -> Iterator[JudgedRoom]:
     """Kitchens made to measure for the room as if it were empty, with less wrong than ``faults``:
     of the first two steps that have some the best; a washing machine of those ``placed`` is to
-    stand beside the units. Where people live in the room as well and the fridge stands by itself,
+    stand beside the units. Where people live in the room as well and the fridge stands alone,
     also short ones, which leave more of their wall to all others."""
     rule, steps = task.preset.settings.composing, 0
     washes = is_mere_kitchen(task) and any(p.wish.group == "washer" for p in placed)
@@ -147,7 +147,7 @@ def _list_kitchens(
 
 
 def _has_far_fridge(task: RoomTask, placed: Placed, run: FurnishedGroup) -> bool:
-    """Whether the fridge of a kitchen stands by itself."""
+    """Whether the fridge of a kitchen stands apart from its units."""
     away = sum_rows(("fridge_away",), placed, task.ground) > 0.0
     return away or any(name == "fridge_alone" for name, _ in find_case_faults(list_standing(run)))
 
@@ -180,8 +180,8 @@ def follow_pairs(
 
 
 def list_starts(task: RoomTask, first: FurnishedGroup, barred: frozenset[str]) -> list[JudgedRoom]:
-    """One group by itself at its best places that bar no further way, those near to a better one
-    left out."""
+    """One group alone at its best places that bar no further way, without those near to a better
+    one."""
     rule = task.preset.settings.composing
     found = try_forms(judge_of(task, (first,)), (first,), 0, list_forms(task, first), rule.forms)
     margin, kept = with_margin(task), list[JudgedRoom]()
@@ -202,7 +202,7 @@ def _is_near(one: JudgedRoom, other: JudgedRoom, apart: float) -> bool:
 
 
 def judge_in_order(task: RoomTask, groups: Placed) -> Judges:
-    """The judges of the first so many of the groups, each made when it is first asked for."""
+    """The judges of the first n of the groups, by n, each made when first asked for."""
     return cache(lambda count: judge_of(task, groups[:count]))
 
 
@@ -215,9 +215,9 @@ def follow(
     most: float,
     eats: bool = False,
 ) -> JudgedRoom | None:
-    """The others beside the first, one after the other, as the ``judges`` of so many tell; None
-    where one finds no place, or where faults cost ``most`` before all stand. Of tables, most of
-    which bar a way in a small room, :data:`MANY` are tried beside a run, or where one ``eats``."""
+    """The others placed beside the first one by one, as ``judges`` tell; None
+    where one finds no place, or where faults cost ``most`` before all stand. As most tables bar
+    a way in a small room, :data:`MANY` are tried beside a run, or where one ``eats``."""
     rule, best, wide = task.preset.settings.composing, start, with_margin(task)
     for other in others:
         if sum_faults(task, best.placed) >= most:

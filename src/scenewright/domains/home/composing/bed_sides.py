@@ -19,8 +19,8 @@ FREE = 0.91  # share of that floor, from the middle of the bed to its foot, that
 
 
 def count_closed_beds(groups: Sequence[FurnishedGroup], ground: Ground) -> int:
-    """The beds for two of which less than :data:`FREE` of the floor beside a long side, from the
-    middle to the foot, is free."""
+    """The beds for two with less than :data:`FREE` of the floor beside a long side free, from the
+    middle to the foot."""
     pieces = [p for g in groups for p in g.pieces if p.pose.z < ON_FLOOR]
     solid = [p for p in pieces if p.category not in MOVED]
     beds = [p for p in pieces if p.category == DOUBLE]

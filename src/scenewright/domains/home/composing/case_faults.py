@@ -31,7 +31,7 @@ SLIM = 0.35  # a nightstand that is narrower leaves no way beside the bed, metre
 ACROSS, PAST = 2.45, 1.2
 """Metres between hob and sink that face each other across an aisle, and by which one may lie past
 the other along it."""
-LONE_SINK = 6.0  # what a sink by itself across from the hob counts of one beside worktop
+LONE_SINK = 6.0  # cost of a lone sink across from the hob, of one beside worktop
 LEG = (1.2, 2.7)  # of a work triangle, metres
 ONE_LINE, IN_LINE = 0.03, 0.3  # units nearer, and less far ahead, than this are in one line, metres
 TURNED = 0.1  # units turned by more are not in one line, radians
@@ -137,7 +137,7 @@ def _of_kitchen(members: tuple[Member, ...]) -> list[tuple[str, float]]:
 
 
 def _weigh_across(hob: Member, sink: Member, units: list[Member]) -> float:
-    """What a sink across from the hob counts: more by itself, with nowhere to put a plate."""
+    """What a sink across from the hob counts: more without worktop, with nowhere to put a plate."""
     if not _are_across(hob, sink, units):
         return 0.0
     return LONE_SINK if _is_alone(sink, units) else 1.0

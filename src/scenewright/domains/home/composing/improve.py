@@ -31,7 +31,7 @@ from scenewright.domains.home.composing.places.trials import take_first, try_for
 from scenewright.domains.home.composing.views import cost_of_view, list_between
 from scenewright.domains.home.rules.weigh_home import compile_table, list_faults, list_together
 
-IN_SIGHT = 100.0  # by so much what stands between seats and screen is tried before them
+IN_SIGHT = 100.0  # added to the cost of pieces between seats and screen: they are tried first
 
 
 def improve_groups(task: RoomTask, best: JudgedRoom, barred: frozenset[str]) -> JudgedRoom:
@@ -48,8 +48,8 @@ def improve_groups(task: RoomTask, best: JudgedRoom, barred: frozenset[str]) -> 
 
 
 def list_worst_first(task: RoomTask, placed: Placed) -> list[str]:
-    """The names of groups with a fault, the costliest first, what stands between seats and screen
-    before these; of all where a wish is not met."""
+    """The names of groups with a fault, the costliest first, pieces between seats and screen
+    before these; all groups where a wish is not met."""
     rule = task.preset.settings.composing
     view = 0.0 if len(task.ground.hearths) else cost_of_view(placed, rule.costs, task.ground.edges)
     whole = {

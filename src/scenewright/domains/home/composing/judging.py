@@ -49,8 +49,8 @@ REACHED_IN = 1.5
 it."""
 
 WALL_BEHIND_FROM, AMID = 16.0, 0.4
-"""In a room of so many square metres a wall behind the sofa counts so much of what it usually
-does."""
+"""Area in m² from which a wall behind the sofa counts less, and the share that it then
+counts."""
 
 
 class JudgedRoom(NamedTuple):
@@ -75,7 +75,7 @@ class RoomJudge(NamedTuple):
         self, placed: Placed, known: tuple[float, ...] = (), energy: float | None = None
     ) -> JudgedRoom:
         """The groups with what they cost: energy, lost pieces, and faults of composition; ``known``
-        is what each group costs by itself, NaN where that is to be found, ``energy`` that of the
+        is what each group costs alone, NaN where that is to be computed, ``energy`` that of the
         layout, if it is known."""
         task, rule = self.task, self.task.preset.settings.composing
         if energy is None:
@@ -103,7 +103,7 @@ def find_run(placed: Placed) -> Placed:
 
 
 def cost_each(task: RoomTask, placed: Placed) -> tuple[float, ...]:
-    """What is wrong with each group by itself."""
+    """The cost of the faults of each group alone."""
     rule = task.preset.settings.composing
     return tuple(cost_of_group(p, task.ground, rule) for p in placed)
 
@@ -144,8 +144,8 @@ def share_of(task: RoomTask, placed: Placed) -> float:
 
 
 def short_of_floor(task: RoomTask, placed: Placed) -> float:
-    """Σ 1 - f/d over the sides of groups of which free floor was learned: f metres are free over
-    the whole of a side, d are wished for."""
+    """Σ 1 - f/d over the sides of groups whose free floor was learned: f metres are free along
+    the whole side, d are wished for."""
     learned, total = task.library.habits, 0.0
     pieces = (*task.fixed, *(q for g in placed for q in g.pieces))
     standing = [p for p in pieces if stands_on_floor(p, task.catalog)]

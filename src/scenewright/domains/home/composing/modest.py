@@ -24,7 +24,7 @@ LOUNGE = 0.8
 
 
 class Expected(NamedTuple):
-    """What is measured of a group, and how much of it rooms from so many square metres on have:
+    """What is measured of a group, and the least of it in rooms from an area in m² on:
     rows (area, least), the smallest room first."""
 
     measure: Callable[[Group], float]
@@ -77,7 +77,7 @@ EXPECTED: dict[str, Expected] = {
 
 
 SEATED = ((16.0, 6), (9.0, 4))
-"""From so many square metres on the table of a kitchen seats so many, the largest room first."""
+"""Area in m² from which the table of a kitchen has that many seats, the largest room first."""
 
 
 def find_few_places(case: Group, area: float) -> float:

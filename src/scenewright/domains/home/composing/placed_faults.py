@@ -31,8 +31,8 @@ SCREEN = "tv"
 SHELVED = 0.75  # share of the longest wall that shelves of a storage room stand along
 OPEN = 1.0  # width of the sight from a sofa to a fireplace in which nothing stands, metres
 OFF_AXIS = 0.3  # a sofa this near to the axis of a fireplace is on it, metres
-FARTHEST = 3.1  # a screen is watched from so many of its widths at most
-DARK = 0.09  # metres of a window from which on what stands before it takes its light
+FARTHEST = 3.1  # most of its widths from which a screen is watched
+DARK = 0.09  # metres of a window that may be covered before its light is taken
 
 
 def cost_of_group(group: FurnishedGroup, ground: Ground, rule: ComposingSettings) -> float:
@@ -98,7 +98,7 @@ def measure_hung_over_doors(group: FurnishedGroup, ground: Ground) -> float:
 
 def cost_of_openings(case: Group, boxes: Floats, ground: Ground, rule: ComposingSettings) -> Floats:
     """What is wrong with a case on each of boxes (n, 5) as it stands before windows and wide doors:
-    :func:`cost_of_group` of many places at once, of what stands parallel to its wall."""
+    :func:`cost_of_group` of many places at once, for cases parallel to their wall."""
     cost = np.zeros(len(boxes))
     for member in case.members:
         if member.on >= 0 or member.z > AT_WALL or member.category == "rug":
@@ -171,7 +171,7 @@ def cost_of_shelves(groups: Sequence[FurnishedGroup], ground: Ground, cost: floa
 
 
 def list_adrift(groups: Sequence[FurnishedGroup], ground: Ground) -> list[Piece]:
-    """The single beds of groups neither long side of which is at a wall."""
+    """The single beds of groups with neither long side at a wall."""
     beds = [p for g in groups for p in g.pieces if p.category == "single_bed"]
     gaps = (float(measure_flank_gaps(_box(bed)[None], ground.walls).min()) for bed in beds)
     return [bed for bed, gap in zip(beds, gaps, strict=True) if gap > AT_WALL]
@@ -187,13 +187,13 @@ def measure_before_windows(group: FurnishedGroup, ground: Ground) -> Floats:
 
 
 def _takes_light(category: str, above: float) -> bool:
-    """Whether what stands so far above the floor takes light of a window behind it."""
+    """Whether a piece ``above`` metres over the floor takes light of a window behind it."""
     return category == SCREEN or (category in SHADES and above <= AT_WALL)
 
 
 def measure_cases_before_windows(case: Group, boxes: Floats, ground: Ground) -> Floats:
-    """:func:`measure_before_windows` (n, w) of a case on each of boxes (n, 5), of what stands
-    parallel to its wall."""
+    """:func:`measure_before_windows` (n, w) of a case parallel to its wall on each
+    of boxes (n, 5)."""
     panes = [strip for strip in ground.strips if strip[5] == 1.0]
     metres = np.zeros((len(boxes), len(panes)))
     for member in case.members:

@@ -58,7 +58,7 @@ BED = (0.8, 1.9)
 PAIRED = frozenset(("wardrobe", "one_side"))
 """Faults of a case that no pair of places is to have."""
 SEATED_FROM = 11.0
-"""From so many square metres on a living room has seats for three."""
+"""Area in m² from which a living room has seats for three."""
 PAIRS = 40  # pairs of places of two groups that are tried
 Subjects = Callable[[RoomTask, Placed], set[str]]
 
@@ -123,7 +123,7 @@ def _list_elsewhere(task: RoomTask, answer: RoomAnswer, row: str) -> Iterator[Ro
 
 
 def _list_amid(task: RoomTask, answer: RoomAnswer, row: str) -> Iterator[RoomAnswer]:
-    """The room with one of the groups at fault shifted amid the floor, for a window also away from
+    """The room with one of the free-standing groups at fault shifted, for a window also one at
     a wall."""
     placed = answer.placed
     judge = judge_of(task, placed)

@@ -23,7 +23,7 @@ ASIDE, AWAY = radians(35.0), radians(90.0)
 head turns 30 to 45 degrees with ease (Panero, Zelnik 1979)."""
 
 ON_AXIS, OFF_AXIS = 0.15, 1.2
-"""A screen so many metres beside the axis of a sofa counts as on it, and so many as off it."""
+"""Metres from the axis of a sofa up to which a screen is on it, and from which it is off it."""
 
 WATCHED_FROM, WATCHED_TO, OFF_COUNTED = 1.5, 4.0, 2.0
 """Nearer to a screen, and farther from it, nobody sits with comfort, metres; by how many metres at
@@ -37,7 +37,7 @@ SIGHT, FILLED = 0.8, 0.6
 """Width of the sight from a sofa to a screen, metres, and the square metres that fill it."""
 
 HIDDEN = 0.3
-"""So many square metres of what stands in the sight hide a screen."""
+"""Square metres of furniture in the line of sight that hide a screen."""
 
 
 SEEN_OVER, EYES = frozenset(("kitchen", "kitchenette", "counter", "fridge")), 1.1
@@ -45,15 +45,15 @@ SEEN_OVER, EYES = frozenset(("kitchen", "kitchenette", "counter", "fridge")), 1.
 in metres, as a fridge round a corner of the run."""
 
 COLUMN = 4.0
-"""A column or wall hides more than its floor says, as nobody looks over it: so many times as
-much."""
+"""Factor by which a column or wall hides more than its floor area says, as nobody looks over
+it."""
 MIDST, BETTER_SIGHT, BEFORE_SCREEN = 0.5, 0.9, 0.4
 """Width of the sight without which a screen is hidden by walls, that which is better free of them,
 and by how much both end before the screen, whose own wall hides nothing, metres."""
 
 BEFORE, CLOSE = 0.5, 3.0
-"""What stands within so many metres before a screen hides so many times as much of it as what
-stands elsewhere in the sight."""
+"""Metres before a screen within which furniture hides more of it than elsewhere in the sight, and
+by what factor more."""
 
 LYING = radians(60.0)
 """A screen is seen from a bed or an armchair up to so far off the axis of either."""

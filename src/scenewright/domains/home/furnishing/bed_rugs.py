@@ -1,7 +1,7 @@
 """Rugs of a bed that came without one: under its foot and out on both sides, along its open side,
 or before its foot.
 
-A rug amid what floor is left free belongs to nothing. One that lies a little under the bed does.
+A rug in the middle of the free floor belongs to nothing. One that lies a little under the bed does.
 """
 
 from __future__ import annotations
@@ -23,8 +23,8 @@ FOOT = (0.3, 0.1, 0.0)  # and beyond the foot, metres
 UNDER = (1.5, 1.2)  # and is so long, metres
 LENGTHS = (1.8, 1.6, 1.4, 1.2, 1.0)  # of a rug along a bed, metres
 WIDTHS = (1.2, 1.0, 0.85, 0.7)  # of that, half a metre of it before the bed at least, metres
-OFF_SIDES = 0.12  # a rug before the foot is so much narrower than the bed, metres
-TOWARDS = (0.0, 0.1, 0.2, 0.3, 0.4, -0.2, -0.4)  # its middle lies so far towards the foot, metres
+OFF_SIDES = 0.12  # by which a rug before the foot is narrower than the bed, metres
+TOWARDS = (0.0, 0.1, 0.2, 0.3, 0.4, -0.2, -0.4)  # of its middle towards the foot, metres
 
 
 def list_bed_rugs(bed: Piece) -> Floats:

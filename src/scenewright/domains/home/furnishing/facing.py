@@ -1,4 +1,4 @@
-"""The screen on the axis of the main seat, once it is known what stands in the patches."""
+"""The screen on the axis of the main seat, once the pieces in the patches are known."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 """Mats and rugs on floor that is left free: before the bath or a sofa, in the hall, at a bed.
 
-A mat bars no way, so it is laid last: the largest that lies on free floor, clear of doors, between
-what stands there. It belongs to something: it reaches under the sofa or the bed (:mod:`.sofa_rugs`,
+A mat bars no way, so it is laid last: the largest that lies on free floor, clear of doors and
+furniture. It belongs to something: it reaches under the sofa or the bed (:mod:`.sofa_rugs`,
 :mod:`.bed_rugs`), or has the middle of the cupboards of a hall. One walks over it before a door
 that does not open into the room. Rooms with a rug of their own have enough.
 """
@@ -57,7 +57,7 @@ BATHS = ("bathtub", "shower", "basin", "pedestal_basin")
 """What one steps from onto a mat, the first there is."""
 ROUND_RUG = 0.05  # free round a rug at a bed, metres
 DOUBLE = "double_bed"
-RUG_FROM = 2.8  # a rug of so many square metres may lie amid a room with a bed for one
+RUG_FROM = 2.8  # least rug in the middle of a room with a bed for one, m²
 ON_AXIS = 1.2  # a runner that is shorter need not lie before the middle of a cupboard, metres
 
 
@@ -76,7 +76,7 @@ RUGS: dict[str, Margin] = {
     "child_bedroom": Margin(ROOM, 0.1),
     "study": Margin(ROOM, 0.1),
 }
-"""Rooms by function that have a rug amid their free floor."""
+"""Rooms by function that have a rug in the middle of their free floor."""
 BUSY = frozenset(("living", "dining", "kitchen", "toilet"))
 """Rooms in which a rug that goes with no furniture lies in the way, halls besides or not."""
 
@@ -138,8 +138,8 @@ def _choose_boxes(
 
 
 def _without_thresholds(space: Space, keep_free: Floats) -> Floats:
-    """Boxes (k, 5) that are kept free without those before openings of which no leaf opens into the
-    room: one walks over a rug there."""
+    """Boxes (k, 5) that are kept free without those before openings whose leaves do not open into
+    the room: one walks over a rug there."""
     doors = (gate for gate in gates(space) if gate.opening.kind != "window")
     zones = [door_zone(space, gate) for gate in doors if not opens_here(gate)]
     walked = np.array([box for zone in zones for box in zone]).reshape(-1, 5)
@@ -147,8 +147,8 @@ def _without_thresholds(space: Space, keep_free: Floats) -> Floats:
 
 
 def _fit_beside(rug: Margin, here: Sequence[Piece]) -> Margin:
-    """The rugs that may lie amid a room: beside a bed for two none, as they belong to it, beside
-    one for one a large one, to play on."""
+    """The rugs that may lie in the middle of a room: beside a bed for two none, as they belong to
+    it, beside one for one a large one, to play on."""
     beds = {p.category for p in here if p.category in BEDS}
     least = inf if DOUBLE in beds else RUG_FROM if beds else 0.0
     return rug._replace(sizes=tuple(s for s in rug.sizes if s[0] * s[1] >= least))

@@ -2,7 +2,7 @@
 
 The paper puts the nearest case in the patch and stops. Here a patch takes the nearest case that
 fits it, is drawn in to that case, and every piece is tried against the room, the doors, the
-windows and what stands already; what is not essential to the group gives way.
+windows and the pieces placed; what is not essential to the group gives way.
 """
 
 from __future__ import annotations
@@ -297,8 +297,8 @@ def _top_of(case: Group, catalog: Catalog) -> float:
 def _find_supported(
     case: Group, fits: list[bool], boxes: Floats, ground: Ground, catalog: Catalog
 ) -> tuple[bool, ...]:
-    """Which members stand: those that fit, hang on a wall if they hang, stand on what stands; what
-    hangs above another only where that one stands."""
+    """Which members stand: those that fit, hang on a wall if they hang, stand on a placed one; what
+    hangs above another only where that one is placed."""
     held_by = _held_by(case, catalog)
     if all(fits) and not any(hangs for _, hangs, _ in held_by):
         return (True,) * len(fits)
@@ -316,7 +316,7 @@ def _find_supported(
 @lru_cache(maxsize=4096)
 def _held_by(case: Group, catalog: Catalog) -> tuple[tuple[int, bool, int], ...]:
     """Of each member of a case the number of the one it stands on (-1: none), whether it hangs on
-    a wall by itself, and the number of the one it hangs above."""
+    a wall alone, and the number of the one it hangs above."""
     pairs = zip(case.members, below(case.members), strict=True)
     return tuple(
         (m.on, m.on < 0 and catalog.kinds[m.category].support == "wall", under)

@@ -19,7 +19,7 @@ Floats = NDArray[np.float64]
 Codes = NDArray[np.int64]
 
 TOUCHING = 0.002
-"""Pieces may lie in one another by so much, metres."""
+"""Metres by which pieces may overlap."""
 
 
 class StandingObstacles(NamedTuple):

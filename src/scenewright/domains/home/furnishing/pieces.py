@@ -1,7 +1,7 @@
 """Rooms piece by piece, without patches: what solvers over single pieces are posed and answer.
 
 Every wished group is taken apart: its floor pieces become the items of a problem, each of its own
-size, related to the piece that makes the group as in its case; what stands on them, hangs above
+size, related to the piece that makes the group as in its case; what lies on them, hangs above
 them or lies below rides along. Where the solver leaves the pieces is where they stand: the answer
 is a case of its own whose box is drawn round them, judged by the same measures as any patch.
 """
@@ -82,7 +82,7 @@ def posed_pieces(
     printed: bool,
     route_width: float,
 ) -> Problem:
-    """The problem of placing every piece by itself; items in the order of wishes and members."""
+    """The problem of placing every piece separately; items in the order of wishes and members."""
     names = number_names([p.wish.group for p in parts])
     numbered = number_names(
         [

@@ -2,7 +2,7 @@
 
 A pattern that returns in every room, the bath included, is the first thing a visitor sees. So a
 rug that lies before no sofa is drawn by a model of its place: a bath mat beside what is washed in,
-a runner where it lies by itself and is long and narrow, else a rug in two cloths of the palette.
+a runner where it lies alone and is long and narrow, else a rug in two cloths of the palette.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from scenewright.core.scene import Piece
 RUG, RUNNER, BATH_MAT, QUIET = "rug", "rug_runner", "rug_bath", "rug_quiet"
 WET = frozenset(("bathtub", "shower", "toilet"))
 SLENDER = 1.9
-"""A rug so many times as long as wide is a runner."""
+"""Ratio of length to width from which a rug is a runner."""
 
 
 def match_rugs(pieces: Iterable[Piece]) -> tuple[Piece, ...]:

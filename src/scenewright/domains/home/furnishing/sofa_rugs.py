@@ -15,10 +15,10 @@ from scenewright.domains.home.measures import TUCKED
 
 Floats = NDArray[np.float64]
 
-BEYOND = (0.6, 0.4, 0.2)  # a rug before a sofa is so much wider, metres
-DEPTHS = (1.6, 1.4, 1.2, 1.0, 0.8)  # and so deep, metres
+BEYOND = (0.6, 0.4, 0.2)  # by which a rug before a sofa is wider than it, metres
+DEPTHS = (1.6, 1.4, 1.2, 1.0, 0.8)  # of that rug, metres
 SIDES = (0.0, 0.5, -0.5)  # and lies by this share of what it is wider to the left of its middle
-LOW_TABLE = "coffee_table"  # what stands well on such a rug, or not at all
+LOW_TABLE = "coffee_table"  # stands wholly on such a rug, or not at all
 WELL_ON = 0.15  # of a rug reaches beyond a table that stands on it, metres
 
 

@@ -2,7 +2,7 @@
 enough.
 
 A wall's free stretches are what neither openings nor anything as high as one's shoulder takes of
-it. A picture hangs in the middle of what stands low before a stretch (a sofa, a desk, a bed), else
+it. A picture hangs over the middle of a low piece before a stretch (a sofa, a desk, a bed), else
 in the middle of the longest.
 """
 
@@ -42,11 +42,11 @@ LAMPS = frozenset(
 )
 SEATS = ("sofa", "loveseat", "corner_sofa", "armchair", "double_bed", "single_bed")
 HANGS_WITHIN = 0.03  # what is this near to a wall hangs on it, metres
-ADORNED = 5.0  # rooms of so many square metres have something on a wall
-LIT = 12.0  # rooms of so many have a second lamp
+ADORNED = 5.0  # area from which a room has something on a wall, m²
+LIT = 12.0  # area from which a room has a second lamp, m²
 SHOULDER = 1.1  # what rises above this takes a wall from what hangs on it, metres
 AGAINST = 0.15  # what is nearer than this leaves no way between it and the wall, metres
-PASSED = 0.9  # where nothing stands at the wall, so much floor is left free before it, metres
+PASSED = 0.9  # floor left free before a wall with nothing at it, metres
 ASIDE_OF_IT = 0.6  # and to either side of it
 STANDS_BEFORE = 0.4  # what is nearer than this to a wall stands before it, metres
 LOWEST = 0.8  # nothing hangs lower, as it would under a slope, metres

@@ -1,7 +1,7 @@
 """What belongs together: pieces that go with others, and what a group is no use without.
 
 A kitchen run with its hob gone is no kitchen, and a hood does not hang over nothing. So when a
-piece gives way, what stands on it or hangs above it goes along, and where the rest would be no use
+piece gives way, whatever is on it or hangs above it goes along, and where the rest would be no use
 the whole group goes instead, for another place or a smaller form.
 """
 

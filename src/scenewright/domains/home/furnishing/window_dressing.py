@@ -92,7 +92,7 @@ def _cooked_at(gate: DoorApproach, pieces: tuple[Piece, ...]) -> bool:
 
 
 def _would_lie(gate: DoorApproach, low: float, pieces: tuple[Piece, ...]) -> bool:
-    """Whether a curtain whose foot is at ``low`` would lie on what stands below the window."""
+    """Whether a curtain whose foot is at ``low`` would lie on a piece below the window."""
     x, y = gate.face + gate.inward * CURTAIN_REACH / 2
     heading = float(np.arctan2(gate.inward[1], gate.inward[0]))
     below = make_frame(x, y, heading, gate.opening.width, CURTAIN_REACH)

@@ -1,8 +1,8 @@
 """The table of furniture groups: how each is used, and the cases it can take.
 
 A row says how a patch of that function behaves in a room; its cases are concrete groups with real
-furniture sizes. Adding a group is one generator of cases and one row here; a piece that stands by
-itself needs neither, only a kind that is ``alone`` (:mod:`.alone`).
+furniture sizes. Adding a group is one generator of cases and one row here; a piece that stands
+alone needs neither, only a kind that is ``alone`` (:mod:`.alone`).
 """
 
 from __future__ import annotations
@@ -30,9 +30,9 @@ class GroupKind:
     """How a group's patch behaves. Sides are front, left, back, right, in metres or flags.
 
     ``height`` is what counts in front of windows; ``back`` 1 if it belongs to a wall; ``main``
-    its role at the main wall; ``clear`` free depth outside the patch; ``access`` sides of which
-    one must be reachable; ``inset`` walkable depth inside; ``daylight`` and ``nestle`` wishes;
-    ``roomy`` the room areas (m²) at which the smallest and the largest case are preferred;
+    its role at the main wall; ``clear`` free depth outside the patch; ``access`` sides, at least
+    one of which must be reachable; ``inset`` walkable depth inside; ``daylight`` and ``nestle``
+    wishes; ``roomy`` the room areas (m²) at which the smallest and the largest case are preferred;
     ``essential`` the category that makes the group what it is; ``shades`` how much it minds a
     window behind it; ``symmetry`` how much its axis belongs to the middle of the floor beside it;
     ``lean`` the category whose end belongs to the nearer side wall when the case

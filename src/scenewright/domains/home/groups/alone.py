@@ -1,4 +1,4 @@
-"""Groups of one piece that stands by itself, read off the rows of kinds that say so."""
+"""Groups of a single piece, read off the rows of kinds that say so."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def cases_of(kinds: Iterable[Kind]) -> Iterator[Group]:
 
 
 def access_of(kind: Kind) -> Sides:
-    """The sides of which one must be reachable, as flags.
+    """The sides, at least one of which must be reachable, as flags.
 
     >>> access_of(KINDS["exercise_bike"])
     (0.0, 1.0, 0.0, 1.0)

@@ -1,8 +1,8 @@
 """Kitchens made to measure: lines of units along one, two or three walls, and what joins them.
 
-A line is what stands along one wall; where two walls meet a corner cabinet joins their lines into
+A line is the units along one wall; where two walls meet a corner cabinet joins their lines into
 one worktop (an L, with two corners a U). Without a corner the lines face one another or stand
-apart, as a fridge by itself does. The patch is that of the line with the hob; the others reach out
+apart, as a lone fridge does. The patch is that of the line with the hob; the others reach out
 of it, so that floor in front of them stays floor.
 """
 
@@ -53,7 +53,7 @@ class KitchenWall(NamedTuple):
 
     @property
     def heading(self) -> float:
-        """Where what stands with its back at the wall looks."""
+        """The heading of units with their back at the wall."""
         return atan2(self.ux, -self.uy)
 
 
@@ -151,7 +151,7 @@ def list_solid(kitchen: FittedKitchen) -> list[Box]:
 
 
 def list_fronts(kitchen: FittedKitchen, depth: float) -> list[Box]:
-    """The floor before each unit from which it is used, so many metres deep; a corner cabinet is
+    """The floor before each unit from which it is used, ``depth`` metres deep; a corner cabinet is
     used from that of its neighbours."""
     found: list[Box] = []
     for line in kitchen.lines:

@@ -135,7 +135,7 @@ def _short_sequence(length: float) -> list[Unit]:
 
 
 def widest_hob(length: float) -> float:
-    """The width of the hob with most rings in so many metres, that of two where none fits.
+    """The width of the hob with most rings in ``length`` metres, that of two where none fits.
 
     >>> widest_hob(0.7), widest_hob(0.5), widest_hob(0.2)
     (0.6, 0.45, 0.3)

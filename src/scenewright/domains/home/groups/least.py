@@ -38,7 +38,7 @@ def _chest() -> Iterator[Group]:
 
 
 def _seating() -> Iterator[Group]:
-    """A loveseat by itself, its back at the wall."""
+    """A lone loveseat, its back at the wall."""
     piece = Member("loveseat", 0, 0, 0, 0, Size(1.2, 0.8, 0.8))
     yield Group("seating", "1.2 m loveseat", 1.2, 0.82, (piece,))
 

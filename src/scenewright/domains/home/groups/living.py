@@ -183,7 +183,7 @@ def _alone(sofa: float) -> Group:
 
 
 def plain_sofa() -> Group:
-    """A sofa for three by itself, for walls that hold nothing beside it."""
+    """A sofa for three alone, for walls that hold nothing beside it."""
     sofa = Member("sofa", 0, 0, 0, 0, Size(1.9, 0.8, SOFA_HEIGHT))
     return Group("seating", "1.9 m sofa", 1.9, 0.82, (sofa,))
 

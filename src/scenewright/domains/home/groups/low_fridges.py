@@ -22,7 +22,7 @@ from scenewright.domains.home.measures import ROUNDING
 LOW = "low fridge"
 """The unit that is a fridge under the worktop."""
 WIDE_FRIDGE, SLIM = 0.6, 0.5  # widths of fridges under a worktop, metres
-FILLED = 0.05  # a fridge's place is up to so much wider than the fridge, metres
+FILLED = 0.05  # by which a fridge's place may be wider than it, metres
 SHORTEST = LEAST_SINK + SLIM + SMALL_HOB
 """The shortest run with a fridge under its worktop, metres."""
 

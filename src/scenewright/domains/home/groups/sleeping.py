@@ -11,7 +11,7 @@ from scenewright.core.scene import Size
 BED_LENGTH = 2.05
 SHORT_BED = 1.9  # a mattress of 140 x 190 cm without a footboard, metres
 NARROW = 0.34  # room for a narrow nightstand, metres
-SHALLOW = 14  # wardrobes of so many decimetres or fewer may be shallow
+SHALLOW = 14  # widest wardrobe that may be shallow, decimetres
 
 
 def sleeping() -> Iterator[Group]:

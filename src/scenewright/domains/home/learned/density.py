@@ -77,7 +77,7 @@ def _welcome(task: RoomTask, usual: tuple[Wish, ...], wanted: float) -> tuple[st
 
 
 def estimate_coverage(task: RoomTask, wishes: tuple[Wish, ...]) -> float:
-    """The share of the floor that the groups wished for cover, with what stands already."""
+    """The share of the floor that the groups wished for cover, with the pieces already there."""
     area = furnished_as(task)
     taken = measure_coverage(task.fixed) + sum(_taken(wish, area, task) for wish in wishes)
     return float(taken / floor_of(task.ground))

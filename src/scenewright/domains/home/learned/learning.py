@@ -1,7 +1,7 @@
 """Furniture groups learned from rooms that somebody furnished.
 
-A group is found about the piece that makes it (a bed, a table, a sofa, a desk): what stands near
-it, faces it, stands on it or hangs above it. Each becomes a case in the group's own frame, as the
+A group is found about the piece that makes it (a bed, a table, a sofa, a desk): the pieces near
+it, facing it, on it or above it. Each becomes a case in the group's own frame, as the
 paper made its library from designers' rooms (Liu et al. 2017, section 3.4); what a person could
 not use is mended or dropped, and like cases of several homes become one with a range of sizes.
 """
@@ -276,7 +276,7 @@ def _renumber_members(members: list[Member], kept: list[Member]) -> list[Member]
 
 
 def box_members(function: str, members: Sequence[Member]) -> Group:
-    """Members as a case: the box round what stands, with room to rise from chairs."""
+    """Members as a case: the box round those on the floor, with room to rise from chairs."""
     low, high = np.full(2, np.inf), np.full(2, -np.inf)
     for member in members:
         if member.on >= 0 or member.z > TOP:

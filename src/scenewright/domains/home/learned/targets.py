@@ -54,7 +54,7 @@ def _distance(pair: tuple[str, str], seen: list[tuple[float, int]]) -> Distance:
 def _clearances(
     rooms: Iterable[FurnishedSpace], found: Sequence[GroupOccurrence], catalog: Catalog
 ) -> tuple[Clearance, ...]:
-    """Free floor round the boxes of groups; what stands in a box is no hindrance to it."""
+    """Free floor round the boxes of groups; pieces inside a box do not reduce it."""
     depths: dict[tuple[str, Beside], list[float]] = defaultdict(list)
     for room in rooms:
         floor = shapely.Polygon(room.space.outline, list(room.space.holes))

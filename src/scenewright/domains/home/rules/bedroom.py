@@ -8,7 +8,7 @@ from scenewright.domains.home.measures import AT_WALL
 from scenewright.domains.home.rules.classes import stand
 from scenewright.domains.home.rules.sources import FLATS
 
-DEAD = 0.6  # a gap behind a head counts in full from so many metres on
+DEAD = 0.6  # gap behind a head that counts in full, metres
 
 _NEAR = "{of} is within {metres} m of {to}"
 _UNIT = stand("a unit of the kitchen", *RUN)

@@ -53,7 +53,7 @@ BRIGHT, DAYLIT = 1.05, 2.1
 """Metres from a window up to which a desk is in full daylight, and from which it has hardly any: a
 window lights the floor as deep as its head is high (the primary sidelighted area of ASHRAE 90.1,
 2019, 3.2), by half of that well."""
-ROOMY = 8.0  # from so many square metres on a bed leaves the floor at doors free
+ROOMY = 8.0  # area from which a bed leaves the floor at doors free, m²
 NEAR_DOOR = 0.3  # a bed nearer to where a door opens is in the entrance, metres
 ASKEW = 0.05  # turned by more from every wall is askew, radians
 

@@ -37,8 +37,8 @@ AT_FRIDGE = 0.5  # what a machine beside the fridge costs of one away from all u
 TOGETHER = 0.06  # pieces nearer to one another than this stand together, metres
 IN_LINE = 0.3  # and if one is no farther ahead of the other, metres
 WHOLE_FROM, IN_SMALL = 9.0, 0.4
-"""From so many square metres on a kitchen is one whole: its fridge is at its units; how much that
-counts in a smaller one."""
+"""Area in m² from which a kitchen is one whole, its fridge at its units, and how much that counts
+in a smaller one."""
 CUPBOARDS = frozenset(
     (
         *("bookcase", "chest_of_drawers", "coat_rack", "console_table", "desk", "shelf_unit"),

@@ -31,7 +31,7 @@ SEEN, FELT = 0.12, 0.05  # shares of that and of the floor for feet that are not
 BESIDE_TABLE = 0.2  # a seat nearer than this to where one sits at a table crowds it, metres
 BEHIND = 4.0  # what it costs that an armchair looks at a back right before it
 APART = 0.3  # a screen nearer to a run, or a table nearer to a wardrobe, is beside it, metres
-UNSEEN = 0.02  # so much floor is not seen, square metres
+UNSEEN = 0.02  # floor too little to be seen, square metres
 
 _SOFA, _ARMCHAIR = stand("a sofa", *SOFAS), stand("an armchair", "armchair")
 _AT_SIGHT = Class(

@@ -38,12 +38,12 @@ CORNERS = np.array([[-FAR, -FAR], [FAR, -FAR], [FAR, FAR], [-FAR, FAR]])
 ENDLESS = np.column_stack((CORNERS, np.roll(CORNERS, -1, axis=0)))
 """Edges, metres, of a floor without walls."""
 NOWHERE = RoomParts(ENDLESS, np.zeros((0, 4)), np.zeros((0, 4)), np.zeros((0, 6)), FAR)
-"""A room of which nothing is known."""
+"""A room that nothing is known about."""
 
 
 class Fault(NamedTuple):
-    """A row that does not hold: of which piece, of which group, by which other group (empty: all
-    together, the room or what is there already), its degree in ]0, 1], and what it costs."""
+    """A broken row: the piece, its group, the other group that breaks it (empty: all together, the
+    room or fixed pieces), its degree in ]0, 1], and what it costs."""
 
     row: Row
     group: str

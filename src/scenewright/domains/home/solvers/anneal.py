@@ -196,7 +196,7 @@ def _run_stages(setup: Setup, chains: Chains, budget: Budget) -> tuple[list[Chai
 
 
 def have_agreed(energies: Floats, settings: ChainSettings) -> bool:
-    """Whether three of the chains (c,) came to the same lowest energy, each by itself: more work
+    """Whether three of the chains (c,) came to the same lowest energy independently: more work
     would find nothing better, so in small rooms half of it is saved.
 
     >>> usual = ChainSettings()

@@ -84,7 +84,7 @@ def sweep(
     tally: Floats,
     best: Floats,
 ) -> None:
-    """Try so many moves at one temperature.
+    """Try moves at one temperature.
 
     ``tally`` (4,): cost, composition and circulation in it, least cost; ``best`` (n, 8) frames.
     Circulation, which takes longest, is only looked at when all else would let a move pass.

@@ -103,7 +103,7 @@ def run_chains(
     ``steps``, ``begin`` a multiple of :data:`REFRESH`, and leave them as they end.
 
     ``bests`` (c, n, 8) are the best layouts so far; ``energies`` (c, 2) those of now and of the
-    best. Temperature falls geometrically over a schedule of which this run makes a part:
+    best. Temperature falls geometrically over a schedule; this run is a part of it:
     ``schedule`` (4,) is its hot and cold end and where the part starts and stops (0 to 1). The
     other arguments are scratch.
     """

@@ -47,7 +47,7 @@ def paper_sa(
     cancel: Cancel | None = None,
     moves: int = MOVES,
 ) -> Found[Layout]:
-    """Solve by the paper's annealing; without a budget, its 500 iterations of so many ``moves``.
+    """Solve by the paper's annealing; without a budget, its 500 iterations of ``moves`` moves.
 
     With a budget it goes on at the last temperatures, or stops early.
     """

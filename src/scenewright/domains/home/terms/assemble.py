@@ -216,7 +216,7 @@ def make_costs(n: int, relations: int) -> Costs:
 
 @inlined
 def keep_box(frames: Floats, i: int, p: PreparedHome, costs: Costs) -> None:
-    """Write what item ``i`` of frames (n, 8) costs by itself."""
+    """Write what item ``i`` of frames (n, 8) costs alone."""
     boxes = costs.boxes
     cost = box_cost(read_frame(frames, i), i, p, 0.0, math.inf)
     boxes[i, 0], boxes[i, 1], boxes[i, 2], boxes[i, 3] = cost

@@ -12,7 +12,7 @@ from scenewright.geometry.boxes import Floats, Frame, read_frame
 from scenewright.geometry.compiled import inlined
 
 ROOMY = 9.0
-"""From so many square metres on a room has floor on both sides of a double bed."""
+"""Area in m² from which a room has floor on both sides of a double bed."""
 AHEAD = 0.3
 """Metres before the middle of its back at which the floor beside a bed is measured."""
 FARTHEST = 1.0

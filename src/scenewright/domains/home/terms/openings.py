@@ -1,4 +1,4 @@
-"""Terms of openings: what stands before windows and before wide doors and passages."""
+"""Terms of openings: furniture before windows and before wide doors and passages."""
 
 from __future__ import annotations
 

@@ -108,7 +108,7 @@ def spots_of(to: tuple[str, ...], space: Space, fixed: tuple[Piece, ...]) -> Flo
 
 
 def _list_across(space: Space) -> Floats:
-    """The edges (k, 4) of a room that look back at a door, none of which has one itself."""
+    """The edges (k, 4) of a room that look back at a door and have none themselves."""
     walls = spots_of(("wall",), space, ())
     way = walls[:, 2:] - walls[:, :2]
     into = np.column_stack([-way[:, 1], way[:, 0]]) / np.hypot(*way.T)[:, None]

@@ -95,7 +95,7 @@ def restrict_library(library: Library, room: Room) -> Library:
 
 
 def _without(case: Group, category: str) -> Group | None:
-    """A case less the members of a category and what stands on them; None if it cannot do
+    """A case less the members of a category and what is on them; None if it cannot do
     without."""
     if not _holds(case, category):
         return case

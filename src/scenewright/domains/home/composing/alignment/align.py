@@ -39,10 +39,10 @@ ORDER = (
 BY_BOX = frozenset(("single", "bunk"))
 """Groups that are as deep at their wall as they are."""
 LOOSE = frozenset(("seating",))
-"""Groups that need not touch what stands beside them."""
+"""Groups that need not touch their neighbours."""
 ROUNDS = 2
 BETTER = 0.06  # what is gained at least, metres off an axis
-SKEW, SKEWED = 0.002, 0.2  # from so many radians on a piece is skew, and what that costs
+SKEW, SKEWED = 0.002, 0.2  # radians from which a piece is skew, and what that costs
 SHARES = (0.0, 0.15, 0.3, 0.45, 0.6, 0.75, 0.9)  # of the way to an axis that may be left
 LESS, CUT, STAND_SHORT = 0.3, 0.3, 0.15
 """By how many metres a stand of a screen may be narrower for its axis, what a metre of that costs,
@@ -115,8 +115,8 @@ def _measure(group: FurnishedGroup) -> tuple[float, float]:
 
 
 def _cost_at(span: Span, axes: list[Axis], case: Group, middle: float) -> float:
-    """What a case costs with its middle so many metres along a wall: gaps beside it, and how far
-    it is off its axes."""
+    """What a case costs with its middle at ``middle`` metres along a wall: gaps beside it, and how
+    far it is off its axes."""
     cost, main = span.cost_at(middle, case.width), middle + find_aside(case)
     for axis in axes:
         off = abs(span.along(axis.x, axis.y) - main)

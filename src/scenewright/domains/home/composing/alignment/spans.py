@@ -30,15 +30,15 @@ CASES = frozenset(
 )
 """Kinds with straight sides, beside which a slit shows."""
 GAP_SHOWS, DEAD, SLIT = 0.02, 0.6, 0.3
-"""From so many metres on a gap shows, up to so many it is of no use, and what one such gap costs,
-in metres off an axis."""
+"""Gap widths in metres from which a gap shows and up to which it is useless, and what one costs, in
+metres off an axis."""
 OFF_DOOR = 0.15  # what ends nearer to the floor of a door is brushed by who passes, metres
 
 
 class Span(NamedTuple):
     """A stretch of a wall: x, y of the wall's start and its unit direction (``row``), the heading
     of what has its back there, from where to where along the wall nothing stands, the middle of
-    what stands in it (``at``), metres, and what it ends at on either side."""
+    the piece in it (``at``), metres, and what it ends at on either side."""
 
     row: tuple[float, float, float, float]
     heading: float
@@ -48,7 +48,7 @@ class Span(NamedTuple):
     ends: tuple[int, int]
 
     def box_at(self, middle: float, case: Group) -> Floats:
-        """The box (5,) of a case with its middle so many metres along the wall."""
+        """The box (5,) of a case with its middle at ``middle`` metres along the wall."""
         return boxes_along(np.array([middle]), self.row, self.heading, case)[0]
 
     def along(self, x: float, y: float) -> float:
@@ -79,7 +79,7 @@ class Span(NamedTuple):
 
 
 def cost_of_gap(gap: float, end: int) -> float:
-    """What a gap of so many metres to what ends a stretch costs.
+    """What a ``gap`` (metres) to the ``end`` of a stretch costs.
 
     >>> [cost_of_gap(gap, CORNER) for gap in (0.0, 0.1, 0.5, 0.7)], cost_of_gap(0.1, OPEN)
     ([0.0, 0.3, 0.3, 0.0], 0.0)
@@ -94,8 +94,8 @@ def cost_of_gap(gap: float, end: int) -> float:
 def find_span(
     ground: Ground, box: Floats, depth: float, height: float, standing: StandingObstacles
 ) -> Span | None:
-    """The stretch of the wall behind a box (5,) that is free so deep and so high beside what stands
-    there; None for what stands at no wall."""
+    """The stretch of the wall behind a box (5,) that is free ``depth`` deep and ``height`` high
+    beside ``standing``; None for a box at no wall."""
     walls = read_walls(ground)
     x, y, heading, _, deep = box.tolist()
     for number, turn in enumerate(walls.heading.tolist()):
@@ -113,8 +113,8 @@ Ends = list[tuple[float, float, int]]
 
 
 def _nearest(ends: Ends, at: float) -> tuple[tuple[float, int], tuple[float, int]]:
-    """Where the stretch about ``at`` begins and ends and at what, of what stands from where to
-    where along the wall; of two that end alike the one that minds a gap more."""
+    """Where the stretch about ``at`` begins and ends, and at what, from the extents of obstacles
+    along the wall; of two that end alike the one that minds a gap more."""
     before = max((high, kind) for low, high, kind in ends if low + high <= 2 * at)
     after = min((low, -kind) for low, high, kind in ends if low + high > 2 * at)
     return before, (after[0], -after[1])

@@ -24,7 +24,7 @@ Floats = NDArray[np.float64]
 METRES = {"sleeping": 2.4, "single": 1.6, "bunk": 2.4}
 """Metres of wardrobe that are enough beside a bed, by its group."""
 MORE = 0.45  # what is beyond that by no more is left, metres
-SPARE = 0.2  # what is cut still has so much more than enough, metres
+SPARE = 0.2  # what is cut keeps this much more than the least, metres
 
 
 def trim_wardrobe(task: RoomTask, best: JudgedRoom) -> JudgedRoom:
@@ -44,7 +44,7 @@ def trim_wardrobe(task: RoomTask, best: JudgedRoom) -> JudgedRoom:
 
 
 def _list_cut(task: RoomTask, placed: Placed, at: int, most: float) -> Iterator[Placed]:
-    """The groups with one of them in its widest form of at most so many metres and no more depth,
+    """The groups with one of them in its widest form of at most ``most`` metres and no more depth,
     at either end of where it stands."""
     group, rest = placed[at], (p for i, p in enumerate(placed) if i != at)
     pieces = (*task.fixed, *task.beside, *(p for other in rest for p in other.pieces))

@@ -23,9 +23,9 @@ COVERED = 0.29
 SMALLER = frozenset(("dining_wall", "lounger"))
 """What is added instead of what is lacking and finds no place."""
 EVERY = 4
-"""Of the second runs of a kitchen, shipped in steps of 0.05 m, one in so many is tried."""
+"""One second run of a kitchen is tried in this many, as they are shipped in steps of 0.05 m."""
 FULLER = (("shelf", 9.0), ("sideboard", 9.0), ("plant", 9.0), ("shelf", 14.0))
-"""What a bare living room takes, in this order, from so many square metres on."""
+"""What a bare living room takes, in this order, and the area in m² from which it does."""
 
 
 def list_additions(
@@ -56,7 +56,7 @@ def list_additions(
 
 
 def is_wanted(task: RoomTask, placed: Placed, wish: Wish, lacks: tuple[Missing, ...]) -> bool:
-    """Whether an addition is still wanted beside what stands by now."""
+    """Whether an addition is still wanted beside the groups placed by now."""
     there = [p.wish.group for p in placed]
     if lacks:
         return True
@@ -85,7 +85,7 @@ def _has_few_seats(group: FurnishedGroup) -> bool:
 
 
 def _covered_by(placed: Placed) -> float:
-    """Square metres under what stands on the floor, rugs apart."""
+    """Square metres under furniture on the floor, without rugs."""
     low = (p for g in placed for p in g.pieces if p.pose.z < 0.05 and p.category != "rug")
     return sum(p.size.width * p.size.depth for p in low)
 

@@ -1,4 +1,4 @@
-"""Places of one more group amid the free stretches of walls."""
+"""Places of one more group at the middle of free stretches of wall."""
 
 from __future__ import annotations
 
@@ -23,8 +23,8 @@ from scenewright.domains.home.programme import Wish
 def list_amid_walls(
     task: RoomTask, placed: Placed, wish: Wish, growth: Growth, way: float
 ) -> Iterator[FurnishedGroup]:
-    """A group amid each free stretch of wall, so many metres of ``way`` before it: of its depths
-    the greatest first, then the longest stretch."""
+    """A group at the middle of each free stretch of wall, ``way`` metres free before it: of its
+    depths the greatest first, then the longest stretch."""
     standing = standing_of(pieces_of(task, placed), flat_kinds(task.catalog))
     for depth, forms in reversed(list_depths(growth)):
         height = forms[0].members[0].size.height

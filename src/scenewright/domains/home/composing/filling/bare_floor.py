@@ -2,7 +2,7 @@
 
 What a living room needs stands in one half of it where the room is long; the other half is then
 bare, however much of the whole is covered. So the largest empty circle of the composed room is
-furnished, while it is large, with what stands free in it and bars no way.
+furnished, while it is large, with free-standing furniture that bars no way.
 """
 
 from __future__ import annotations
@@ -42,24 +42,23 @@ from scenewright.geometry.fit import is_backed
 
 Floats = NDArray[np.float64]
 
-SECOND_ZONE_FROM = 12.0  # rooms of so many square metres have a second zone
-BARE = 1.0  # an empty circle of so many metres of radius is bare
-LESS = 0.1  # by so many metres a group is to make it smaller
-TWO = 24.0  # from so many square metres on two armchairs stand where one stood by itself
+SECOND_ZONE_FROM = 12.0  # area from which a room has a second zone, m²
+BARE = 1.0  # radius from which an empty circle is bare, metres
+LESS = 0.1  # a group shrinks its radius by at least this, metres
+TWO = 24.0  # area from which two armchairs replace a lone one, m²
 ZONES = 3  # groups that are added to a room at most
-TWICE = 2  # of one kind a room has at most so many
+TWICE = 2  # most groups of one kind in a room
 TRIED = 16  # places of one form that are furnished
 OFF_WALL, NEAR_AT_WALL = (
     0.4,
     0.05,
 )  # how far before its wall something stands, and how near at it, metres
-AMID = (
-    0.3  # by so many metres a circle is to be smaller with something amid the room than at a wall
-)
+AMID = 0.3  # radius, metres, by which a free-standing group has to do better than one at a wall
 PAIRS_APART = 4.5  # nearer middles of two pairs of armchairs are rows of seats, metres
 NOWHERE: Floats = np.empty((0, 5))
 FREE = frozenset(form.name for form in talking())
-"""Forms that also stand a step before their wall, as before a window, or amid the room."""
+"""Forms that also stand a step before their wall, as before a window, or in the middle of the
+room."""
 
 
 def _seats() -> Iterator[Group]:
@@ -108,7 +107,7 @@ def list_other(placed: Placed, forms: Iterable[Group]) -> Iterator[Group]:
 
 
 def _seat_two(task: RoomTask, answer: RoomAnswer, barred: frozenset[str]) -> RoomAnswer:
-    """The answer with two armchairs where one stands by itself in what is bare without it."""
+    """The answer with two armchairs where one stands alone in floor that is bare without it."""
     lone = next((p for p in answer.placed if p.wish.group == "reading" and _is_lone(p)), None)
     small = task.ground.area < TWO or "living" not in task.space.functions
     if lone is None or small or lone.wish.required:
@@ -161,7 +160,7 @@ def _list_smaller(
     task: RoomTask, placed: Placed, group: FurnishedGroup, void: Void
 ) -> Iterator[tuple[float, int, FurnishedGroup]]:
     """A group at the places that make an empty circle smaller, each after the radius that is left,
-    more amid the room, and its number in order of cost."""
+    more if free-standing, and its number in order of cost."""
     pieces = pieces_of(task, placed)
     floor = free_floor(task, pieces)
     for number, added in enumerate(_list_added(task, placed, group, void)):

@@ -52,7 +52,7 @@ BARE_WALLS = {
 }
 """By function of a room."""
 FORMS, PLACES, EACH = 3, 4, 5
-"""Forms that are tried of each, and places of a form: of those in a row one in so many."""
+"""Forms tried of each group, places tried of a form, and of places in a row every how many."""
 
 
 def furnish_bare_walls(task: RoomTask, answer: RoomAnswer, barred: frozenset[str]) -> RoomAnswer:

@@ -22,7 +22,7 @@ Floats = NDArray[np.float64]
 TRIED = 6  # places that are furnished, if not stated
 WORTH = 1.0  # what a room may cost more for it, if not stated
 ELBOWS = frozenset(("toilet",))
-"""Groups with elbow room beside what stands."""
+"""Groups that need elbow room beside their neighbours."""
 
 
 def list_others(task: RoomTask, placed: Placed, group: FurnishedGroup) -> StandingObstacles:
@@ -50,9 +50,9 @@ def take_first_place(
     worth: float = WORTH,
     tried: int = TRIED,
 ) -> Placed:
-    """The groups with one of them in the first of some forms (so many are ``tried``), each on a box
-    (5,), in which it has no more faults, the room costs at most what it is ``worth`` more and no
-    further way is barred; or as they were."""
+    """The groups with one of them in the first form ``found``, each with its box (5,) and at most
+    ``tried`` of them, in which it has no more faults, the room costs at most what it is ``worth``
+    more and no further way is barred; or as they were."""
     at, rule = placed.index(group), task.preset.settings.composing
     judge: RoomJudge | None = None
     most, faults = inf, cost_of_group(group, task.ground, rule)

@@ -1,7 +1,7 @@
 """Halls that have no cabinet for shoes: a console table with a vase and a picture.
 
 A home keeps its shoes in one hall; another of 4 m² and more would hold a coat rack and nothing
-else. The table stands amid a free stretch of wall where 0.9 m stay free before it.
+else. The table stands at the middle of a free stretch of wall where 0.9 m stay free before it.
 """
 
 from __future__ import annotations

@@ -19,7 +19,7 @@ SHELVES = frozenset(("shelf", "storage"))
 SHELVES_TOUCH, ONE_ROW = 0.03, 1.0
 """Shelves nearer to each other touch, and those farther apart are not one row, metres."""
 IN_LINE, TURNED = 0.1, 0.05  # what is farther before its wall, or turned, is in no row, m and rad
-CORNER = 2.0  # metres to a corner count so many times those to the next shelf
+CORNER = 2.0  # weight of metres to a corner, to the next shelf 1
 WORTH = 1.0  # what a room may cost more for a gap that is closed
 
 

@@ -10,7 +10,7 @@ from scenewright.domains.home.attempt import FurnishedGroup
 from scenewright.domains.home.composing.judging import Placed
 
 TALK = 2.5
-"""People talk at most so many metres from seat to seat (Panero, Zelnik 1979)."""
+"""Most metres from seat to seat at which people talk (Panero, Zelnik 1979)."""
 TALKED_AT = 0.9  # where those on a sofa look at one another, metres before its middle
 
 

@@ -19,11 +19,11 @@ from scenewright.domains.home.measures import RAISED
 
 Floats = NDArray[np.float64]
 
-EXACT = 0.05  # a radius is found to so many metres
+EXACT = 0.05  # accuracy of a radius, metres
 SIGHT = 1.0  # width of the floor between seats and screen that is left free, metres
-FREE_BEFORE = 1.2  # what stands free has so many metres of floor before it
+FREE_BEFORE = 1.2  # floor before a free-standing piece, metres
 TURNED = 3.0  # it turns its back on nobody's seat that is nearer than this, metres
-COOKS, EATS = 1.2, 0.6  # and keeps so many metres from a kitchen, and from chairs at a table
+COOKS, EATS = 1.2, 0.6  # its distance from a kitchen, and from chairs at a table, metres
 TOUCH = 0.05
 
 
@@ -36,7 +36,7 @@ class Void(NamedTuple):
 
 
 def find_void(task: RoomTask, pieces: tuple[Piece, ...]) -> Void:
-    """The largest circle on the floor of a room clear of walls, doors, what stands and the sight
+    """The largest circle on the floor of a room clear of walls, doors, furniture and the sight
     from seats to a screen (Toussaint 1983; by polygons, within :data:`EXACT`)."""
     return find_circle(free_floor(task, pieces))
 
@@ -54,14 +54,14 @@ def find_circle(floor: shapely.Geometry) -> Void:
 
 
 def free_floor(task: RoomTask, pieces: tuple[Piece, ...]) -> shapely.Geometry:
-    """The floor of a room clear of doors, what stands and the sight from seats to a screen."""
+    """The floor of a room clear of doors, furniture and the sight from seats to a screen."""
     zones = [_outline(box) for box in (*task.ground.keep_free, *_list_sights(pieces))]
     taken = shapely.union_all([*polygons_of(_list_low(task, pieces)), *zones])
     return _floor_of(task).difference(taken)
 
 
 def open_floor(task: RoomTask, pieces: tuple[Piece, ...]) -> shapely.Geometry:
-    """The floor of a room clear of what stands, before doors and screens as well."""
+    """The floor of a room clear of furniture, also that before doors and screens."""
     return _floor_of(task).difference(shapely.union_all(polygons_of(_list_low(task, pieces))))
 
 

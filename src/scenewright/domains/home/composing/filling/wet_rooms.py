@@ -1,8 +1,8 @@
 """Bathrooms and washrooms once they stand: machines, cabinets and baskets in their niches.
 
 In a tight room the search ends with the smallest forms, wherever they fit. Here a machine of
-0.48 m becomes one of 0.6 m, and a cabinet goes where it touches what stands on both sides, as wide
-as that niche, where nothing else has to move and no way is barred.
+0.48 m becomes one of 0.6 m, and a cabinet goes where it touches its neighbours on both sides, as
+wide as that niche, where nothing else has to move and no way is barred.
 """
 
 from __future__ import annotations
@@ -130,8 +130,8 @@ def _list_niches(
 
 
 def _pick_forms(forms: tuple[Group, ...], length: float) -> list[Group]:
-    """Of forms, the widest first, the widest on a stretch of so many metres, and what is narrower
-    by :data:`LESS` each and still :data:`TALL` wide: the widest may bar what others do not."""
+    """Of ``forms``, the widest first: the widest that fits ``length`` metres, then ones narrower
+    by :data:`LESS` each down to :data:`TALL`, as the widest may bar what others do not."""
     widest = next(form for form in forms if form.width <= length)
     narrower = (widest.width - k * LESS for k in range(1, 4))
     wanted = [wide for wide in narrower if wide >= TALL - HAIR]
@@ -139,7 +139,7 @@ def _pick_forms(forms: tuple[Group, ...], length: float) -> list[Group]:
 
 
 def can_stand_before(ground: Ground, box: Floats, standing: StandingObstacles) -> bool:
-    """Whether one can stand before a box (5,): no wall is near, and what stands beside it does not
+    """Whether one can stand before a box (5,): no wall is near, and its neighbours do not
     end far beyond its front."""
     depth, low = float(box[4]), standing.spans[:, 0] < HUNG
     before = find_stretch(ground, box, depth + FRONT, standing.boxes[low], depth + PAST)

@@ -1,4 +1,4 @@
-"""How wide what stands along walls of bathrooms, halls and stores may be by square metres."""
+"""How wide furniture along walls of bathrooms, halls and stores may be, by area of the room."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ SHELVED = 5.0  # what a store may cost more for a wall of shelves
 
 
 class Growth(NamedTuple):
-    """Forms a group may grow to; rows (area, usual, most), the smallest room first: from so many
+    """Forms a group may grow to; rows (area, usual, most), the smallest room first: from ``area``
     square metres on it is ``usual`` metres wide, and up to ``most`` where it then fills its stretch
     of wall; whether a way stays free before it (``walked``); what the room may cost more for it
     (``worth``), and how far it keeps off where doors open in rooms of

@@ -41,9 +41,9 @@ from scenewright.domains.home.remove_blockers import Opened
 LEAST, USUAL, MOST = 2, 4, 6
 """Places at a table: at the very least, where there is floor for them, and at most."""
 USUAL_FLOOR = 0.95
-"""With an empty circle of so many metres of radius a room has floor for :data:`USUAL` places."""
+"""Radius in metres of the empty circle from which a room has floor for :data:`USUAL` places."""
 BARE = 0.9
-"""A kitchen without a table is bare from an empty circle of so many metres of radius on."""
+"""Radius in metres of the empty circle from which a kitchen without a table is bare."""
 COOKED_IN = frozenset(("kitchen", "hall"))
 """What a kitchen may be besides and still be nothing else."""
 EATEN_IN = (
@@ -51,10 +51,10 @@ EATEN_IN = (
     (frozenset(("hall",)), 6.0),
     (frozenset(("bedroom", "study", "double_bedroom", "single_bedroom")), 7.0),
 )
-"""Rooms that may have the table, from so many square metres on, the more fitting first; one that is
+"""Rooms that may have the table, and their least area in m², the more fitting first; one that is
 neither lived nor cooked in only where no other has one."""
 FORMS = 3
-"""The smallest so many tables of a kind are tried: where none of them stands no larger one does."""
+"""Tables of a kind tried, the smallest first: where none of them fits no larger one does."""
 WALKED = 3
 """Places of tables that are walked past through the whole home."""
 REASON = "no room of the home has a place for a table with two stools"
@@ -193,8 +193,8 @@ def _list_seats(most: int, there: float) -> list[float]:
 def _list_set(
     task: RoomTask, answer: RoomAnswer, place: DiningPlace, seats: float, yields: bool
 ) -> Iterator[tuple[int, RoomAnswer]]:
-    """The room with one of the tables for so many, beside all else or, where something ``yields``,
-    in its place."""
+    """The room with one of the tables for ``seats``, beside all else or, where something
+    ``yields``, in its place."""
     rooms = list_yielding(place.rest) if yields else ((place.rest, ()),)
     for rest, gone in rooms:
         radius = find_void(task, pieces_of(task, rest)).radius if yields else place.radius
@@ -214,8 +214,8 @@ def _is_served(missing: Missing) -> bool:
 
 @cache
 def list_tables(seats: float) -> tuple[Group, ...]:
-    """The smallest tables with so many places, the better first: freestanding ones, then those at a
-    wall.
+    """The smallest tables with ``seats`` places, the better first: freestanding ones, then those
+    at a wall.
 
     >>> [case.name for case in list_tables(6)][:2]
     ['1.6 m table for 6', '1.8 m table for 6']

@@ -59,7 +59,7 @@ Floats = NDArray[np.float64]
 
 BACK: Floats = np.array([0.0, 0.0, np.pi, 0.0, 0.0])
 NOWHERE: Floats = np.empty((0, 5))
-SETTLED_APART = 0.3  # places of one form are so many metres from one another
+SETTLED_APART = 0.3  # least distance between places of one form, metres
 PLACES = 5  # of one form that are furnished
 YIELDING = frozenset(("plant", "console"))
 """What makes room for a first table."""
@@ -81,16 +81,16 @@ def may_take_in(task: RoomTask, group: str) -> bool:
 
 
 def list_placed(
-    task: RoomTask, rest: Placed, wish: Wish, case: Group, amid: bool
+    task: RoomTask, rest: Placed, wish: Wish, case: Group, free: bool
 ) -> Iterator[FurnishedGroup]:
-    """A group as a case beside the rest, along walls or ``amid`` the floor, where the room costs
-    least first."""
+    """A group as a case beside the rest, along walls or also ``free``-standing, where the room
+    costs least first."""
     if task.forbidden.intersection(m.category for m in case.members):
         return
     group = make_unplaced(task, rest, wish, case)
     standing = standing_of(pieces_of(task, rest), flat_kinds(task.catalog))
     rows = [boxes for _, boxes in find_places(task, (case,), standing, group)]
-    if amid:
+    if free:
         there = list_amid(task, case, standing)
         rows += [there, stand_at(task, case, there + BACK, standing)]
     boxes = order_boxes(task, (*rest, group), np.concatenate([NOWHERE, *rows]))

@@ -38,7 +38,7 @@ SAT_IN = (
     (frozenset(("bedroom", "double_bedroom", "single_bedroom", "study", "dining")), 7.0),
     (frozenset(("kitchen", "hall")), 9.0),
 )
-"""Rooms that may have the seat, from so many square metres on, the more fitting first."""
+"""Rooms that may have the seat, and their least area in m², the more fitting first."""
 CHAIRS = (Size(0.78, 0.8, 0.85), Size(0.66, 0.68, 0.8))
 """Armchairs without a lamp, the larger first."""
 SMALL = 1.45
@@ -75,26 +75,26 @@ def _list_trials(
 
 def _list_seated(task: RoomTask, before: Placed, forms: Sequence[Group]) -> Iterator[Placed]:
     """The groups of a room with each of some seats beside them at its best sound place at a wall;
-    none where the least has no such place. In a large one two armchairs stand amid the floor."""
+    none where the least has no such place. In a large one two armchairs stand free."""
     least = _seat_in(task, before, forms[-1])
     if least is not None:
         each = (_seat_in(task, before, case) for case in forms[:-1])
         yield from (placed for placed in each if placed is not None)
         yield least
     elif task.ground.area >= SECOND_ZONE_FROM:
-        pairs = (_seat_in(task, before, case, amid=True) for case in talking())
+        pairs = (_seat_in(task, before, case, free=True) for case in talking())
         yield from (placed for placed in pairs if placed is not None)
 
 
-def _seat_in(task: RoomTask, before: Placed, case: Group, amid: bool = False) -> Placed | None:
+def _seat_in(task: RoomTask, before: Placed, case: Group, free: bool = False) -> Placed | None:
     """The groups of a room with a seat beside them at its best sound place, at a wall or also
-    ``amid`` the floor."""
+    ``free``-standing."""
     if not may_take_in(task, case.function):
         return None
-    found = list_placed(task, before, Wish(case.function, WELCOME), case, amid)
+    found = list_placed(task, before, Wish(case.function, WELCOME), case, free)
     pieces = pieces_of(task, before)
-    free = (p for p in found if not amid or may_stand_free(task, pieces, p.dressed.box))
-    return next(list_sound(task, before, before, free), None)
+    sound = (p for p in found if not free or may_stand_free(task, pieces, p.dressed.box))
+    return next(list_sound(task, before, before, sound), None)
 
 
 def _rank(task: RoomTask) -> int:

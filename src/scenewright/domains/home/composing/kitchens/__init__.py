@@ -1,1 +1,1 @@
-"""Kitchens made to measure for a room: where they may stand, of which lines, what each costs."""
+"""Kitchens made to measure for a room: where they may stand, their lines, what each costs."""

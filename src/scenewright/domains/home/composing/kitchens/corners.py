@@ -37,7 +37,7 @@ LONG, UNIT = 1.2, 0.6
 """Metres by which an arm is longer than the least that is tried in a length between as well, from
 twice as many on also by one unit longer than the least."""
 WIDE_SINK = 0.9
-"""A sink with its drainer is narrower than so many metres."""
+"""Width in metres below which a sink has a drainer."""
 WORKED = 0.9
 """Metres of worktop between hob and sink (NKBA, Planning Guidelines, 2012, 12): what more there is,
 if it is a unit, lies beyond the sink."""
@@ -57,14 +57,14 @@ def _corners(low: list[KitchenStretch]) -> Iterator[tuple[KitchenStretch, Kitche
 
 
 ROUND = ("h/s", "s/h", "hs/", "/hs")
-"""What stands on either side of a corner."""
+"""The units on either side of a corner."""
 
 
 def list_round_corners(
     low: list[KitchenStretch], most: float, whole: bool, left: float = 0.0
 ) -> Iterator[FittedKitchen]:
-    """Two lines of at most so many metres that meet in a corner, with a fridge at either end if it
-    is to be ``whole``; arms without it also with so much ``left`` of their wall, metres."""
+    """Two lines of at most ``most`` metres that meet in a corner, with a fridge at either end if
+    ``whole``; arms without it also with ``left`` metres of their wall unused."""
     for one, other in _corners(low):
         for holds, cold in product(ROUND, (0, 1) if whole else (-1,)):
             arms = holds.split("/")
@@ -156,7 +156,7 @@ AROUND = ("h/s/f", "f/s/h", "hf/s/", "/s/hf", "sf/h/", "/h/sf", "s/h/f", "f/h/s"
 
 
 def list_us(low: list[KitchenStretch], most: float) -> Iterator[FittedKitchen]:
-    """Three lines round two corners, the outer ones of at most so many metres."""
+    """Three lines round two corners, the outer ones of at most ``most`` metres."""
     meetings = list(_corners(low))
     for (one, middle), (again, other) in product(meetings, meetings):
         if middle is not again:

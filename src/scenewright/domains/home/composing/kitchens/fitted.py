@@ -1,7 +1,7 @@
 """Kitchens made to measure for a room: systematically along its walls, from simple to split.
 
 Each step lists kitchens of one make-up over all free stretches of wall: one run with its fridge,
-two or three lines round corners (L and U); the same and the fridge by itself; hob and sink in lines
+two or three lines round corners (L and U); the same with the fridge apart; hob and sink in lines
 of their own. A line takes its stretch up to what the room asks for, or the least without a fault.
 """
 
@@ -51,14 +51,14 @@ LANDED = 2.4
 """Metres of a run that leave worktop between its fridge and its sink as well."""
 FACING = -0.995  # cosine of the angle between walls that face each other
 U_FROM = 8.0
-"""From so many square metres on a kitchen goes round two corners."""
+"""Area in m² from which a kitchen goes round two corners."""
 Units = tuple[Unit, ...]
 
 
 class FreeWalls(NamedTuple):
     """Where units stand free (``low``), and where what is as tall as a fridge does, in a room of
-    ``area`` square metres; a kitchen in it has at most so much ``more`` front than it asks for,
-    ``longest`` in any case, and may leave so much of a wall to a ``machine`` beside it, metres."""
+    ``area`` square metres; a kitchen in it has at most ``more`` metres of front than it asks for,
+    ``longest`` in any case, and may leave ``machine`` metres of a wall to a washing machine."""
 
     low: list[KitchenStretch]
     tall: list[KitchenStretch]
@@ -159,7 +159,7 @@ def _bare_runs(free: FreeWalls) -> Iterator[FittedKitchen]:
 
 
 def _with_fridge(free: FreeWalls, kitchens: Iterable[FittedKitchen]) -> Iterator[FittedKitchen]:
-    """Kitchens with a fridge by itself at either end of any stretch tall enough, or beside their
+    """Kitchens with a fridge apart at either end of any stretch tall enough, or beside their
     own lines."""
     for kitchen in kitchens:
         for stretch in free.tall:

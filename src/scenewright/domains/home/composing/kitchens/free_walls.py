@@ -33,7 +33,7 @@ class KitchenStretch(NamedTuple):
 def list_stretches(
     ground: Ground, standing: StandingObstacles, depth: float, height: float, least: float
 ) -> list[KitchenStretch]:
-    """The free stretches of walls of at least so many metres, where something ``depth`` deep and
+    """The free stretches of walls of at least ``least`` metres, where something ``depth`` deep and
     ``height`` tall meets no wall, door zone, lower window or standing piece.
 
     Exact: of whatever reaches into the strip before a wall, the part within is cut out.

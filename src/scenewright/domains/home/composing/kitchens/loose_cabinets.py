@@ -1,7 +1,7 @@
 """Short second runs that stand apart from their kitchen when a home is done, moved to its side.
 
 One or two cabinets by themselves are no place to work at: beside the run they lengthen its worktop.
-They change places with what stands there; where they cannot, they stay, but for a single cabinet,
+They change places with the pieces there; where they cannot, they stay, but for a single cabinet,
 which is left out where the run has worktop enough without it.
 """
 
@@ -76,7 +76,7 @@ def _list_joined(task: RoomTask, before: RoomAnswer, group: FurnishedGroup) -> I
 
 
 def _list_as_long(group: FurnishedGroup) -> tuple[Group, ...]:
-    """The form of a second run, or the shortest that is as long as what stands of it."""
+    """The form of a second run, or the shortest that is as long as its placed pieces."""
     long = _measure(group)
     if list_standing(group) == group.dressed.case:
         return (group.dressed.case,)

@@ -42,7 +42,7 @@ from scenewright.domains.home.groups.kitchen import FRIDGE, UNIT_DEPTH, WORKTOP_
 Likeness = Callable[[FittedKitchen], Hashable]
 Dressed = FurnishedGroup | None
 KitchenStep = Callable[[float], list[JudgedRoom]]
-"""Looks for the kitchens of one make-up that cost less than so much, the cheapest first."""
+"""Looks for kitchens of one make-up that cost less than a bound, the cheapest first."""
 
 LISTED, TRIED, KEPT = 900, 250, 4
 """Kitchens of one step that are listed, tried, and kept; of those twice as many in a room of
@@ -89,7 +89,7 @@ def may_reform(task: RoomTask, placed: Placed) -> bool:
 
 def parts_of(placed: Placed, run: FurnishedGroup) -> Placed:
     """The groups that a kitchen in the place of a run stands for: its fridge as well, unless
-    somebody asked for the run by itself."""
+    somebody asked for the run alone."""
     apart = run.wish.required
     return tuple(p for p in placed if p is run or (p.wish.group in (*RUNS, "fridge") and not apart))
 
@@ -112,8 +112,8 @@ def list_fitted(
     longest: float = inf,
 ) -> Iterator[KitchenStep]:
     """The steps of the kitchens made to measure beside the ``rest``, those that bar no more than is
-    ``barred``; of those with the same ``likeness`` one; some leave so many metres of their wall to
-    a ``machine`` that follows; none has more than so many metres of front (``longest``)."""
+    ``barred``; of those with the same ``likeness`` one; some leave ``machine`` metres of their wall
+    to a washing machine that follows; none has more than ``longest`` metres of front."""
     standing = standing_of(
         (*task.fixed, *task.beside, *(q for p in rest for q in p.pieces)), flat_kinds(task.catalog)
     )

@@ -3,7 +3,7 @@
 While a room is composed both are weighed against all else and against the ways on a grid, so that a
 fridge may end up across the room, or a hob before a window, though there is a place for a kitchen
 without either. It is looked for when the ways of the home are open: the fridge at an end of its
-run, where need be in the place of what stands there (:mod:`.fridge_places`); a kitchen made to
+run, where need be in place of the pieces there (:mod:`.fridge_places`); a kitchen made to
 measure beside the rest; one before all others, which follow it. What is merely welcome may
 give way.
 """
@@ -39,7 +39,7 @@ from scenewright.domains.home.composing.places.moving import with_margin
 WORTH = 30.0  # what a room may cost more for a kitchen without such a fault
 FOLLOWED = 3  # kitchens of one make-up that stand first and are followed by all others
 APART, LOW = 1, 3
-"""Steps of the kitchens made to measure that have their fridge by itself, or under the worktop."""
+"""Steps of the kitchens made to measure that have their fridge apart, or under the worktop."""
 ACROSS = 1.0
 """A fridge farther than this from its kitchen may go under the worktop, metres."""
 

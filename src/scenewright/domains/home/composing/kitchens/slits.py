@@ -1,8 +1,8 @@
 """Slits between the end of a run and a wall or a neighbour, closed by a wider cabinet.
 
 Places along walls are looked for in steps, so a run may end 5 to 25 cm before its corner: floor
-that nobody can clean. The cabinet nearest to that end becomes as much wider, and what stands
-between it and the end moves by as much.
+that nobody can clean. The cabinet nearest to that end is widened by the gap, and the units
+between it and the end move along.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from scenewright.domains.home.groups.kitchen import UNIT_DEPTH, WORKTOP_HEIGHT
 from scenewright.domains.home.measures import RAISED
 
 SLIT = (0.03, 0.25)  # between these a gap is a slit, metres
-WIDEST = 1.0  # a cabinet grows to so much, metres
+WIDEST = 1.0  # greatest width of a cabinet that grows, metres
 AT = 0.02  # what hangs nearer to the middle of a unit hangs above it, metres
 
 
@@ -80,7 +80,7 @@ def is_unit(member: Member) -> bool:
 
 
 def _measure_gap(task: RoomTask, answer: RoomAnswer, piece: Piece, side: int) -> float:
-    """Metres from a side of a unit to what stands there along its wall; 0 away from walls."""
+    """Metres from a side of a unit to its neighbour along the wall; 0 away from walls."""
     others = (q for p in answer.placed for q in p.pieces if q is not piece)
     standing = standing_of((*task.fixed, *task.beside, *others), flat_kinds(task.catalog))
     taken = list_taken(task.ground, standing, np.empty((0, 5)), WORKTOP_HEIGHT)
@@ -106,7 +106,7 @@ def _close(
 
 
 def widen_end(case: Group, slit: Slit) -> Group | None:
-    """A case with the cabinet nearest to a slit so much wider, all between it and the end moved;
+    """A case with the cabinet nearest to a slit widened to close it, all beyond it moved;
     None where none may grow."""
     units = [m for m in case.members if is_unit(m)]
     moved, at = list[Member](), slit.unit

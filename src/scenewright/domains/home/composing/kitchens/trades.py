@@ -1,4 +1,4 @@
-"""Groups that belong to a kitchen at the ends of its lines, in the place of what stands there."""
+"""Groups that belong to a kitchen at the ends of its lines, in place of the pieces there."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ RoomTrade = tuple[Placed, tuple[Missing, ...]]
 
 FRIDGE, RUG = "fridge", "rug"
 STEP = 0.05  # between places along a wall, metres
-SHARED = 1e-3  # square metres that what stands side by side may share
+SHARED = 1e-3  # overlap allowed between neighbours, square metres
 REASON = "what belongs to the kitchen takes its place beside it"
 
 
@@ -47,8 +47,8 @@ class Move(NamedTuple):
 def list_traded(
     task: RoomTask, placed: Placed, moves: Iterable[Move], most: float
 ) -> Iterator[RoomTrade]:
-    """The groups of a room that cost at most so much with one of them moved, what stood there
-    elsewhere along the walls; what is merely welcome and finds no place is missing."""
+    """The groups of a room, at a cost of at most ``most``, with one of them moved and the one there
+    elsewhere along the walls; optional groups that find no place are missing."""
     for joined, away in list_moved(task, placed, moves):
         if not away:
             yield joined, ()

@@ -26,7 +26,7 @@ UNIT_ASIDE = 0.32  # how far beside where one stands a unit may begin, metres
 
 
 class RoomWays(NamedTuple):
-    """The ways of a room without its kitchen: what stands in them and is to be reached, and which
+    """The ways of a room without its kitchen: pieces in them, pieces to be reached, and which
     doors and pieces need not be."""
 
     task: RoomTask
@@ -52,7 +52,7 @@ def ways_of(task: RoomTask, rest: Placed, barred: frozenset[str]) -> RoomWays:
 def trim_to_ways(
     ways: RoomWays, stretches: list[KitchenStretch], least: float
 ) -> list[KitchenStretch]:
-    """The stretches without the ends before which nobody can come, of at least so many metres."""
+    """The stretches cut to where people can stand before them, if at least ``least`` metres."""
     if not len(ways.task.ground.doors):
         return stretches
     deep = ways.width / 2 + REACH

@@ -1,4 +1,4 @@
-"""Places along walls that touch what stands there: between two pieces that touch no floor is lost.
+"""Places along walls that touch a neighbour: between two pieces that touch no floor is lost.
 
 Places are looked for in steps along each wall; what should stand beside something else, as a
 washing machine beside the units of a kitchen, stands there exactly.
@@ -65,7 +65,7 @@ def boxes_along(
     middles: Floats, wall: tuple[float, float, float, float], heading: float, case: Group
 ) -> Floats:
     """The boxes ``(n, 5)`` of a case with its back at a wall (x, y of its start, its unit
-    direction) and its middle so many metres (n,) along it."""
+    direction) and its middle at ``middles`` (n,) metres along it."""
     x, y, ux, uy = wall
     found = np.empty((len(middles), 5))
     found[:, 0] = x + ux * middles - uy * case.depth / 2

@@ -41,19 +41,19 @@ IN_KITCHEN: dict[str, Callable[[], Iterator[Group]]] = {"dining_wall": kitchen_t
 WIDEST = frozenset(("storage",))
 """Groups that take all of their wall."""
 IN_TURN = frozenset(("media", "single"))
-"""Groups of which usual and further forms are tried in turn."""
+"""Groups whose usual and further forms are tried in turn."""
 SCREEN = 0.38
 """Width of a screen watched from wall to wall of a square room, as a share of its side."""
 SEATS_FROM = 14.0
-"""From so many square metres on a living room has seats for more than two."""
+"""Area in m² from which a living room has seats for more than two."""
 
 
 RINGS_FROM = 8.0
-"""From so many square metres on a kitchen has a hob of four rings."""
+"""Area in m² from which a kitchen has a hob of four rings."""
 TALL_FROM = 8.0
-"""From so many square metres on a kitchen has a tall fridge."""
+"""Area in m² from which a kitchen has a tall fridge."""
 BED_FROM = 8.0
-"""From so many square metres on a bed for one is of full width."""
+"""Area in m² from which a bed for one is of full width."""
 FROM = {
     "seats": SEATS_FROM,
     "narrow_bed": BED_FROM,
@@ -67,7 +67,7 @@ FROM = {
     "across": WHOLE_FROM,
     "split": WHOLE_FROM,
 }
-"""Faults that only rooms from so many square metres on have."""
+"""Area in m² of a room from which these faults count."""
 TIGHT = {
     "fridge_at_sink": 0.25,
     "fridge_alone": IN_SMALL,

@@ -30,14 +30,14 @@ Floats = NDArray[np.float64]
 NOWHERE: Floats = np.empty((0, 5))
 AMID = 0.3  # what is farther from the wall behind it stands free in the room, metres
 FREE = frozenset(("dining",))
-"""Groups that stand amid a room."""
+"""Groups that may stand free in a room."""
 AMID_FROM, GRID = 14.0, 0.3
-"""Square metres from which places amid the floor are tried, and metres between them."""
+"""Area in m² from which free-standing places are tried, and metres between them."""
 UNIT_AT_WALL = 0.04  # a unit nearer than this is at its wall, metres
 
 
 def with_margin(task: RoomTask) -> RoomTask:
-    """The task with ways so much wider that an exact walk finds what the grid finds."""
+    """The task with ways wider, so that an exact walk finds every way the grid finds."""
     more = task.preset.settings.composing.wider
     return task._replace(route_width=task.route_width + more, use_width=task.use_width + more)
 

@@ -183,7 +183,7 @@ def _list_unlike(forms: Iterable[Group]) -> Iterator[Group]:
 
 
 def _thin_out(boxes: Floats, faults: Floats, most: int) -> NDArray[np.int64]:
-    """The numbers of at most so many boxes (n, 5), the better first and none near to another where
+    """The numbers of at most ``most`` boxes (n, 5), the better first and none near to another where
     there are more."""
     order = np.argsort(faults, kind="stable")
     if len(order) <= most:

@@ -69,8 +69,8 @@ def take_first(
 def try_forms(
     judge: RoomJudge, placed: Placed, at: int, cases: Iterable[Group], forms: int, most: float = inf
 ) -> Iterator[JudgedRoom]:
-    """The groups with one of them in the first so many ``forms`` of which some place is free, the
-    cheapest first; of those that would cost over ``most`` not all."""
+    """The groups with one of them in the first ``forms`` cases that have a free place, the cheapest
+    first; of those that would cost over ``most`` not all."""
     task, group = judge.task, placed[at]
     rest = (p for i, p in enumerate(placed) if i != at)
     others = (*task.fixed, *task.beside, *(q for p in rest for q in p.pieces))

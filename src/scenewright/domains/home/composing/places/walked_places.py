@@ -45,7 +45,7 @@ def try_places(
     step: float | None = None,
 ) -> Iterator[JudgedRoom]:
     """The groups with one of them wherever along the walls its unlike ``forms`` stand free and the
-    room costs at most ``most``, the cheapest first, if a ``metre`` of width is worth so much;
+    room costs at most ``most``, the cheapest first, a metre of width being worth ``metre``;
     places a ``step`` apart, metres."""
     found = _list_places(judge, placed, at, forms, most, step)
     found.sort(key=lambda place: place.least - metre * place.case.width)

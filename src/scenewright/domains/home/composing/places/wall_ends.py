@@ -1,4 +1,4 @@
-"""Places at the ends of free stretches of walls: beside a door, a window, or what stands there.
+"""Places at the ends of free stretches of walls: beside a door, a window, or a piece.
 
 Places along a wall are counted from its corners, a step apart (:mod:`..wall_places`). A stretch
 between two doors that is a hair longer than a bed holds it in one place only, which lies between

@@ -31,8 +31,8 @@ STOOD_OVER = 0.1  # what ends lower is stood over, metres
 
 class FreeStretch(NamedTuple):
     """A free stretch of a wall: x, y of its start and its unit direction (``row``), the heading of
-    what has its back there, its ``length``, and the middle of what stands in it (``at``), metres
-    from its start."""
+    pieces with their back there, its ``length``, and the middle of the piece in it (``at``),
+    metres from its start."""
 
     row: tuple[float, float, float, float]
     heading: float
@@ -40,7 +40,8 @@ class FreeStretch(NamedTuple):
     at: float
 
     def boxes_at(self, starts: Floats, form: Group) -> Floats:
-        """The boxes ``(n, 5)`` of a form that begins so many metres (n,) along the stretch."""
+        """The boxes ``(n, 5)`` of a form that begins at ``starts`` (n,) metres along the
+        stretch."""
         return boxes_along(starts + form.width / 2, self.row, self.heading, form)
 
     def slots_beside(self, start: float, width: float) -> float:
@@ -60,8 +61,8 @@ def list_taken(ground: Ground, standing: StandingObstacles, more: Floats, height
 def find_stretch(
     ground: Ground, box: Floats, depth: float, taken: Floats, beyond: float = INSIDE
 ) -> FreeStretch | None:
-    """The stretch of the wall behind a box (5,) on which nothing ``taken`` (k, 5) stands within so
-    many metres of the wall, what ends before ``beyond`` metres of it apart; None for what stands at
+    """The stretch of the wall behind a box (5,) on which nothing ``taken`` (k, 5) stands within
+    ``depth`` metres of the wall, except what ends within ``beyond`` metres of it; None for a box at
     no wall.
 
     >>> class Room: walls = np.array([[0.0, 0.0, 4.0, 0.0]])
@@ -98,8 +99,8 @@ def find_deeper(
 def list_free_stretches(
     ground: Ground, depth: float, taken: Floats, least: float
 ) -> Iterator[FreeStretch]:
-    """All stretches of walls, at least so long, on which nothing ``taken`` (k, 5) stands within so
-    many metres of the wall."""
+    """All stretches of walls of a least length on which nothing ``taken`` (k, 5) stands
+    near the wall."""
     walls = read_walls(ground)
     for row, heading in zip(walls.rows.tolist(), walls.heading.tolist(), strict=True):
         x, y, ux, uy, length = row
@@ -124,8 +125,8 @@ def _list_seen(taken: Floats, row: list[float]) -> list[tuple[float, float, floa
 def _list_spans(
     seen: list[tuple[float, float, float, float]], depth: float, beyond: float = INSIDE
 ) -> list[tuple[float, float]]:
-    """From where to where along a wall something stands within so many metres of it that ends
-    ``beyond`` so many."""
+    """The extents along a wall of things nearer to it than ``depth`` metres that end farther than
+    ``beyond``."""
     reach = depth - INSIDE
     return [(low, high) for low, high, near, far in seen if near < reach and far > beyond]
 

@@ -1,5 +1,5 @@
 """Where seats stand before a screen or a fireplace: the places of the screen along the walls, and
-those of the seats that look at it from the distance its width asks for, amid the room if need be.
+those of the seats that look at it from the distance its width asks for, free-standing if need be.
 """
 
 from __future__ import annotations

@@ -29,12 +29,12 @@ from scenewright.domains.home.programme import WELCOME
 
 Floats = NDArray[np.float64]
 
-LOUNGE_FROM = 9.0  # rooms of so many square metres have seats and screen placed together
+LOUNGE_FROM = 9.0  # area from which seats and screen are placed together, m²
 WALKED = 60  # pairs of places that are walked past
 MOVED, ESSENTIAL, KITCHEN = 6.0, 25.0, 60.0
 """What a pair of places costs for each group it is in the way of, one the room fails without, and a
 kitchen."""
-ONE_WAY = 2  # of pairs with the screen at one place so many are followed
+ONE_WAY = 2  # pairs followed with the screen at one place
 GIVEN_UP = frozenset(("plant", "shelf", "sideboard"))
 """What gives up its place where it is merely welcome: it finds another, or none is missed."""
 PLACE = 6.0  # what a place at a table is worth that is given up for the view

@@ -87,7 +87,7 @@ def _lacks_focus(task: RoomTask, placed: Placed) -> bool:
 
 
 def _put_books(task: RoomTask, rest: Placed) -> Placed:
-    """Bookcases amid the longest free stretch of wall where they bar nothing."""
+    """Bookcases at the middle of the longest free stretch of wall where they bar nothing."""
     if "bookcase" in task.forbidden:
         return ()
     margin, wish = with_margin(task), Wish("shelf", WELCOME)

@@ -18,7 +18,7 @@ from scenewright.domains.home.ways import find_shut_off, walk_floor
 from scenewright.geometry.boxes import Floats
 
 CUT_FROM = 10.0
-"""In rooms of so many square metres floor is worth getting to."""
+"""Area in m² of a room from which its floor is worth getting to."""
 SQUEEZE, STAND = 0.44, 0.6
 """Gaps through which one gets, and the floor one stands on, in metres."""
 SHUT = 15.0

@@ -64,7 +64,7 @@ def _find_near(task: RoomTask, placed: Placed) -> FurnishedGroup | None:
 
 
 def _find_amiss(placed: Placed, close: Sequence[Close]) -> set[str]:
-    """The names of shoes and coats hard before a kitchen or at a table, and of what stands before
+    """The names of shoes and coats hard before a kitchen or at a table, and of pieces before
     open shelves."""
     of = {group.name: group.wish.group for group in placed}
     before = {c.other for c in close if of.get(c.group) in COOKING}

@@ -24,8 +24,8 @@ from scenewright.domains.home.rules.weigh_home import LATE, compile_table, list_
 
 
 class Close(NamedTuple):
-    """Two groups of which a piece of the first lacks floor for a piece of the second (empty: what
-    stands already), and what that costs."""
+    """Two groups, where a piece of the second (empty: a fixed piece) takes floor that a piece of
+    the first needs, and what that costs."""
 
     group: str
     other: str
@@ -60,8 +60,8 @@ def _list_close(
 
 
 def _list_cut_off(low: Sequence[tuple[str, Piece]], ground: Ground) -> Iterator[Close]:
-    """That floor or a door is cut off, as the fault of the group without which least is; what
-    stands already may cut off some by itself."""
+    """Floor or a door cut off, as the fault of the group whose removal frees most; fixed
+    pieces alone may cut off some."""
     solid = [(name, p) for name, p in low if p.category not in MOVED]
     cost = _measure_cut([p for _, p in solid], ground)
     if not cost:

@@ -1,4 +1,4 @@
-"""A table or a sofa amid the floor a little way from where it stands."""
+"""A free-standing table or sofa shifted a little."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ TRIED = 60  # places that are furnished, those first that cost least
 def list_shifted(
     judge: RoomJudge, placed: Placed, at: int, most: float, backed: bool = False
 ) -> Iterator[JudgedRoom]:
-    """The rooms with a group that stands amid the floor, or also one ``backed`` by a wall, shifted
+    """The rooms with a free-standing group, or also one ``backed`` by a wall, shifted
     along and across, squared up to a wall, turned by a quarter or not, where it stands free and the
     room costs at most ``most``, the cheapest by energy first."""
     task, group = judge.task, placed[at]

@@ -20,7 +20,7 @@ COST = 4.0
 def list_shut_in(
     bed: Piece, others: Sequence[tuple[str, Piece]], ground: Ground
 ) -> Iterator[tuple[str, float]]:
-    """The group of what stands across the end of an aisle of a bed that is free otherwise, the
+    """The group that stands across the end of an otherwise free aisle of a bed, the
     floor beyond its foot within the room, and what that costs; ``others`` with their groups."""
     aisles = _list_within(Same(bed), Same(ground)) if bed.category == DOUBLE else ()
     if not aisles:
