@@ -2,8 +2,8 @@
 
 A table lies between ``<!-- table NAME -->`` and ``<!-- table end -->``; ``scenewright bench NAME
 --into docs/page.md`` writes it there. Its last line says the command, commit, seeds, machine and
-the digest of the code (:mod:`.source_digest`). Once that code changes, ``tests/test_page_tables.py``
-asks for the table to be made again, or for that line to begin with *Of before, made by*.
+the digest of the code (:mod:`.source_digest`). Once that code changes, a test asks for the table to
+be made again, or for that line to begin with *Of before, made by*.
 """
 
 from __future__ import annotations

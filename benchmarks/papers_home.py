@@ -1,7 +1,7 @@
 """The experiments of Liu et al. (2017) repeated, and the same with our default solver.
 
 ``scenewright bench papers_home -o t.md`` takes a minute, ``--quick`` two rooms and two runs; its
-Markdown is the table of ``docs/reproduction.md``. All costs are the printed one
+Markdown is a table for ``docs/reproduction-homes.md``. All costs are the printed one
 (preset ``paper``), of patches; those of single pieces are of the boxes round their groups. Runs are
 ten, as the paper's; its figures, of a room it does not print and a machine of 2011, stand beside.
 """

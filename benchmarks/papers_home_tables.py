@@ -1,4 +1,4 @@
-"""The tables of ``docs/reproduction.md`` out of the records of :mod:`.papers_home`."""
+"""Tables out of the records of :mod:`.papers_home`."""
 
 from __future__ import annotations
 

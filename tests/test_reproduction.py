@@ -1,8 +1,10 @@
-"""The page that says what the papers print: every function and test it names is there."""
+"""The pages that say what the papers print: every function, test and fact they name is there."""
 
 from __future__ import annotations
 
+import ast
 import re
+from collections.abc import Iterator
 from importlib import import_module
 from pathlib import Path
 from typing import NamedTuple
@@ -10,15 +12,14 @@ from typing import NamedTuple
 import pytest
 
 HALL, HOME, SITE = "hall", "home", "site"
-DEFAULTS = {
-    HALL: "test_hall_as_printed",
-    HOME: "test_home_as_printed",
-    SITE: "test_site_as_printed",
-    "village": "test_traces",
-    "extend": "test_extend_printed",
+PAGES = {
+    HALL: ("halls", "test_hall_as_printed"),
+    HOME: ("homes", "test_home_as_printed"),
+    SITE: ("sites", "test_site_as_printed"),
+    "village": ("villages", "test_traces"),
+    "extend": ("extensions", "test_extend_printed"),
 }
-PACKAGES = {"extension": "extend"}
-"""Domains that are not named by the heading of their page."""
+"""By domain the page, and the file of tests that are named without one."""
 SHARED = ("engine/", "geometry/", "ground/")
 NUMBERED = {
     HALL: [f"eq. {number}" for number in range(1, 10)],
@@ -28,31 +29,32 @@ NUMBERED = {
 
 
 class Line(NamedTuple):
-    """A printed equation, the function that computes it and the test that holds it."""
+    """A printed equation, the function that computes it, the test that holds it and, if any, the
+    fact of a trace that shows it."""
 
     domain: str
     printed: str
     function: str
     test: str
+    fact: str
 
 
-def lines_of(page: str) -> list[Line]:
-    """The rows of the tables of equations."""
-    found, domain = [], ""
+def lines_of(domain: str, page: str) -> list[Line]:
+    """The rows of the table of equations of a page."""
+    found = []
     for line in page.splitlines():
-        if line.startswith("## "):
-            heading = line.removeprefix("## ").lower().removesuffix("s")
-            domain = PACKAGES.get(heading, heading)
         cells = [cell.strip() for cell in line.strip("|").split("|")]
         code = [re.fullmatch(r"`([^`]+)`", cell) for cell in cells[1:3]]
-        if len(cells) >= 3 and all(code):
-            found.append(Line(domain, cells[0], *(match[1] for match in code if match)))
+        if len(cells) >= 4 and all(code):
+            named = (match[1] for match in code if match)
+            found.append(Line(domain, cells[0], *named, cells[3].strip("`")))
     return found
 
 
 @pytest.fixture(scope="module")
 def lines(root: Path) -> list[Line]:
-    return lines_of((root / "docs" / "reproduction.md").read_text(encoding="utf-8"))
+    pages = {name: root / "docs" / f"reproduction-{page}.md" for name, (page, _) in PAGES.items()}
+    return [one for name, page in pages.items() for one in lines_of(name, page.read_text("utf-8"))]
 
 
 @pytest.mark.parametrize("domain", [HALL, HOME, SITE])
@@ -75,5 +77,27 @@ def test_every_function_named_is_there(lines: list[Line]) -> None:
 def test_every_test_named_is_there(lines: list[Line], root: Path) -> None:
     for line in lines:
         file, _, name = line.test.rpartition(".")
-        source = (root / "tests" / f"{file or DEFAULTS[line.domain]}.py").read_text("utf-8")
+        source = (root / "tests" / f"{file or PAGES[line.domain][1]}.py").read_text("utf-8")
         assert f"\ndef {name}(" in source, line
+
+
+def told_by(node: ast.Call) -> Iterator[str]:
+    """``kind.fact`` of what one call of ``tell`` tells."""
+    words = [arg.value for arg in node.args if isinstance(arg, ast.Constant)]
+    for word in node.keywords:
+        yield f"{words[0]}.{word.arg}"
+        if isinstance(word.value, ast.DictComp) or word.arg is None:
+            yield f"{words[0]}.*"
+
+
+def test_every_fact_named_is_told_in_traces(lines: list[Line], root: Path) -> None:
+    for domain in PAGES:
+        told = set[str]()
+        for file in (root / "src/scenewright/domains" / domain).rglob("*.py"):
+            for node in ast.walk(ast.parse(file.read_text("utf-8"))):
+                named = isinstance(node, ast.Call) and isinstance(node.func, ast.Name)
+                if named and node.func.id == "tell":
+                    told |= set(told_by(node))
+        facts = [line.fact for line in lines if line.domain == domain and line.fact]
+        assert facts
+        assert [f for f in facts if f not in told and f"{f.partition('.')[0]}.*" not in told] == []
