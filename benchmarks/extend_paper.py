@@ -1,8 +1,7 @@
-"""The paper's growth measured: searches at equal evaluations, and its claim with simulated raters.
+"""The paper's growth measured: F (22) on the plots of the terrace sample's area by searches at
+1,000 evaluations, five seeds (3,000 and ten with ``--full``).
 
-*Searches*: F (22) on the plots of the terrace sample's area after 1,000 evaluations, five seeds
-(3,000 and ten with ``--full``).
-*Raters*: :mod:`benchmarks.extend_raters`.
+Its claim with simulated raters: :mod:`benchmarks.papers_raters`.
 """
 
 from __future__ import annotations
@@ -14,7 +13,6 @@ from typing import Any
 import numpy as np
 
 import scenewright as sw
-from benchmarks.extend_raters import rater_records
 from scenewright.domains import problems
 from scenewright.domains.extend.solvers.ants import run_ants
 from scenewright.domains.extend.solvers.colony import (
@@ -44,7 +42,7 @@ SEARCHES: dict[str, Callable[..., BredPlots]] = {
 def records(
     quick: bool, progress: Callable[[float, str], None] | None = None, full: bool = False
 ) -> Iterator[Record]:
-    """Records of all searches and raters."""
+    """Records of all searches."""
     grid = grid_of(problems(sw.read("sample:extend-terrace"))[0])
     seeds = 2 if quick else SEEDS if full else USUAL[1]
     evaluations = 200 if quick else EVALUATIONS if full else USUAL[0]
@@ -55,11 +53,10 @@ def records(
         ]
         found[name] = float(np.median([run.value for run in runs]))
         if progress is not None:
-            progress(0.7 * (number + 1) / len(SEARCHES), name)
+            progress((number + 1) / len(SEARCHES), name)
     for name, value in found.items():
         case = f"F after {evaluations} evaluations, {grid.free.sum()} plots"
         yield _record(case, name, value, found["random"], "random", seeds)
-    yield from rater_records(grid, seeds)
 
 
 def _record(case: str, metric: str, ours: float, base: float | None, by: str, runs: int) -> Record:

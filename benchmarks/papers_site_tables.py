@@ -10,19 +10,10 @@ NOTE = "All raters are simulated: a hidden taste, noise that grows as they tire,
 
 
 def markdown_lines(records: Sequence[Record]) -> list[str]:
-    """One table a part: to converge, liked by scene, and by leading aim."""
-    converge = [row for row in records if row["case"].startswith("to converge")]
+    """One table a part: liked by scene, and by leading aim."""
     liked = [row for row in records if row["metric"].startswith("liked, ")]
     aims = [row for row in records if "leads" in row["case"]]
-    return [NOTE, "", *_converge(converge), "", *_liked(liked), "", *_aims(aims)]
-
-
-def _converge(rows: Sequence[Record]) -> Iterator[str]:
-    yield "| to converge | mean | the paper | runs |"
-    yield "|---|---|---|---|"
-    for row in rows:
-        printed = "–" if row["baseline"] is None else f"{row['baseline']:g}"
-        yield f"| {row['metric']} | {row['ours']:.1f} | {printed} | {row['runs']} |"
+    return [NOTE, "", *_liked(liked), "", *_aims(aims)]
 
 
 def _liked(rows: Sequence[Record]) -> Iterator[str]:

@@ -82,8 +82,10 @@ class Scene(NamedTuple):
     catalog: Catalog
 
 
-def scene_brief(count: int, density: float = DENSITY, sun_spacing: float = 0.0) -> Brief:
-    """A site for so many buildings."""
+def scene_brief(
+    count: int, density: float = DENSITY, sun_spacing: float = 0.0, library: bool = False
+) -> Brief:
+    """A site for so many buildings; as a ``library`` for as much ground and floor of the same."""
     catalog, models = shipped(), list(islice(cycle(MIX), count))
     sizes = np.array([catalog.assets[model].usual for model in models])
     behind = np.maximum(SPACING, sun_spacing * sizes[:, 2])
@@ -95,7 +97,7 @@ def scene_brief(count: int, density: float = DENSITY, sun_spacing: float = 0.0) 
     across = [[[-5.0, k * side], [wide + 5.0, k * side]] for k in range(1, rows)]
     along = [[[k * side, -5.0], [k * side, deep + 5.0]] for k in range(1, columns)]
     counts = Counter(models)
-    site = {
+    site: Row = {
         "id": "scene",
         "outline": [[0, 0], [wide, 0], [wide, deep], [0, deep]],
         "roads": [{"line": line, "width": STREET} for line in across + along],
@@ -113,6 +115,12 @@ def scene_brief(count: int, density: float = DENSITY, sun_spacing: float = 0.0) 
         "road_setback": SETBACK,
         "origin": [11.58, 48.14],
     }
+    if library:
+        area, low = wide * deep, sizes[:, 2] / 3.0
+        del site["buildings"]
+        shares = [{"model": model, "share": counts[model]} for model in sorted(counts)]
+        site |= {"library": shares, "coverage": float(sizes[:, :2].prod(1).sum() / area)}
+        site |= {"floor_area_ratio": float((sizes[:, :2].prod(1) * low).sum() / area)}
     told = {"domain": "site", "name": f"{count} buildings", "sites": [site]}
     return Brief.model_validate({"format": "scenewright/brief", "version": 1} | told)
 

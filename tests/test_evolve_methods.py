@@ -133,6 +133,18 @@ def test_the_best_rated_is_the_champion_and_is_written(tmp_path: Path) -> None:
         assert kept.champion.number == 1
 
 
+@pytest.mark.parametrize(("brief", "name"), [(SITE, "vp"), (AREA, "ciga")])
+def test_what_the_referee_does_not_pass_is_marked(brief: str, name: str) -> None:
+    with evolve(brief, method=name) as evolution:
+        shown = evolution.ask().candidates
+    for one in shown:
+        assert one.valid == one.figures()["valid"] == sw.check(one.solution).valid
+        lacking = sum(out.required for out in one.solution.left_out)
+        assert ("breaks a rule" in one.faults()) == (not one.valid)
+        assert (f"lacks {lacking}" in one.faults()) == (lacking > 0)
+    assert any(one.faults() for one in shown) == (name == "vp")
+
+
 def test_what_a_method_cannot_do_is_refused() -> None:
     with pytest.raises(InputError, match="unknown method 'pv'"):
         evolve(AREA, method="pv")

@@ -69,7 +69,7 @@ def test_eq_1_space(alpha):
 def test_eq_1_is_divided_by_the_clearance_demanded():
     demanded = 2 * (2.2 * 1.6 - 1.2 * 0.6)
     for preset in ("paper", "paper-repaired"):
-        assert chain_of(preset).p.divisor.tolist() == pytest.approx([demanded])
+        assert chain_of(preset).p.beta.tolist() == pytest.approx([demanded])
     close = chain_of("paper", gap=0.4)  # 0.6 of the 1.0 m between them is shared, 1.6 m deep
     assert close.s.covered[0, 0] == pytest.approx(0.6 * 1.6, rel=1e-6)
     assert close.s.costs[SPACE, 0] == pytest.approx(space_cost(close.s.covered[0].sum(), demanded))

@@ -287,7 +287,8 @@ def show_screen(
         picture = one.view() if request.views else one.picture()
         champion = one.number == screen.champion
         note = "" if one.chance is None else f"predicted: picked {100 * one.chance:.0f} %"
-        text = " · ".join(filter(None, ["champion" if champion else "", note]))
+        told = ["champion" if champion else "", note, one.faults()]
+        text = " · ".join(filter(None, told))
         entries.append(SheetEntry(picture, str(place), text, champion))
     title = f"{evolution.brief.name}: sheet {screen.number + 1}"
     below = f"method: {evolution.method}" if evolution.method else f"predictions: {screen.trust}"

@@ -209,7 +209,6 @@ def _unit_arrays(units: Units, printed: bool) -> dict[str, Any]:
         "choices": choices,
         "wall_bound": (choices[:, WALL] * (choices.sum(axis=1) == 1)).astype(np.int64),
         "beta": np.maximum(beta, 1e-9),
-        "divisor": np.maximum(beta, 1e-9),
         "constant": constant,
         "iota": clear.max(1, initial=0.0),
         "largest": largest,

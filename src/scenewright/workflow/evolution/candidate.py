@@ -25,7 +25,8 @@ class ShownCandidate(NamedTuple):
     """One layout on a screen: its number in the evolution, its solution and plan, and how much it
     would be liked, **predicted**: mean and standard deviation, in the unit of a choice (1 more: e
     times as likely to be picked), and with what chance it would be picked of those shown with it;
-    none before anything was said."""
+    none before anything was said; and whether the referee passes it (``valid``): ours are shown
+    only then, a paper's method shows what it breeds."""
 
     number: int
     solution: Solution
@@ -33,6 +34,7 @@ class ShownCandidate(NamedTuple):
     predicted: float | None = None
     deviation: float | None = None
     chance: float | None = None
+    valid: bool = True
 
     def figures(self) -> dict[str, Any]:
         """What can be said of it in numbers; ``predicted`` is what the model expects, no more."""
@@ -41,12 +43,19 @@ class ShownCandidate(NamedTuple):
             "candidate": self.number,
             "pieces": len(solution.pieces),
             "not placed": len(solution.left_out),
+            "valid": self.valid,
         }
         if self.predicted is not None and self.deviation is not None and self.chance is not None:
             figures["predicted"] = round(self.predicted, 3)
             figures["predicted deviation"] = round(self.deviation, 3)
             figures["predicted chance"] = round(self.chance, 3)
         return figures | domains.features_of(solution, self.plan)
+
+    def faults(self) -> str:
+        """What is to be marked on a sheet: that a rule is broken, and what has no place."""
+        lacking = sum(out.required for out in self.solution.left_out)
+        told = ("" if self.valid else "breaks a rule", f"lacks {lacking}" if lacking else "")
+        return " · ".join(filter(None, told))
 
     def picture(self, side: int = SIDE) -> Pixels:
         """The plan as a small picture, ``side`` pixels across."""

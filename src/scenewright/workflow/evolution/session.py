@@ -336,7 +336,8 @@ class Evolution:
         """Candidates with what is predicted of them, if anything is."""
         if self._run is not None:
             ground = self._nursery.ground("").plan
-            return [ShownCandidate(n, self.solution_of(n), ground) for n in numbers]
+            valid = {n: self._archive.bred[n].valid for n in numbers}
+            return [ShownCandidate(n, self.solution_of(n), ground, valid=valid[n]) for n in numbers]
         taste = taste or self.taste
         values = np.array([self._archive.bred[number].values for number in numbers])
         known = taste.posterior is not None or bool(taste.start.any())
@@ -350,6 +351,7 @@ class Evolution:
                 float(mean[k]) if known else None,
                 float(deviation[k]) if known else None,
                 float(shares[k]) if known else None,
+                self._archive.bred[number].valid,
             )
             for k, number in enumerate(numbers)
         ]

@@ -80,5 +80,5 @@ def set_rows(
 def forgive_space(p: PreparedHall, s: State, unit: int, covered: float) -> float:
     """By how much the energy of a measured state would be less if only ``covered`` square metres of
     the free floor of a unit were."""
-    least = space_cost(covered, float(p.divisor[unit]))
+    least = space_cost(covered, float(p.beta[unit]))
     return float(p.weights[SPACE]) * (float(s.costs[SPACE, unit]) - least)

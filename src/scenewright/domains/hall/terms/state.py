@@ -33,10 +33,10 @@ class PreparedHall(NamedTuple):
     ``stretches`` (s, 7): x0, y0, unit direction, length, zone and what to leave free at its start
     in corners (1 or 0); the last 2 p rows are the two sides of the p hosts, without length.
     ``loops`` lists the stretches of zone z at rows ``loop_spans[z]``. ``unit_of`` (n,);
-    ``beta`` (g,) clearance demanded, ``divisor`` (g,) what covered clearance is divided by (β),
-    ``constant`` (g,) floor a unit uses wherever it stands (as printed; negative: its
-    extent), ``iota`` (n,) greatest clear depth, ``largest`` (g, 2)
-    width and depth of the largest object, ``gaps`` (g, 2) along and across that keep
+    ``beta`` (g,) clearance demanded, which covered clearance is divided by, ``constant`` (g,)
+    floor a unit uses wherever it stands (as printed; negative: its extent), ``iota`` (n,) greatest
+    clear depth, ``largest`` (g, 2) width and depth of the largest object, ``gaps`` (g, 2) along and
+    across that keep
     clearances apart, ``near`` (g,) least radius of a fan, ``targets`` (g,) units looked at;
     ``layer_spans`` (g, 2). ``axes`` (2, 3) directions along and across the hall, and where its
     lines begin. ``host_spans`` (p, 2) the longest partition a host may carry, ``host_shifts``
@@ -79,7 +79,6 @@ class PreparedHall(NamedTuple):
     zones: Ints
     choices: Ints
     beta: Floats
-    divisor: Floats
     constant: Floats
     iota: Floats
     largest: Floats

@@ -137,7 +137,7 @@ def space_change(p: PreparedHall, s: State, work: Scratch, unit: int) -> float:
         if other == unit:
             own = work.old[2] + work.old[3]
         covered = own + max(s.covered[other, 1] + work.delta[other], 0.0)
-        work.fresh[0, other] = space_cost(covered, p.divisor[other])
+        work.fresh[0, other] = space_cost(covered, p.beta[other])
         change += p.weights[SPACE] * (work.fresh[0, other] - s.costs[SPACE, other])
     return change
 

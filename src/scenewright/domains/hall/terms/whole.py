@@ -130,7 +130,7 @@ def sum_up(p: PreparedHall, s: State, work: Scratch) -> float:
     total = 0.0
     for unit in range(p.spans.shape[0]):
         covered = s.covered[unit, 0] + s.covered[unit, 1] + s.covered[unit, 2]
-        s.costs[SPACE, unit] = space_cost(covered, p.divisor[unit])
+        s.costs[SPACE, unit] = space_cost(covered, p.beta[unit])
         s.costs[PROPORTION, unit] = proportion_of(p, s, unit)
         s.extent[unit, 0] = used_area(p, s, unit)
         x, y = middle_of(s, p.spans[unit, 0], p.spans[unit, 1])

@@ -23,7 +23,6 @@ from scenewright.engine.preference.interactive.estimates import (
 )
 from scenewright.engine.preference.interactive.methods import InteractiveMethod
 from scenewright.engine.preference.interactive.takeover import (
-    ALONE,
     describe_takeover,
     rate_by_network,
     try_network,
@@ -39,7 +38,8 @@ BARREN = 20
 class Crowd(NamedTuple):
     """Where a method is: the number of its generation, from 0, its ``genomes``, those ``asked`` of,
     all that was ``rated`` in order, the stage of the takeover, whether it searches around the best
-    (``local``), and what is to be told (``notes``)."""
+    (``local``), what is to be told (``notes``), and how many generations a network rated so far
+    (``alone``)."""
 
     age: int
     genomes: tuple[Genome, ...]
@@ -48,9 +48,12 @@ class Crowd(NamedTuple):
     stage: int = 0
     local: bool = False
     notes: tuple[str, ...] = ()
+    alone: int = 0
 
 
-class _Run(NamedTuple):
+class CrowdRun(NamedTuple):
+    """What generations are bred by: a method, the matrices of a brief, the first seed."""
+
     method: InteractiveMethod
     matrix: MatrixBreeder
     seed: int
@@ -68,15 +71,20 @@ def follow(
 ) -> Crowd:
     """Where a method is after sheets of which so much was ``heard``: stars by genome, of each; what
     was shown and not rated counts as :data:`MIDDLE`."""
-    run = _Run(method, matrix, seed)
-    first = matrix.draw(matrix.population, method.led, run.chance(0))
-    crowd = _ask(run, Crowd(0, tuple(first), ()))
+    run = CrowdRun(method, matrix, seed)
+    crowd = begin_crowd(run)
     for ratings in heard:
-        crowd = _hear(run, crowd, ratings)
+        crowd = hear_sheet(run, crowd, ratings)
     return crowd
 
 
-def _ask(run: _Run, crowd: Crowd) -> Crowd:
+def begin_crowd(run: CrowdRun) -> Crowd:
+    """The first generation, all of which is asked of."""
+    first = run.matrix.draw(run.matrix.population, run.method.led, run.chance(0))
+    return _ask(run, Crowd(0, tuple(first), ()))
+
+
+def _ask(run: CrowdRun, crowd: Crowd) -> Crowd:
     """Whom to ask of in a generation: those that were not rated, as many as the method asks of, the
     whole first generation; where all were, in the next that has any."""
     for _ in range(BARREN):
@@ -92,7 +100,7 @@ def _ask(run: _Run, crowd: Crowd) -> Crowd:
     return crowd._replace(genomes=fresh, asked=fresh, notes=(*crowd.notes, note))
 
 
-def _hear(run: _Run, crowd: Crowd, ratings: Mapping[Genome, float]) -> Crowd:
+def hear_sheet(run: CrowdRun, crowd: Crowd, ratings: Mapping[Genome, float]) -> Crowd:
     """The next generation to ask of, after what was said of this one."""
     method, begun = run.method, crowd.age
     given = tuple((one, float(ratings.get(one, MIDDLE))) for one in crowd.asked)
@@ -101,8 +109,8 @@ def _hear(run: _Run, crowd: Crowd, ratings: Mapping[Genome, float]) -> Crowd:
     if method.network and before and crowd.stage < len(STAGES):
         test = try_network(_layouts(run, before), _layouts(run, given), STAGES[crowd.stage])
         if test.trusted:
-            alone = min(STAGES[crowd.stage].generations, ALONE)
-            crowd = crowd._replace(stage=crowd.stage + 1)
+            alone = min(STAGES[crowd.stage].generations, method.alone)
+            crowd = crowd._replace(stage=crowd.stage + 1, alone=crowd.alone + alone)
         notes.append(describe_takeover(test, begun, alone))
     guessed = len(set(crowd.genomes) - {genome for genome, _ in crowd.rated})
     if guessed:
@@ -116,7 +124,7 @@ def _hear(run: _Run, crowd: Crowd, ratings: Mapping[Genome, float]) -> Crowd:
     return _ask(run, crowd._replace(notes=tuple(notes)))
 
 
-def _value(run: _Run, crowd: Crowd) -> Floats:
+def _value(run: CrowdRun, crowd: Crowd) -> Floats:
     """What each layout of a generation is worth: the stars it was given, else an estimate."""
     known, rng = dict(crowd.rated), run.chance(10_000 + crowd.age)
     layouts = _layouts(run, crowd.rated)
@@ -131,7 +139,7 @@ def _value(run: _Run, crowd: Crowd) -> Floats:
     return np.array([value(genome) for genome in crowd.genomes])
 
 
-def _breed(run: _Run, crowd: Crowd, values: Floats) -> Crowd:
+def _breed(run: CrowdRun, crowd: Crowd, values: Floats) -> Crowd:
     """The next generation: around the best once all are alike, else of parents drawn."""
     method, matrix, rng = run.method, run.matrix, run.chance(crowd.age + 1)
     best, many = crowd.genomes[int(values.argmax())], matrix.population
@@ -170,11 +178,11 @@ def _is_alike(method: InteractiveMethod, genomes: Sequence[Genome], values: Floa
     return method.alike == "genes" and float((rows == rows[0]).mean()) > SAME
 
 
-def _read(run: _Run, genomes: Sequence[Genome]) -> NDArray[np.int64]:
+def _read(run: CrowdRun, genomes: Sequence[Genome]) -> NDArray[np.int64]:
     return np.array([run.matrix.read(genome) for genome in genomes], np.int64)
 
 
-def _layouts(run: _Run, rated: Sequence[tuple[Genome, float]]) -> RatedLayouts:
+def _layouts(run: CrowdRun, rated: Sequence[tuple[Genome, float]]) -> RatedLayouts:
     stars = np.array([given for _, given in rated])
     return RatedLayouts(
         _read(run, [one for one, _ in rated]), stars, np.array(run.matrix.qualities)

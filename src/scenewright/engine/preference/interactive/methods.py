@@ -23,8 +23,9 @@ class InteractiveMethod(NamedTuple):
     quality; parents by ``tournament`` or roulette; ``points`` of the crossover (of strings; blocks
     of plots are swapped whole); whether the best stays (``keep``); how many of a generation are
     ``asked`` of (0: all) and how the others are estimated; whether mutation goes by what alleles
-    are ``worth``, whether a ``network`` may take over, and by what (``alike``) it is seen that the
-    global search has ended (empty: never)."""
+    are ``worth``, whether a ``network`` may take over, by what (``alike``) it is seen that the
+    global search has ended (empty: never), and how many generations the network rates ``alone`` at
+    most before the person is asked again (the paper's second stage goes on to the end)."""
 
     name: str
     doc: str
@@ -38,6 +39,7 @@ class InteractiveMethod(NamedTuple):
     worth: bool = False
     network: bool = False
     alike: Measure = ""
+    alone: int = 10
 
 
 ROWS = (

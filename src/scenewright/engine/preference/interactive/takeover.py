@@ -20,9 +20,8 @@ from scenewright.engine.preference.alleles.art1 import (
 from scenewright.engine.preference.interactive.estimates import MIDDLE, RatedLayouts, mark_alleles
 
 Floats = NDArray[np.float64]
-ALONE, REMEMBERED = 10, 60
-"""Generations a network rates at most before the person is asked again (the paper's second stage
-goes on to the end), and the last ratings it learns from."""
+REMEMBERED = 60
+"""The last ratings that a network learns from."""
 SETTINGS = Art1Settings()
 
 
