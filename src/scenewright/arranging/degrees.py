@@ -46,7 +46,7 @@ def read_thing(things: Floats, i: int) -> Frame:
 
 @inlined
 def read_part(boxes: Floats, b: int, grown: float) -> Frame:
-    """The frame of a part of a room, grown by so much on all sides."""
+    """The frame of a part of a room, grown by ``grown`` metres on all sides."""
     wide, deep = boxes[b, WIDTH] + 2 * grown, boxes[b, DEPTH] + 2 * grown
     return make_frame(boxes[b, X], boxes[b, Y], boxes[b, HEADING], wide, deep)
 

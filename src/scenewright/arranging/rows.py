@@ -1,6 +1,6 @@
 """Rules of an arrangement as rows of tables, in a small vocabulary of relations.
 
-A row says of which pieces it holds (``of``), what is asked (``relation``), of what else or which
+A row says which pieces it is about (``of``), what is asked (``relation``), of what else or which
 parts of the room (``to``), within how many ``metres``, and what it costs if it does not hold. A row
 is plain data: the same one is weighed by the search, names what a repair moves, and says in a
 sentence what is wrong.
@@ -62,7 +62,7 @@ class Relation(NamedTuple):
 
 
 class Place(NamedTuple):
-    """A piece of a kind at a place, turned by so many degrees, metres."""
+    """A piece of a kind at a place in metres, turned by degrees."""
 
     kind: str
     x: float
@@ -86,7 +86,7 @@ class Example(NamedTuple):
 class Row(NamedTuple):
     """One rule. ``cost`` is a number, or the name of one in the settings of a preset, that many
     ``times``; in rooms of less than ``area`` square metres ``tight`` times that. ``only`` in rooms
-    of just these functions. ``fixed``: what stands already is held to it too. ``late``: it is
+    of just these functions. ``fixed``: fixed pieces are held to it too. ``late``: it is
     weighed once a home is furnished, not while a room is composed. A row that is ``joined`` has one
     degree with the row before it, the larger of both. ``moves``: its group is placed anew for it.
     ``says`` is what is wrong where it does not
@@ -123,7 +123,7 @@ def clear(
     start: float = inf,
 ) -> Relation:
     """Floor as deep as the metres of the row on a side of a piece is free, up to an ``unseen``
-    share: of others each by itself, or of all together. It is as wide as the piece, less an
+    share: of others one by one, or of all together. It is as wide as the piece, less an
     ``inset`` at both ends, or so ``wide``; before a deep piece it may ``start`` so far from its
     back."""
     return Relation("clear", side, FLOOR, HALF, unseen, each, within, wide, inset, start)
@@ -137,7 +137,7 @@ def apart(unseen: float = 0.03) -> Relation:
 
 def keep_off(unseen: float, grade: int = HALF, *, each: bool = False) -> Relation:
     """What others take of the floor round a piece or group is no more than ``unseen`` square
-    metres, which are the degree: of each by itself, or of all together."""
+    metres, which are the degree: of each one, or of all together."""
     return Relation("keep_off", ROUND, SQUARE, grade, unseen, each, ANY)
 
 

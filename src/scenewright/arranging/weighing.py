@@ -93,8 +93,8 @@ MOST = 256
 
 
 class Broken(NamedTuple):
-    """A row that does not hold: of which thing, by which other (-1: all together, or the room), to
-    which degree in ]0, 1], and what that costs."""
+    """A broken row: the thing, the other that breaks it (-1: all together, or the room), the
+    degree in ]0, 1], and the cost."""
 
     row: Row
     thing: int
@@ -249,8 +249,8 @@ def _weigh_each(
     found: Floats,
     count: int,
 ) -> int:
-    """Write where a row does not hold of a thing, of each other and each part of the room by
-    itself; the number after it."""
+    """Write where a row does not hold of a thing, separately for each other and each part of the
+    room; the number after it."""
     rows, own, boxes = table.numbers, read_thing(things, i), room.boxes
     floor, per, metres = _make_floor(own, rows, r), rows[r, PER], rows[r, METRES]
     whole = 4 * floor[4] * floor[5] if per == FLOOR else metres if per == PER_METRES else 1.0

@@ -23,7 +23,7 @@ Floats = NDArray[np.float64]
 
 HEADROOM = 2.0  # over the middle of a walking route (DIN 18065: clear headroom of stairs), metres
 SHOULDERS = 1.5  # over its whole width, metres
-BENDING = 0.4  # how much further one reaches what stands under a slope, metres
+BENDING = 0.4  # how much further one reaches a piece under a slope, metres
 WHOLE, HALF = 2.0, 1.0  # from which height floor counts as living area, metres
 
 

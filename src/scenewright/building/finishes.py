@@ -59,7 +59,7 @@ WARM = frozenset(
 )
 """Functions for which a room has oak whatever else it is for."""
 CUBBY = 6.0
-"""A room of use unknown up to so many square metres has a plain floor."""
+"""Area in m² up to which a room of unknown use has a plain floor."""
 
 
 def floor_of(space: Space, slept_in: bool = False) -> Material:

@@ -24,7 +24,7 @@ BESIDE = 0.08
 """How near a room must be to a wall to say how high it is, in metres."""
 CRUMB = 1e-6
 SAME = 1e-9
-"""Planes of which no coefficient differs by more than this are one."""
+"""Planes whose coefficients all differ by at most this are one."""
 _FAR = 1e3
 
 

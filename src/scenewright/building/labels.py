@@ -35,10 +35,10 @@ WALL = 0.4
 def correct_labels(brief: Brief, spaces: Sequence[Space]) -> list[Space]:
     """The spaces of a brief with functions that make sense where only a label says them.
 
-    A bedroom of less than 3 m² is a store; where no other is left, the largest room of at least
-    7 m² that nothing is known of is the bedroom. Of kitchens back to back one is: with what stands
-    there, then a door, then most floor; the others are a dining room, where there is none and they
-    are large enough, or a pantry.
+    A bedroom of less than 3 m² is a store; where no other is left, the largest unknown room of at
+    least 7 m² is the bedroom. Of kitchens back to back one is: the one with kitchen pieces
+    in it, then with a door, then most floor; the others are a dining room, where there is none and
+    they are large enough, or a pantry.
     """
     labelled = [_is_labelled(room) for room in brief.rooms]
     if not any(labelled):

@@ -165,7 +165,7 @@ def _tops(
 ) -> list[float]:
     """A wall is as high as the highest room it borders on."""
     shapes = [shape for _, shape in walls]
-    if not shapes:  # a balcony by itself has none
+    if not shapes:  # a lone balcony has none
         return []
     of_wall, of_floor = shapely.STRtree(floors).query(
         shapes, predicate="dwithin", distance=2 * PARTITION

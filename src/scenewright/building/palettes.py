@@ -2,7 +2,7 @@
 
 Six palettes a style, each nine colours; the others follow from them (a duvet is the sofa's cloth
 mixed with white). Models name materials (:mod:`scenewright.catalog.assets.materials`); a palette
-says which material takes the place of which, so that every model, whatever its style, goes with
+says which material replaces which, so that every model, whatever its style, goes with
 the home it stands in.
 """
 
@@ -143,7 +143,7 @@ SANDED: Colour = (0.74, 0.67, 0.57)
 
 @cache
 def list_coats(palette: Palette) -> Mapping[Material, Material]:
-    """Which material takes the place of which in homes of a palette.
+    """Which material replaces which in homes of a palette.
 
     >>> coats = list_coats(PALETTES["nordic/fjord"])
     >>> coats[m.OAK].name, coats[m.OAK].roughness == m.OAK.roughness

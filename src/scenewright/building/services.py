@@ -46,7 +46,7 @@ def add_services(brief: Brief, room: Room, space: Space, place: str) -> Space:
 
 
 def _names(brief: Brief, space: Space) -> Iterator[str]:
-    """Names for radiators without one, none of which the brief gives to something else."""
+    """Names for radiators without one, different from all names in the brief."""
     given = {item.id for room in brief.rooms for item in room.fixed}
     given |= {radiator.id for room in brief.rooms for radiator in room.radiators}
     names = (f"{space.id}/radiator_{number}" for number in count(1))

@@ -31,7 +31,7 @@ FLIGHT = 0.2
 TOUCH = 0.01
 """Treads that overlap by less lie beside each other, metres."""
 WHOLE = 0.999
-"""A part of which this share lies in a room is not cut to it."""
+"""Share of a part inside a room from which the part is not cut to it."""
 BASEMENT = -0.5
 """Levels lower than this are not entered from outside if others are, metres."""
 

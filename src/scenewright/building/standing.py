@@ -18,7 +18,7 @@ from scenewright.core.space import Radiator, Space
 
 RADIATOR = "radiator"
 REACHING = 1e-3
-"""Square metres of a room's floor that what stands in the next one may cover unseen."""
+"""Square metres of a room's floor that pieces of the next one may cover unseen."""
 RADIATED = 0.2
 """Depth of the floor before a radiator that is left free, in metres: advice on heating asks for 0.1
 to 0.3 m, so that warm air rises and is not shut in."""
@@ -64,8 +64,8 @@ def given_pieces(brief: Brief, plan: Plan, catalog: Catalog) -> tuple[Piece, ...
 def reaching_in(
     standing: Sequence[Sequence[Piece]], spaces: Sequence[Space]
 ) -> list[tuple[Piece, ...]]:
-    """What stands in other rooms and reaches into each: given what stands in each of ``spaces``,
-    the pieces that cover more than :data:`REACHING` of another's floor on the same level."""
+    """For each of ``spaces``, the pieces of other rooms that reach into it: given the pieces of
+    each, those that cover more than :data:`REACHING` of another's floor on the same level."""
     pieces = [piece for room in standing for piece in room]
     owners = [number for number, room in enumerate(standing) for _ in room]
     found: list[tuple[Piece, ...]] = [()] * len(spaces)

@@ -4,7 +4,7 @@ Over a floor the height of a ceiling is the least of the flat one's and of every
 that of its knee wall and then grows with the distance from the wall. What has a convex footprint is
 under its lowest ceiling at one of its corners. A person walks where the ceiling leaves
 :data:`HEADROOM` over the middle of the way (the least clear height over stairs in DIN 18065) and
-:data:`SHOULDERS` over its whole width, and bends down to what stands under a slope.
+:data:`SHOULDERS` over its whole width, and bends down to pieces under a slope.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ SHOULDERS = 1.5
 """Least height of the ceiling over the whole width of a walking route, in metres."""
 
 BENDING = 0.4
-"""How much further one reaches, bending down, what stands before a low ceiling, in metres."""
+"""How much further one reaches, bending down, a piece before a low ceiling, in metres."""
 
 _FAR = 1e3
 

@@ -66,8 +66,8 @@ def measure_widths(free: Flags, most: int) -> Ints:
 
 
 def _count_to_closed(free: Flags) -> Ints:
-    """How many cells it is along its column from each cell to one that is not free, of which the
-    first and the last row are made."""
+    """Cells along its column from each cell to one that is not free, as the
+    first and the last row are."""
     rows = np.arange(len(free))[:, None]
     before = np.maximum.accumulate(np.where(free, 0, rows), axis=0)
     after = np.minimum.accumulate(np.where(free, len(free) - 1, rows)[::-1], axis=0)[::-1]

@@ -1,4 +1,4 @@
-"""Opening clearance: what stands before doors and windows.
+"""Opening clearance: pieces before doors and windows.
 
 SceneEval (Tam et al. 2025) extrudes a box into the room in front of each opening, as deep as a
 door is wide and 0.5 m at a window, and asks which objects enter it. Flats with closets of half a

@@ -1,4 +1,4 @@
-"""What a brief asks for against what stands: too few, unless it is said and why, and too many.
+"""What a brief asks for against the solution: too few, unless left out with a reason, and too many.
 
 How much is owed follows from the brief. A solution may say that it left something out, and why: it
 is then not complete, but breaks no rule. What is neither there nor so accounted for is missing.
@@ -20,8 +20,8 @@ _SHARE = re.compile(r"(\d+) of (\d+) ")
 
 class Owed(NamedTuple):
     """Something a brief asks for in a space: its ``name``, how many are ``there``, how many at
-    ``least`` and at ``most``, and the ``words`` any of which a solution leaves it out by (none:
-    whatever it says of the space)."""
+    ``least`` and at ``most``, and the ``words`` by any of which a solution may name it as left out
+    (none: whatever it says of the space)."""
 
     space: str
     name: str
@@ -32,8 +32,8 @@ class Owed(NamedTuple):
 
 
 def find_owed(owed: Sequence[Owed], left_out: Sequence[LeftOut]) -> list[Finding]:
-    """A finding for each demand of which fewer stand than asked for, less those left out with a
-    reason, or more.
+    """A finding for each demand with fewer pieces than asked for, less those left out with a
+    reason, or with more.
 
     >>> desks = Owed("hall", "desks", there=3, least=5, most=5, words=("desks",))
     >>> find_owed([desks], [LeftOut("hall", "2 of 5 desks", "too narrow", True)])

@@ -27,7 +27,7 @@ REACH = 0.2
 """How far an arm reaches beyond the person's own radius, in metres."""
 
 STAGE = "stage"
-"""What one steps up to: what stands on it is reached where it is."""
+"""A kind one steps onto: pieces on it are reached where they are."""
 
 _SIDES = {"front": (1, 2), "left": (2, 3), "back": (3, 0), "right": (0, 1)}
 _ROUND: tuple[Side, ...] = ("front", "left", "back", "right")
@@ -119,7 +119,7 @@ def _missed_pieces(
     open_rooms: set[int],
     placed: dict[int, list[Members]],
 ) -> list[Target]:
-    """Pieces with using sides, none of which the route comes to, and groups of such pieces."""
+    """Pieces whose sides of use are all off the route, and groups of such pieces."""
     missed = []
     for room in sorted(open_rooms):
         groups = placed.get(room, [])

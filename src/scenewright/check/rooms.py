@@ -33,7 +33,7 @@ from scenewright.core.space import Space
 
 
 class Walked(NamedTuple):
-    """Rooms and what stands in them as exact shapes, with the routes of people through each of
+    """Rooms and their pieces as exact shapes, with the routes of people through each of
     ``grounds``: ``walks`` at the brief's width, ``narrow`` of one 0.4 m wide."""
 
     rooms: Rooms

@@ -195,8 +195,8 @@ def room_for(bodies: Bodies, ground: JoinedFloor, radius: float) -> Shape:
 
 
 def blocking_in(bodies: Bodies, within: NDArray[np.int64]) -> NDArray[np.int64]:
-    """Rows of the pieces in some rooms that stand in the way: seats can be pushed aside, and what
-    stands on or hangs over another piece takes no floor of its own.
+    """Rows of the pieces in some rooms that stand in the way: seats can be pushed aside, and a
+    piece on or over another takes no floor of its own.
 
     ``within`` (r,) numbers of the rooms; the rows (k,).
     """

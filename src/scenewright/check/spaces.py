@@ -69,7 +69,7 @@ def find_doorless(bodies: Bodies, rooms: Rooms, visited: Collection[str] = ()) -
 def room_figures(bodies: Bodies, rooms: Rooms) -> dict[str, dict[str, Any]]:
     """Pieces, floor area in square metres and density of each space.
 
-    Density is the share of the floor covered by what stands on it (rugs not counted).
+    Density is the share of the floor covered by pieces (rugs not counted).
     """
     figures = {}
     stands = bodies.underfoot

@@ -1,4 +1,4 @@
-"""Stairs: what stands where one steps on or off, and levels that no stairs lead to."""
+"""Stairs: pieces where one steps on or off, and levels that no stairs lead to."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ LANDING = 0.6
 
 def find_blocked_stairs(bodies: Bodies, rooms: Rooms) -> list[Finding]:
     """A finding for every piece that stands before the foot or head of stairs by more than 1 cm;
-    what stands on stairs or in their well collides with the pieces that stand for these."""
+    a piece on stairs or in their well collides with the pieces that represent these."""
     found = []
     for number, space in enumerate(rooms.spaces):
         for end in space.stairs:

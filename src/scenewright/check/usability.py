@@ -184,7 +184,7 @@ def _find_narrowest(bodies: Bodies, rooms: Rooms, ground: JoinedFloor, grid: Flo
 
 def _find_used(bodies: Bodies, ground: JoinedFloor) -> list[int]:
     """Rows of the pieces of a floor that are used from a side, without seats, which are pushed to
-    where one sits, and what stands on a stage, onto which one steps."""
+    where one sits, and pieces on a stage, onto which one steps."""
     here = np.flatnonzero(standing_in(bodies, ground.rooms) & ~bodies.seat)
     used = (row for row in here.tolist() if bodies.kinds[row].access)
     return [row for row in used if not stands_on_stage(bodies, row)]

@@ -168,7 +168,7 @@ def _without(row: ResultRow) -> str:
 
 
 class BatchWatch:
-    """Moves a bar as rows come in and counts them: ``total`` files, of which some were done
+    """Moves a bar as rows come in and counts them: ``total`` files, some done
     ``before`` and others ``made`` now."""
 
     def __init__(self, bar: Progress) -> None:

@@ -91,7 +91,7 @@ def domains(incomplete: str) -> Words:
 
 
 def schemas(incomplete: str) -> Words:
-    """Files of which there is a schema."""
+    """Files that have a schema."""
     return _starting(
         [("brief", "what is asked for"), ("solution", "what was laid out")], incomplete
     )
@@ -108,7 +108,7 @@ def benchmarks(incomplete: str) -> Words:
 
 
 def _named(table: Table, incomplete: str) -> Words:
-    """Names in a table of every domain, and of which domain they are."""
+    """Names in a table of every domain, each with its domain."""
     from scenewright.domains import domains as all_domains
 
     holders: dict[str, list[str]] = {}

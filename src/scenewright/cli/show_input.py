@@ -19,7 +19,7 @@ MOST_REASONS = 3
 
 
 def print_input(console: Console, report: InputReport | None) -> None:
-    """What was read, and what became of it; nothing for a brief of which nothing was changed."""
+    """What was read, and what became of it; nothing for a brief that was not changed."""
     if report is not None:
         for line in describe_input(report):
             print_line(console, line, "dim")

@@ -46,7 +46,7 @@ class Advice(NamedTuple):
 
 
 class Remark(NamedTuple):
-    """Something the layout gives up: where, of which ``items``, in words, and what helps; ``cost``
+    """Something the layout gives up: where, its ``items``, in words, and what helps; ``cost``
     is its part of the energy."""
 
     space: str

@@ -59,7 +59,7 @@ class Words(NamedTuple):
 
 
 class OwnGroup(NamedTuple):
-    """The furniture group of a piece that stands by itself: its ``name``, what part of it belongs
+    """The furniture group of a piece that stands alone: its ``name``, what part of it belongs
     to a wall (``back``, 0 free on the floor to 1), and the room functions it suits, each with the
     least area in m² from which a room holds one unasked."""
 
@@ -72,7 +72,7 @@ class OwnGroup(NamedTuple):
 class Kind:
     """One row: a category and all that is stated of its objects.
 
-    ``access`` lists the sides of which at least one must be reachable from the door (none: the
+    ``access`` lists the sides, at least one of which must be reachable from the door (none: the
     piece is used together with its group, like a nightstand). ``reach`` is the free depth in
     metres a person needs at that side. ``flat`` things (rugs) may be stood on by others, one
     ``swings`` open for who walks through it (the leaf of a gate).
@@ -87,9 +87,9 @@ class Kind:
     connected to, ``hall`` how halls lay it out, ``chairs`` those that come with it. ``words`` are
     the phrases it is recognised by; ``in_rooms`` what such a word means in a room, where that is
     not this kind. ``essential`` names what it serves as where a room cannot do without (a *seat*,
-    a *bed*). ``staff`` is the depth in metres of the floor behind it for who serves there: in halls
-    it stands so far off its wall. ``forms`` is the furniture group it makes when groups are
-    learned, ``alone`` the group it is by itself.
+    a *bed*). ``staff`` is the depth in metres of the floor behind it for who serves there, kept
+    free behind it in halls. ``forms`` is the furniture group it makes when groups are
+    learned, ``alone`` the group it makes alone.
 
     ``drawn_by`` lists the modules whose ``ASSETS`` draw it; a leading dot stands for
     ``scenewright.catalog.assets``.
@@ -128,7 +128,7 @@ class Kind:
 
     @property
     def reached_from(self) -> tuple[Side, ...]:
-        """The sides at one of which people come to it: what they sit down on from behind, as at a
+        """The sides from which people may come to it: what they sit down on from behind, as at a
         table, stands at a wall too, and then they do so from the front.
 
         >>> Kind("chair", access=("back", "left", "right")).reached_from
@@ -171,7 +171,8 @@ def free(patterns: str, front: float, *sides: float) -> HallUse:
 
 
 def at_wall(front: float, sides: float = 0.0) -> HallUse:
-    """Along the walls of a hall, so many metres clear before and beside each object.
+    """Along the walls of a hall, ``front`` and ``sides`` metres clear before and beside each
+    object.
 
     >>> at_wall(0.75)
     HallUse(place='wall', clearance=(0.75, 0.0, 0.0, 0.0), patterns=('wall',))

@@ -153,7 +153,7 @@ def find_spaces(spaces: Sequence[Space], names: Iterable[str]) -> frozenset[str]
 
 
 def with_locks(pieces: Iterable[Piece], locked: Collection[str]) -> tuple[Piece, ...]:
-    """Pieces of which just those with the ids ``locked`` are fixed."""
+    """The pieces, with just those whose ids are in ``locked`` fixed."""
     return tuple(
         p if p.fixed == (p.id in locked) else replace(p, fixed=p.id in locked) for p in pieces
     )

@@ -58,7 +58,7 @@ class Finding:
     for a blocked opening ``other`` is the opening, for something unreachable or narrow what blocks
     it, several ids joined by commas; outside a zone, the zone). ``amount`` is the size of the
     fault in metres (depth of an overlap, distance outside, gap beneath, width missing) and
-    ``area`` in square metres. ``given`` findings concern only what stands by the brief: they are
+    ``area`` in square metres. ``given`` findings concern only pieces fixed by the brief: they are
     reported, but the answer is not to blame for them; nor for those ``accepted`` by the user, for
     the reason stated there (empty: not accepted). ``locked`` findings concern something that a
     person locked: that is said, and excuses nothing.

@@ -217,7 +217,7 @@ def explain(solution: Solution, *, plan: Plan | None = None) -> Explanation:
 
 
 def scene_of(solution: Solution, plan: Plan | None = None) -> Scene:
-    """The scene of a solution: what stands round it, and its pieces."""
+    """The scene of a solution: its surroundings, and its pieces."""
     made = plan or plan_of(solution.brief)
     scene: Scene = domain_of(solution.brief.domain).verb("scene")(solution, made)
     return scene

@@ -40,7 +40,7 @@ SHELVES = ("shelf", "bookcase", "showcase", "cupboard", "wardrobe")
 LEAST = 2
 """Pieces of a kitchen or shelves at a wall that is drawn."""
 DEEP, APART = 0.9, 18.0
-"""Metres before a wall in which what stands there is drawn; millimetres between elevations."""
+"""Metres before a wall in which pieces are drawn; millimetres between elevations."""
 MOST_PARTS = 40
 SHEET = PaperSheet(420.0, 297.0, 25)
 
@@ -150,7 +150,7 @@ def _sheet(marks: Sequence[Mark], name: str, block: TitleBlock) -> PlanDrawing:
 
 
 def _draw(view: WallView, catalog: Catalog, paper: PaperView) -> Mark:
-    """The wall, its openings, what stands at it, its measures and its name."""
+    """The wall, its openings, the pieces at it, its measures and its name."""
     ring = [(0, 0), (view.length, 0), (view.length, view.height), (0, view.height)]
     wall = shape([to_paper(paper, ring)], fill="none", stroke=INK, stroke_width=CUT)
     openings = [_opening(view, opening, paper) for opening in view.openings]

@@ -17,16 +17,16 @@ ENOUGH, NARROW = 0.7, 51.0
 """The share of its field a plan should fill; millimetres of a column of the schedule."""
 
 LYING = 1.2
-"""A lying sheet is preferred until a plan fills so many times as much of a standing one."""
+"""A landscape sheet is preferred until a plan fills a portrait one this many times better."""
 LARGEST = 1.4
-"""Names of rooms grow with the sheet up to so many times their usual height."""
+"""Most times their usual height that names of rooms grow with the sheet."""
 
 Need = tuple[float, float]
 
 
 def arrange_filled(need: Need, extra: Need, rows: Sequence[LegendRow]) -> Arrangement:
     """1:50 on the smallest sheet up to A2; where the plan would fill less than 0.7 of its field,
-    that one of 1:50, 1:25 and 1:20 on a sheet up to A3 of which it fills most; 1:100 and smaller
+    the one of 1:50, 1:25 and 1:20 that fills most of a sheet up to A3; 1:100 and smaller
     only where 1:50 does not fit. The schedule stands where the plan fills more of what is left.
 
     ``need`` is the drawing in metres to scale, ``extra`` millimetres that stay as they are.
@@ -48,8 +48,8 @@ def arrange_filled(need: Need, extra: Need, rows: Sequence[LegendRow]) -> Arrang
 def _best_sheets(
     need: Need, extra: Need, rows: Sequence[LegendRow], scale: int, formats: int
 ) -> Iterator[Arrangement]:
-    """Of each of so many formats that holds plan and schedule, the way to use it that suits the
-    plan: a tall one lies high on a lying sheet rather than in the middle of a standing one."""
+    """For each of ``formats`` formats that holds plan and schedule, the arrangement that suits the
+    plan: a tall plan lies high on a landscape sheet rather than in the middle of a portrait one."""
     for long, short in FORMATS[:formats]:
         papers = [PaperSheet(*paper, scale) for paper in ((long, short), (short, long))]
         found = [way for paper in papers for way in _ways(paper, need, extra, rows)]

@@ -38,7 +38,7 @@ counts."""
 
 
 class Floor(NamedTuple):
-    """What labels of rooms keep off, in plan metres: ``taken`` by what stands on the floor, and
+    """What labels of rooms keep off, in plan metres: ``taken`` by furniture, and
     what only lies there or sweeps over it, ``crossed`` if no other place is left."""
 
     taken: Geometry

@@ -10,7 +10,7 @@ from scenewright.drawing.sheet import PaperSheet
 
 
 class PlanLayer(NamedTuple):
-    """What can be shown or hidden by itself: a name people read, and a mark."""
+    """What can be shown or hidden separately: a name people read, and a mark."""
 
     name: str
     mark: Mark

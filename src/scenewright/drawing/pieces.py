@@ -40,8 +40,8 @@ from scenewright.drawing.shell import CUT_HEIGHT
 SEAT_HEIGHT = 0.45
 PAPER, RUG = "#ffffff", "#e9e4d9"
 COARSE, SMALL = 7.5, 2.0
-"""Below so many millimetres a metre symbols are simplified; things smaller than so many
-millimetres are drawn with the thin pen."""
+"""Millimetres a metre below which symbols are simplified; size in millimetres below which things
+are drawn with the thin pen."""
 
 Key = tuple[str, str, tuple[float, ...], bool, Footprint]
 """What two pieces must share to be drawn alike."""

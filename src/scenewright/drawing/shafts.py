@@ -24,7 +24,7 @@ NAMED = 1.0
 """Square metres from which on a shaft is named."""
 
 HATCH, PITCH = "url(#shaft)", 1.6
-"""The fill of shafts, its lines so many millimetres apart."""
+"""The fill of shafts, and the millimetres between its lines."""
 
 
 def printed_name(space: Space) -> str:

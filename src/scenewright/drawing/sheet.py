@@ -69,7 +69,7 @@ def title_of(brief: Brief) -> TitleBlock:
 
 
 def number_sheets(block: TitleBlock, count: int) -> list[TitleBlock]:
-    """The title blocks of so many sheets of a set: numbered on, a stated number with a part.
+    """The title blocks of ``count`` sheets of a set: numbered on, a stated number with a part.
 
     >>> [row.number for row in number_sheets(UNDATED, 2)]
     ['1', '2']

@@ -13,8 +13,8 @@ OnGrowth = Callable[[float, Callable[[], Any]], bool]
 
 
 def tell_growth(watch: BudgetWatch, done: int, steps: int | None) -> OnGrowth:
-    """What a layout tells while it is made, ``done`` others being whole of so many ``steps`` (left
-    out: nobody knows). Only the first is reported, with an energy of infinity: later
+    """What a layout reports while it is made, ``done`` of ``steps`` others being complete (None:
+    unknown). Only the first is reported, with an energy of infinity: later
     ones compete with one that is whole. Shares only rise; whether to stop is whether nobody waits.
 
     >>> from scenewright.engine.solve import Budget

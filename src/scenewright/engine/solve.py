@@ -187,8 +187,8 @@ def distinct(
 def choose_apart(
     boxes: Floats, order: NDArray[np.int64], apart: float, chosen: NDArray[np.int64]
 ) -> int:
-    """Write to ``chosen`` (k,) the first boxes (P, n, 5) in their ``order`` (P,) of which some item
-    is more than ``apart`` metres or radians away from where each one before has it; how many."""
+    """Write to ``chosen`` (k,) the first boxes (P, n, 5) in their ``order`` (P,) with some item
+    more than ``apart`` metres or radians from its place in each one before; how many."""
     count = 0
     for number in range(order.shape[0]):
         here, unlike = order[number], True

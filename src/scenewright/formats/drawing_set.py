@@ -79,7 +79,7 @@ def _place(
 
 
 def only_room(scene: Scene, room: Space) -> Scene:
-    """A scene of one room: its floor, what stands in it, and the walls close around it."""
+    """A scene of one room: its floor, its pieces, and the walls close around it."""
     reach = Polygon(room.outline).buffer(AROUND, join_style="mitre")
     walls = tuple(
         Wall(wall.id, wall.level, prisms)

@@ -48,7 +48,7 @@ def chords_of(ring: Floats, behind: float = BEHIND) -> Floats:
 
 def true_walls(walls: Floats, edges: Floats, away: float = HANGING) -> Floats:
     """Of ``walls`` (w, 4) those whose middle is at most ``away`` metres from one of the ``edges``
-    (e, 4) of the room: no chords across so much of a curve that what hangs there hangs in the air.
+    (e, 4) of the room: no chords so far inside a curve that pieces hung there hang in the air.
     """
     if len(walls) <= len(edges):
         return walls

@@ -55,7 +55,7 @@ def code_digest(function: Callable[..., Any]) -> bytes:
 
 @cache
 def code_parts(function: Callable[..., Any]) -> CodeParts:
-    """What one function, compiled or plain, is made of by itself."""
+    """What one function, compiled or plain, is made of, without those it calls."""
     plain = _plain_function(function)
     if plain is None:
         raise TypeError(f"{function!r} has no Python code")

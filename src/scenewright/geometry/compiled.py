@@ -67,7 +67,7 @@ def compiled(function: Kernel) -> Kernel:
 
 def inlined(function: Kernel) -> Kernel:
     """Compile as a part of the kernels that call it: it has no entry from Python and is not kept
-    on disk by itself, which takes a third off the time to compile.
+    on disk separately, which takes a third off the time to compile.
 
     It is copied into its callers. Left to itself the compiler calls what is used often, and hands
     over a problem's arrays one number at a time: annealing took two to three times as long.

@@ -14,14 +14,14 @@ from numba.core.compiler import CompilerBase, DefaultPassBuilder
 
 
 class NoEnvironment:
-    """Code that never runs by itself needs no environment."""
+    """Code that never runs alone needs no environment."""
 
     def set_env(self, name: str, environment: Any) -> None:
         """Nothing to set."""
 
 
 class PartLibrary(JITCodeLibrary):
-    """The code of a part: ready to be linked into its callers, never run by itself."""
+    """The code of a part: ready to be linked into its callers, never run alone."""
 
     @property
     def codegen(self) -> Any:

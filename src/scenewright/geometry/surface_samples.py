@@ -1,6 +1,6 @@
 """A surface as points with area and mean curvature, close enough together for any Gaussian.
 
-Small faces hand what they hold to their corners. Large faces, of which buildings are made, get
+Small faces hand what they hold to their corners. Large faces, as of buildings, get
 points inside, a strip at a time, and sharp edges get points along them, so that it does not
 matter how coarse the mesh is. Curvature of edges too blunt to be meant is spread over the faces.
 """

@@ -38,7 +38,7 @@ class TravelSearch(NamedTuple):
 
 
 def make_search(cells: int) -> TravelSearch:
-    """A search over so many cells, nothing reached yet."""
+    """A search over ``cells`` cells, nothing reached yet."""
     numbers = np.full((4, cells), -1, np.int32)
     return TravelSearch(
         np.full(cells, np.inf), numbers[0], numbers[1], np.empty(cells), numbers[2], numbers[3]

@@ -195,7 +195,7 @@ def best_spots(made: Sights, view: float = VIEW, standoff: float = STANDOFF) -> 
 
 
 def _spot(eye: Floats, middle: float, score: float) -> Viewpoint:
-    """The view whose middle is so many bins from +x."""
+    """The view whose middle is ``middle`` bins from +x."""
     turn = middle / BINS * 2.0 * np.pi
     way = np.array([np.cos(RISE) * np.cos(turn), np.cos(RISE) * np.sin(turn), np.sin(RISE)])
     return Viewpoint(eye, way, float(score))

@@ -14,7 +14,7 @@ from scenewright.geometry.fit import stands
 NEAR = 0.08  # a back within this many metres of a wall belongs to it
 SKEW = math.radians(5)  # what is turned by less is meant to be square
 QUARTER = 0.5 * math.pi
-SHIFT, STEPS = 0.01, 5  # what would meet something is tried so many steps of metres aside
+SHIFT, STEPS = 0.01, 5  # a step aside in metres, and how many are tried each way
 
 
 def align_to_wall(

@@ -13,7 +13,7 @@ BAY_WIDTH, BAY_DEPTH, DRIVE = 2.5, 5.0, 6.0
 
 def list_bay_lines(area: PavedArea) -> Points:
     """Both ends (n, 2, 2) of the lines between the bays of a car park whose first edge lies on the
-    street; none where its outline is no rectangle of so many bays.
+    street; none where its outline is no rectangle of its bays.
 
     >>> lot = PavedArea("parking", ((0, 0), (16, 0), (16, 5), (0, 5)), 4)
     >>> list_bay_lines(lot)[1].tolist()

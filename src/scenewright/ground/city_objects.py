@@ -85,7 +85,7 @@ def city_document(
     metres: tuple[float, float, float] = (1.0, 1.0, 1.0),
 ) -> dict[str, Any]:
     """The CityJSON document of objects: ``moved`` is added to x and y for coordinates of a
-    reference ``system``, whose units along x, y and upwards are so many ``metres``."""
+    reference ``system``, whose units along x, y and upwards are ``metres``."""
     whole = np.array(list(vertices), np.int64).reshape(-1, 3)
     shift, scale = (*moved, 0.0), [SCALE / metre for metre in metres]
     about: dict[str, Any] = {"title": title, "geographicalExtent": _extent(whole, shift, scale)}

@@ -29,7 +29,7 @@ def settle(
     """The fate of each feature, given the kind of each by name, and why one is left out that no
     note is about, by its name.
 
-    A feature of which a part was used is used, or changed where a note says how; one that is left
+    A feature used in part is used, or changed where a note says how; one that is left
     out counts as standing where any note says so.
 
     >>> notes = [Note("a", "used"), Note("a", "changed", "cut at the border"), Note("c", "used")]

@@ -5,7 +5,7 @@
     UnitFeature → {A_0 … A_S−1}
     Array A → {E_0 … E_T−1}
 
-Of a scene: a feature is a row, or what stands by itself; groups are the leaves of the box
+Of a scene: a feature is a row, or a lone building; groups are the leaves of the box
 abstraction of features; a feature's arrays are its stretches between passages; the elements of an
 array are kinds of buildings, folded under stars. Front and back are what bounds a scene along its
 longer direction, the border what bounds it across. Of a tower: front and back are its lowest and
@@ -40,7 +40,7 @@ class ElementArray(NamedTuple):
 
 
 class UnitFeature(NamedTuple):
-    """A row, or what stands by itself: arrays between passages."""
+    """A row, or a lone building: arrays between passages."""
 
     arrays: tuple[ElementArray, ...]
 
@@ -85,7 +85,7 @@ FeatureMembers = tuple[tuple[int, ...], BuildingRow | None]
 
 
 def find_features(frames: BuiltFrames) -> list[FeatureMembers]:
-    """The members of every row, each building in one at most, and of what stands by itself."""
+    """The members of every row, each building in one at most, and lone buildings."""
     found, seen = list[FeatureMembers](), set[int]()
     for row in find_rows(frames):
         if not seen & set(row.members):

@@ -57,9 +57,9 @@ def lay_lanes(
     width: float,
     reach: float,
 ) -> tuple[tuple[Pathway, ...], Flags]:
-    """Lanes to the first of some ``solids`` (``built`` as polygons), those of which fronts look
+    """Lanes to the first of some ``solids`` (``built`` as polygons), those whose fronts look
     ``ahead`` (n, 2), and which of these a lane or road is within ``reach`` of. The farthest are
-    served first; what stands beside their lanes needs none."""
+    served first; those beside their lanes need none."""
     count = len(ahead)
     near, radius = _find_near_start(plan, built[:count], width, reach), 0.5 * width
     offs = radius + np.linspace(NEAR, max(min(reach, FAR) - 1.5 * raster.cell, NEAR), RINGS)
@@ -116,8 +116,8 @@ def measure_ground(
     streets: Flags,
     width: float = 0.0,
 ) -> tuple[Floats, Ints]:
-    """What a metre costs at every cell (rows, columns): more up to ``comfort`` metres from what
-    stands, infinite within ``least`` of it or of the border; and the cells that ways of some
+    """What a metre costs at every cell (rows, columns): more up to ``comfort`` metres from
+    solids, infinite within ``least`` of it or of the border; and the cells that ways of some
     ``width`` start from: ``streets`` and the border that is open to those beside it, or without
     any the entrances, or the border of a site without ways."""
     apart = np.minimum(raster.solid, raster.border)
@@ -149,8 +149,8 @@ def _shrink(cells: Flags) -> Flags:
 def _find_cells_near(
     raster: PathRaster, shape: shapely.Geometry, distance: float, least: float
 ) -> Flags:
-    """Cells of the site within a distance of where ways come in, ``least`` metres from what
-    stands."""
+    """Cells of the site within a distance of where ways come in, ``least`` metres from
+    solids."""
     places = raster.points_of(np.arange(raster.solid.size, dtype=np.int32))
     near = shapely.buffer(shape, distance)
     shapely.prepare(near)

@@ -51,7 +51,7 @@ def lock_areas(
 
 
 def _lock(row: Any, before: Any | None) -> Any:
-    """A row for what stands: that of ``before`` if it stands as it did, else locked by hand."""
+    """A row for a building: that of ``before`` if it stands as it did, else locked by hand."""
     if before is not None and (before.at, before.heading, before.size) == (
         row.at,
         row.heading,

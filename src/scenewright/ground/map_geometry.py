@@ -1,4 +1,4 @@
-"""The parts of a GeoJSON geometry: points, lines, rings, each checked by itself.
+"""The parts of a GeoJSON geometry: points, lines, rings, each checked separately.
 
 Parts that cannot be used (a ring of two corners, one on a line) are named; the others count.
 """

@@ -11,7 +11,7 @@ from scenewright.core.errors import InputError
 
 
 class Named(Protocol):
-    """What has an id and a name, either of which may be empty."""
+    """A thing with an id and a name; either may be empty."""
 
     @property
     def id(self) -> str:

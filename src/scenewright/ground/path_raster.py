@@ -1,4 +1,4 @@
-"""The ground of a site as a raster for laying out ways: how far each cell is from what stands.
+"""The ground of a site as a raster for laying out ways: how far each cell is from solids.
 
 The raster lies along the direction most buildings have, so that ways run along rows.
 """
@@ -31,7 +31,7 @@ NO_BOXES = np.zeros((0, 5))
 
 class PathRaster(NamedTuple):
     """Cells (rows, columns) of side ``cell`` from ``corner`` (2,) in a frame turned by ``angle``:
-    distance to what stands (``solid``), to the border of the site (``border``), both capped, 0
+    distance to solids (``solid``), to the border of the site (``border``), both capped, 0
     outside, and which lie on ways that are ``driven``, and on any (``walked``)."""
 
     angle: float

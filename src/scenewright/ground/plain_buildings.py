@@ -1,4 +1,4 @@
-"""What draws a building of which only a footprint, a height and its tags are known.
+"""Draws a building known only by its footprint, height and tags.
 
 By what it is where that has a look of its own (a church, a mosque, a warehouse) and its footprint
 fills the model's box; else a plain building over its footprint, with its roof, in the style of the

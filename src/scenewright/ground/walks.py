@@ -25,7 +25,7 @@ Flags = NDArray[np.bool_]
 WALK = 1.5
 """Width of a walk in metres."""
 COMFORT = 3.0
-"""Metres from what stands up to which walks avoid it."""
+"""Metres that walks keep from buildings where they can."""
 KERB = 0.05
 """Metres that walks keep from walls at least."""
 STEPS = (1.0, 1.4, 1.9, 2.5, 3.2)

@@ -20,7 +20,7 @@ class Pathway(NamedTuple):
 
 class PavedArea(NamedTuple):
     """Ground set apart: a ``square`` (``about`` its name), the ``forecourt`` of a landmark
-    (``about`` its id), a rectangle of ``parking`` with so many ``bays``, its first edge on the
+    (``about`` its id), a rectangle of ``parking`` with ``bays`` bays, its first edge on the
     street, or a ``court`` that buildings enclose."""
 
     kind: AreaKind

@@ -25,7 +25,7 @@ def cut_part(part: Part, cut: float | None) -> Part | None:
 
 
 def leave_out_hanging(parts: Sequence[Part]) -> tuple[Part, ...]:
-    """The parts of what stands on the floor, without those that hang on the wall over it: a picture
+    """The parts of pieces on the floor, without those that hang on the wall over it: a picture
     over its rail, a mirror over its table."""
     kept, top = list[Part](), 0.0
     for part in sorted(parts, key=lambda part: float(part.vertices[:, 2].min())):

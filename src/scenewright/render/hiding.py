@@ -1,8 +1,8 @@
-"""Tall things between the eye and what stands behind them, drawn as if of glass in pictures from
+"""Tall things between the eye and things behind them, drawn as if of glass in pictures from
 above at an angle.
 
 A wardrobe 2 m high hides the bed behind it, a partition the exhibits of the next zone. An eye that
-looks ``towards`` (x, y, z) sees what stands at a height h hidden by whatever lies nearer and rises
+looks ``towards`` (x, y, z) sees a thing at a height h hidden by whatever lies nearer and rises
 higher: the footprint of a tall thing, swept away from the eye by (its height - h) |xy| / |z|. A
 piece counts as hidden by its middle.
 """
@@ -35,7 +35,7 @@ BEHIND = 0.02
 """A partition so near at a picture, metres, is the wall it hangs on."""
 
 OVER, BEFORE = 1.2, 0.25
-"""What hangs as high as this over the floor and is as deep as this, metres, hides what stands
+"""What hangs as high as this over the floor and is as deep as this, metres, hides things
 below it, unless its front is turned to the eye."""
 SIDEWAYS = 0.6
 """Cosine of the angle in plan between a front and the way to the eye, above which one sees below
@@ -43,7 +43,7 @@ what hangs there."""
 
 
 SHARE, FLOOR = 0.8, 1.0
-"""What is hidden over so much of its floor, and has so many square metres of it, counts: an
+"""The share of its floor over which a thing is hidden, and its least area in m², to count: an
 exhibit, a bed, a sofa or a bath all but gone. A wall or a wardrobe of glass looks wrong at first
 glance, so no lesser thing is worth one; what is hidden by its like is not either, as nobody misses
 the next rail of a row."""

@@ -63,7 +63,7 @@ LOW = 1.2
 SEEN = 1.3
 """How far down one sees stairs through their well in a picture, metres."""
 LEFT = 1.3
-"""How high stairs up go on in a picture of a level from above, metres: what stands behind the rest
+"""How high stairs up go on in a picture of a level from above, metres: things behind the rest
 would be hidden."""
 
 

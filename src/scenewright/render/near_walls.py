@@ -2,7 +2,7 @@
 
 A wall 2 m high hides the floor behind it as far as the view leans. What stands on the near side of
 a room is therefore cut low: outer walls to a kerb, walls between two rooms to the height of a
-sofa, so that what stands at their far side shows.
+sofa, so that pieces at their far side show.
 """
 
 from __future__ import annotations

@@ -101,7 +101,7 @@ def _list_seen(shapes: Sequence[Shape]) -> list[Shape]:
 
 
 def _painted(shape: Shape) -> Hashable:
-    """What is the same for shapes of which nobody sees more than one."""
+    """A key that is equal for shapes that look like one."""
     runs = (run for subpath in shape.subpaths for run in subpath)
     return shape.fill, shape.pen, shape.layer, tuple(run.points.tobytes() for run in runs)
 

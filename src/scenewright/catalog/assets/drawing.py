@@ -33,7 +33,7 @@ class Drawing(NamedTuple):
     kind's) and the ``sizes`` it can take (left out: the kind's). ``footprint`` is what it covers
     (left out: its box), ``over`` what it looks like over another footprint (left out: a prism);
     ``style`` the style it is made in, if any; ``called`` the words, in the singular and small
-    letters, by one of which it must be asked for."""
+    letters; it must be asked for by one of them."""
 
     category: str
     mesh: Mesher

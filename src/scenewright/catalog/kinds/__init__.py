@@ -12,7 +12,7 @@ and showers are plumbed under their tray, a metre at most to keep the fall.
 Clearances in halls follow planning guides (Neufert, *Architects' Data*; Panero & Zelnik, *Human
 Dimension and Interior Space*, 1979): half of an aisle of 1.2 to 1.5 m before a shelf, since two
 that face each other share it; about 0.45 m of seatway in a row of seats; 0.75 to 0.9 m for those
-who stop and look; nothing beside what stands side by side with its like.
+who stop and look; nothing beside kinds that stand side by side with their like.
 
 Other packages add kinds by the entry point ``scenewright.kinds``: ``gym = "gym.kinds:KINDS"``.
 """

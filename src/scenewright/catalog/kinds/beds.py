@@ -1,4 +1,4 @@
-"""Beds and what stands beside them."""
+"""Beds and nightstands."""
 
 from __future__ import annotations
 

@@ -26,7 +26,7 @@ SQUARE = 0.85
 """Furniture that covers more of its box than this is drawn in plan by the symbol of its kind."""
 ALIKE = 0.9
 """The share of a footprint and a building's plan together that both cover, where that building is
-what stands on the footprint."""
+the one on the footprint."""
 GRID = 1e-4
 """To what share of the model's size an outline is drawn."""
 

@@ -24,7 +24,7 @@ MOST_PARSED = 350 * MEBIBYTE
 """Bytes a JSON document may take once parsed."""
 
 Beside = Callable[[str, int], bytes | None]
-"""The bytes of a file named relative to the model's folder, at most so many; None if missing."""
+"""The bytes of a file named relative to the model's folder, up to a limit; None if missing."""
 
 
 def within(name: str) -> str:

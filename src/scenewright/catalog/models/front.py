@@ -28,7 +28,7 @@ SKIN = 0.03
 """How near a side's face a triangle is part of it, as a share of the depth."""
 OBLONG = 1.15
 PLAIN = 3000
-"""Up to so many triangles each is cut finely, so that large ones count where they are."""
+"""Number of triangles up to which each is cut finely, so that large ones count where they are."""
 
 
 class Front(NamedTuple):

@@ -218,7 +218,7 @@ class Brief(StrictModel):
     they are printed. ``residents`` is how many live in a home (left out: as many as its bedrooms
     are for). ``accepted`` are findings of the referee that are meant to be so, with reasons.
     ``input_report`` is written by readers: what became of each feature of the file. Left out in a
-    brief of which nothing was changed (:func:`.own_report.input_report_of` counts what it holds).
+    brief that was not changed (:func:`.own_report.input_report_of` counts what it holds).
     ``source_file`` is the file, where results can be written into a copy of it (IFC); a plan that
     is scaled is no longer that of its file.
     """

@@ -83,7 +83,7 @@ class InputReport(StrictModel):
 
     @property
     def lost(self) -> tuple[InputRow, ...]:
-        """Rows of what stands and was left out."""
+        """Rows of standing things that were left out."""
         return tuple(row for row in self.rows if row.stands and row.outcome == "left out")
 
     @property
@@ -100,8 +100,8 @@ class InputReport(StrictModel):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """A line for each thing lost: rows of what stands and was left out, then the floor of a
-        plan of which less than :data:`LEAST_FLOOR_READ` was read."""
+        """A line for each thing lost: standing things that were left out, then the floor of a
+        plan if less than :data:`LEAST_FLOOR_READ` of it was read."""
         lost = tuple(f"{row.kind}: {row.describe()}" for row in self.lost)
         share = self.floor_share
         if share is None or share >= LEAST_FLOOR_READ:

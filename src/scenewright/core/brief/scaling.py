@@ -156,7 +156,7 @@ def _scale_wall(wall: WallBrief, factor: float) -> WallBrief:
 def _scale_fixed(
     items: list[FixedItem], walls: shapely.MultiLineString, factor: float
 ) -> list[FixedItem]:
-    """Fixed items as far from the wall nearest to them as they were; what stands on another moves
+    """Fixed items as far from the wall nearest to them as they were; one on another moves
     along with it."""
     by_id = {item.id: item for item in items if item.id}
     moved = []

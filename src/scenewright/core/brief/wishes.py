@@ -26,9 +26,9 @@ class WishBrief(StrictModel):
 
     ``forbid`` keeps it out; otherwise it is wanted, beside what the room would hold anyway, and is
     to stand ``by`` a window, a door, a wall or in a corner, to ``face`` a window, a door or another
-    group or kind, to be ``near`` another group or kind, at most so many ``metres`` away, or
-    ``away_from`` one, a window or a door, at least so many (1 and 2 unless said). A desk faces what
-    one sees over it. Where a wanted thing is ``required``, leaving it out is a failure.
+    group or kind, to be ``near`` another group or kind, at most ``metres`` away, or
+    ``away_from`` one, a window or a door, at least ``metres`` (1 and 2 unless said). A desk faces
+    what one sees over it. Where a wanted thing is ``required``, leaving it out is a failure.
     """
 
     what: Name

@@ -62,9 +62,9 @@ class Demand(StrictModel):
     """A group of like objects to be laid out: 24 showcases, 300 m of shelving, 80 seats.
 
     ``category`` is a kind of the catalog (``scenewright list assets``). How many: ``count``, or
-    ``length``, metres of front side by side; with ``most`` up to so many where there is room, with
-    ``fill`` as many as bring what stands in its zones, with the free depth around each, to that
-    share of their floor. How large: ``size`` (width, depth, height), or
+    ``length``, metres of front side by side; with ``most`` up to that number where there is room,
+    with ``fill`` as many as it takes for the objects of its zones, with the free depth around
+    each, to cover that share of their floor. How large: ``size`` (width, depth, height), or
     ``sizes``, one for each of unequal objects; left out, the usual size of the category.
     ``clearance`` is the free depth wished for at all sides, or front, left, back, right.
     ``place`` tells whether they stand at a wall; ``patterns`` which patterns may lay them out;

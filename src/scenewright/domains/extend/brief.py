@@ -96,7 +96,7 @@ class GrowthArea(StrictModel):
     out: the share that the sources cover). ``roads`` are drawn there; ``continue_streets`` runs
     those on that end at its border. ``use`` says which models stand there: the ``source``'s own,
     or of a like size from the brief's ``catalogue``. ``rows`` are built first. ``fixed`` stays and
-    counts. ``storeys`` makes what is grown so many storeys taller (or lower) than its
+    counts. ``storeys``: how many storeys copies are taller (or lower) than their
     originals."""
 
     id: str = ""

@@ -67,7 +67,7 @@ def old_pieces(plan: ExtendPlan, style: str, catalog: Catalog) -> tuple[Piece, .
 
 
 def scene_of_extension(solution: Solution, plan: Plan) -> Scene:
-    """The scene of a solution: streets and walks, and what stands on the ground, old and new."""
+    """The scene of a solution: streets and walks, and buildings, old and new."""
     works = lay_walks(plan.detail, solution.pieces)
     ground = surfaces((plan.detail.ground,), (works,))
     known = plan.spaces[0].id

@@ -25,7 +25,7 @@ AIMS = ("H", "S", "G", "L")
 
 class PlotGrid(NamedTuple):
     """Plots: middles (m, n, 2) in metres, whether each may be built on (m, n), the floor areas of
-    the kinds (k,), of which gene g > 0 is kind g − 1, and the square metres to build."""
+    the kinds (k,), where gene g > 0 is kind g − 1, and the square metres to build."""
 
     middles: Floats
     free: NDArray[np.bool_]

@@ -30,7 +30,7 @@ class StandingGround(NamedTuple):
 
 class ExtendProblem(NamedTuple):
     """One area: the ``floor`` that may be built on, its whole outline, what is learned of the
-    sources, what stands, streets in and about it, how many buildings (``number``) or what share
+    sources, fixed buildings, streets in and about it, how many buildings (``number``) or what share
     of the outline (``coverage``) are wanted, settings, and
     rows to lay first; and the ``grounds`` of the sources, where they are drawn."""
 

@@ -83,7 +83,7 @@ def likeness_of(problem: ExtendProblem, layout: GrownLayout) -> Excess | None:
 
 
 def measure_sources(problem: ExtendProblem) -> dict[str, Floats]:
-    """The features of all sources, each measured by itself."""
+    """The features of all sources, each measured separately."""
     pattern = problem.pattern
     heights = np.array([kind.size[2] for kind in pattern.kinds])[pattern.kind]
     rows = []

@@ -16,7 +16,7 @@ the source when shifted."""
 MOST, TRIED = 6, 2000
 """Steps that are found, and that are looked at, at most."""
 MANY = 400
-"""Of a larger source so many buildings in its middle tell how it repeats."""
+"""Most buildings, from the middle of a source, that its repeats are learned from."""
 SHORTEST = 2 * SAME
 """Shorter steps, in metres, are as good as none."""
 FARTHEST = 40

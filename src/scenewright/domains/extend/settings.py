@@ -11,8 +11,8 @@ class GrowthSettings(NamedTuple):
     chance added to what a proposal is worth; ``patches``: placements of a whole source tried
     before growing; ``slack``: the share by which coverage may miss; ``polish``: moves of rows and
     buildings tried at the end; ``relaxed``: whether free ground is filled
-    where no neighbour proposes anything; ``edges``: whether every other layout begins with what
-    stands along streets and borders."""
+    where no neighbour proposes anything; ``edges``: whether every other layout begins with
+    the buildings along streets and borders."""
 
     spread: float = 2.5
     missing: float = 0.3

@@ -39,7 +39,7 @@ class HallGround(NamedTuple):
     partition each may carry (left out: all of the border), ``host_shifts`` (p, 2) how far to its
     right and left it may stand off (left out: nowhere), ``zone_walls`` (z,) metres of wall that the
     objects of a zone need (left out: none). ``standing`` (k, 5) locked objects that must stay
-    within reach, ``standing_access`` (k, 4) 1 for sides at least one of which must be reached.
+    within reach, ``standing_access`` (k, 4) 1 for sides; at least one must be reached.
     """
 
     edges: Floats

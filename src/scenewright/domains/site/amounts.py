@@ -1,4 +1,4 @@
-"""What fills a site that asks for an amount of floor only: of which models, and how many."""
+"""Filling a site that asks only for an amount of floor: which models, and how many of each."""
 
 from __future__ import annotations
 
@@ -106,8 +106,8 @@ def find_target(site: Site, plan: SitePlan) -> tuple[float, float]:
 def count_models(
     areas: list[float], floors: list[float], weights: list[float], cover: float, floor: float
 ) -> list[int]:
-    """How many of each model bring so much covered ground and floor, in square metres: always one
-    more of that of which there are fewest, times its weight.
+    """How many of each model it takes for ``cover`` and ``floor`` square metres: one more at a
+    time of the model with the fewest, divided by its weight.
 
     >>> count_models([100.0, 50.0], [100.0, 150.0], [1.0, 2.0], 500.0, 1e9)
     [4, 2]
@@ -164,8 +164,8 @@ def _models(site: Site, plan: SitePlan, place: str, catalog: Catalog) -> list[As
 
 
 def fills(asset: Asset) -> bool:
-    """Whether a model may fill a site by itself: a building, neither slender nor low, and not
-    named like what stands or lies beside buildings.
+    """Whether a model may fill a site alone: a building, neither slender nor low, and not
+    named like things that accompany buildings.
 
     >>> from scenewright.catalog.assets import shipped
     >>> [fills(shipped().assets[name]) for name in ("villa", "sofa")]

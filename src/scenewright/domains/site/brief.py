@@ -95,7 +95,7 @@ class Square(StrictModel):
 
 
 class Parking(StrictModel):
-    """Parking in lots beside roads: ``bays`` in all, or so many ``per_building``."""
+    """Parking in lots beside roads: ``bays`` in all, or ``per_building``."""
 
     bays: Annotated[Whole | None, Field(ge=1, le=20_000)] = None
     per_building: Annotated[Number | None, Field(gt=0, le=100)] = None
@@ -173,7 +173,7 @@ class Site(StrictModel):
     building to the south in heights of that building (0: by hours of sun alone).
     A street on the border, or at most ``verge`` beside it, gives access as one inside does.
     ``facing`` is the preferred heading of fronts (south); ``fire_access`` the width of the way
-    that must reach each building, of which a paved one must come within ``fire_reach``.
+    that must reach each building; a paved one must come within ``fire_reach``.
     ``door_distance`` is kept from the border ahead of a door, but where a way runs there.
     ``latitude`` (degrees) and ``day`` (of the year; 355 is the winter solstice in the north, 20
     January is 20) are for hours of sun, at least ``sun_hours``: a wish, or a rule with

@@ -86,6 +86,6 @@ def wrap_angle(angle: float) -> float:
 
 
 def scene_of_sites(solution: Solution, plan: Plan) -> Scene:
-    """The scene of a solution of sites: what lies on the ground, and what stands on it."""
+    """The scene of a solution of sites: surfaces of the ground, and buildings."""
     ground = surfaces(plan.detail, works_of(solution, plan.detail))
     return Scene(solution.brief.name, plan.levels, plan.spaces, (), (), solution.pieces, ground, ())

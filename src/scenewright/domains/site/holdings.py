@@ -18,7 +18,7 @@ from scenewright.ground.plan import SitePlan, Standing
 
 MOST = 20_000
 LEAST = 1.5
-"""Least side in plan, in metres, that a model may have by itself to be taken for a building."""
+"""Least side in plan, in metres, from which a lone model is taken for a building."""
 
 
 class BuildingDemand(NamedTuple):

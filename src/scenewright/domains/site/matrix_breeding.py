@@ -93,7 +93,7 @@ class SiteMatrix(NamedTuple):
         return self.change(genome, int(rng.integers(1, AROUND + 1)), rng)
 
     def change(self, genome: Genome, times: int, rng: np.random.Generator) -> Genome:
-        """A genome with so many mutations."""
+        """A genome with ``times`` mutations."""
         genes = self.unpack(genome)
         for _ in range(times):
             mutate_surely(self.cells, genes, self.amount, rng)

@@ -180,7 +180,7 @@ def _add_square(
 
 
 def _add_parking(found: Reserved, open_: OpenGround, bays: int) -> Reserved:
-    """Lots for so many bays, as far as there is room."""
+    """Lots for ``bays`` bays, as far as there is room."""
     points, deepest = _spread_points(open_), MOST_ROWS
     nearest = np.full(len(points), open_.span)
     while bays > 0 and deepest >= LEAST_ROWS:

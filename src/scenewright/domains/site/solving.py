@@ -235,8 +235,8 @@ def furnish_site(
     seed: int,
     works: GroundWorks | None = None,
 ) -> Built:
-    """A site as built: its pieces, terms, and what was left out; ``works`` are the ways to what
-    stands (laid out unless given)."""
+    """A site as built: its pieces, terms, and what was left out; ``works`` are the ways to the
+    buildings (laid out unless given)."""
     standing = (*landmarks(plan, catalog), *fixed_buildings(plan))
     layout = found.layouts[0]
     placed = buildings(plan, rows, layout.boxes, layout.present)

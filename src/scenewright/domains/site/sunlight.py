@@ -24,8 +24,8 @@ PLACES, SLACK = 12, 0.15
 def solve_in_sun(
     run: Callable[[SiteProblem], SiteFound], problem: SiteProblem, hours: float
 ) -> tuple[SiteFound, dict[int, str]]:
-    """The answer of ``run`` in which most buildings have so many ``hours`` of sun, without those
-    that have not; and by the number of each of those why it is left out."""
+    """The answer of ``run`` in which most buildings have ``hours`` hours of sun, without the
+    others; and by the number of each of these why it is left out."""
     tried = [problem.sun_spacing, *(t for t in WIDER if t > problem.sun_spacing)]
     best: SiteFound | None = None
     most, done = -1, 0

@@ -19,7 +19,7 @@ from scenewright.ground.works import GroundWorks, Pathway
 
 def works_of(solution: Solution, plans: Sequence[SitePlan]) -> tuple[GroundWorks, ...]:
     """What a solution says is laid out on each of its sites; where it says nothing (it was saved
-    before ways were, or made by another program), ways are laid out to what stands."""
+    before ways were, or made by another program), ways are laid out to its buildings."""
     known = {one.site: one for one in solution.detail or ()}
     return tuple(
         known[plan.id] if plan.id in known else lay_works(site, plan, solution.pieces)

@@ -1,4 +1,4 @@
-"""Blocks of a village as values: what stands, which sides are streets, the lanes beside."""
+"""Blocks of a village as values: their houses, which sides are streets, the lanes beside."""
 
 from __future__ import annotations
 

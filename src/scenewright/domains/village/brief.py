@@ -80,7 +80,7 @@ class VillageBlock(StrictModel):
     first corner to the second (left out: the sides along ``lanes``). ``count`` houses, or as many
     as cover the share ``coverage`` of the block (both left out: as many as such blocks have).
     ``classes`` are the shares of small (under 50 m²), medium and large (over 100 m²) houses;
-    ``square`` keeps so many square metres free on the street. ``fixed`` are houses that stay
+    ``square``: square metres kept free on the street. ``fixed`` are houses that stay
     where they stand and count.
     """
 

@@ -105,7 +105,7 @@ def square_patch(plan: BlockPlan, corners: Points) -> Patch:
 
 
 def scene_of_village(solution: Solution, plan: Plan) -> Scene:
-    """The scene of a solution: lanes, squares, walks and yards, and what stands on them."""
+    """The scene of a solution: lanes, squares, walks and yards, and houses."""
     ground = lay_ground(plan.detail, solution.pieces, solution.patches)
     sources = sources_of(solution.brief)
     return Scene(

@@ -39,7 +39,7 @@ Weighing = Callable[[VillageProblem, Surroundings, House, Shapes, Floats], Float
 
 
 class Growth(NamedTuple):
-    """A block while it is filled: what stands and what else there is to see, and the numbers in the
+    """A block while it is filled: its houses and surroundings, and the numbers in the
     library and poses of the houses placed."""
 
     seen: Surroundings
@@ -107,7 +107,7 @@ def _layout(grown: Growth, doors: np.ndarray, asked: int) -> VillageLayout:
 
 
 def survey_problem(problem: VillageProblem, added: int) -> Surroundings:
-    """What can be seen of a block on which so many houses are to be added to those that stay."""
+    """What can be seen of a block on which ``added`` houses join those that stay."""
     planned = added + len(problem.fixed.shapes)
     share = problem.street_share
     return survey(problem.floor, problem.streets, share, planned, problem.fixed)

@@ -20,7 +20,7 @@ from scenewright.drawing.sheet import EDGE, drawing_area
 
 TEXT_STYLE, FONT = "SCENEWRIGHT", "arial.ttf"
 APART = 1.2
-"""Sheets lie in the model so many of their widths apart."""
+"""Distance between sheets in the model, in widths of a sheet."""
 SVG_DEFAULTS = {"stroke": "none", "fill": "#000000"}
 
 

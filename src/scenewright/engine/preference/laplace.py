@@ -104,7 +104,7 @@ def predict(posterior: Posterior, points: Floats) -> tuple[Floats, Floats]:
 
 
 def predict_each(posterior: Posterior, points: Floats) -> tuple[Floats, Floats]:
-    """Mean and variance (m,) of the value at each of ``points`` (m, D) by itself."""
+    """Mean and variance (m,) of the value at each of ``points`` (m, D) separately."""
     cross = kernel_matrix(posterior.kernel, points, posterior.points)
     taken = np.einsum("ij,ij->i", cross @ posterior.shrink, cross)
     return cross @ posterior.slope, kernel_diagonal(posterior.kernel, points) - taken

@@ -19,8 +19,8 @@ FREEDOM = 1.0
 
 
 def fit_relevance(seen: Seen, kernel: Kernel, rounds: int) -> Posterior:
-    """The posterior of what was said, with the variance of each slope and bend found in so many
-    ``rounds``, from those of ``kernel``; none leaves them as they are.
+    """The posterior of what was said, with the variance of each slope and bend found in ``rounds``
+    rounds, from those of ``kernel``; 0 leaves them as they are.
 
     v ← (ν s + E[w²]) / (ν + 1) with s what the variance of a weight w was at first.
     """

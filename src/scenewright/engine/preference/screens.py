@@ -39,7 +39,7 @@ class ScreenMix(NamedTuple):
     favourites: int = 3
 
     def wide(self, statements: int) -> int:
-        """How many of a screen are there to learn from, after so many statements.
+        """How many layouts of a screen are there to learn from, after ``statements`` statements.
 
         >>> [ScreenMix().wide(count) for count in (0, 12, 24, 36)]
         [11, 8, 5, 4]
@@ -148,7 +148,7 @@ def _take_unknown(
 
 def find_unknown(taste: PersonTaste, values: Floats, count: int, beside: int = 0) -> list[int]:
     """``count`` rows of ``values`` (n, D) to learn from, besides the first few that are shown
-    anyway: always that of which least is known once the worth of those before it is (the pivots
+    anyway: always the least known one, given the worth of those before it (the pivots
     of Cholesky's decomposition of the covariance; the entropy of Shewry, Wynn 1987)."""
     rest = judge(taste, values).covariance
     taken: list[int] = []

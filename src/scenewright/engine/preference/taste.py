@@ -36,8 +36,8 @@ FAR = 3.0
 STAR = 1.0
 """What a star more is worth, in the unit of a choice."""
 STEP, SURE = 1.0, 2.0
-"""A reason says that a layout like this but so many standard deviations further would be better
-than one moved for any other reason, so much more surely than a choice among what is there."""
+"""A reason says that this layout moved by ``STEP`` standard deviations would be better than one
+moved for any other reason; it is ``SURE`` times as certain as a choice among those shown."""
 
 
 class TasteRule(NamedTuple):
@@ -124,7 +124,7 @@ def judge(taste: PersonTaste, values: Floats) -> Liking:
 
 
 def judge_each(taste: PersonTaste, values: Floats) -> tuple[Floats, Floats]:
-    """Mean and standard deviation (m,) of how much each layout would be liked by itself, quicker
+    """Mean and standard deviation (m,) of how much each layout would be liked separately, quicker
     than :func:`judge`."""
     points = standardise(taste.scale, values)
     given = points @ taste.start

@@ -1,7 +1,7 @@
 """How far predictions may be trusted: counted on screens the model had not learned from.
 
-Screens to learn from show layouts far apart, which are easily told from each other. What the model
-would rate by itself lies close together, so only screens that mostly show what is predicted best
+Screens to learn from show layouts far apart, which are easily told from each other. Layouts the
+model would rate alone lie close together, so only screens that mostly show what is predicted best
 say whether it may, and only by how much better it does there than guessing.
 """
 

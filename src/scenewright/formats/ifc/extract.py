@@ -225,7 +225,7 @@ def _host(product: Any) -> Any:
 
 
 def _hull_of(product: Any, draw: Drawing) -> dict[str, Any]:
-    """The same of what stands in rooms, by its convex outline."""
+    """The same of products in rooms, by their convex outline."""
     points = corners_of(product, draw.known)
     if points is None:
         return _shape(product, draw.settings, hull=True)
@@ -259,7 +259,7 @@ def _solid(
 
 
 def _surface(product: Any, settings: Any) -> Surface | None:
-    """The triangles of a product, of which it must have some."""
+    """The triangles of a product, at least one."""
     import ifcopenshell.geom
 
     try:

@@ -44,7 +44,7 @@ _OLD = {
     "IfcLightFixture": "IfcFlowTerminal",
     "IfcSpaceHeater": "IfcEnergyConversionDevice",
 }
-"""What IFC2x3 calls products of which it knows only the types by their names of IFC4."""
+"""IFC2x3 classes of products whose types alone it knows, by their names in IFC4."""
 _CATEGORIES: dict[tuple[str, str], str] = {
     ("IfcFurniture", "CHAIR"): "armchair auditorium_seat bar_stool bench deck_chair dining_chair "
     "lounge_seat office_chair outdoor_chair pouf reading_chair site_bench stool",

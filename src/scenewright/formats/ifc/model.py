@@ -1,4 +1,4 @@
-"""A scene as an IFC4 model: the project, its storeys, and what stands in each."""
+"""A scene as an IFC4 model: the project, its storeys, and the pieces in each."""
 
 from __future__ import annotations
 

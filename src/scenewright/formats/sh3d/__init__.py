@@ -1,7 +1,7 @@
 """Sweet Home 3D: a home drawn in that program, as a brief.
 
 Reads ``.sh3d`` archives and bare ``Home.xml`` files: levels, rooms, walls, doors, windows and
-furniture. Movable furniture and kitchen units (of which that program calls only some movable)
+furniture. Movable furniture and kitchen units (the program calls only some of these movable)
 are taken out, to be placed anew; what else is built in stays.
 """
 

@@ -1,4 +1,4 @@
-"""What the rooms of a Sweet Home 3D level are for: by their names and by what stands in them."""
+"""What the rooms of a Sweet Home 3D level are for: by their names and by their furniture."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def room_functions(
     keep: bool,
 ) -> list[tuple[str, ...]]:
     """By the room's name, with what else is taken out of it to be placed anew (nothing, to
-    ``keep``); where it has none or it says nothing, by what stands there, else a hall if it has
+    ``keep``); where it has none or it says nothing, by its furniture, else a hall if it has
     three doors, else (where no room is named) by size."""
     known = [
         _by_name(floor.name, pieces, keep) or function_from_pieces(pieces) or _hall(floor, doors)
@@ -67,7 +67,7 @@ def room_functions(
 
 
 def function_from_pieces(pieces: Sequence[HomePiece]) -> tuple[str, ...]:
-    """What a room is for by what stands in it; empty if nothing tells.
+    """What a room is for by its furniture; empty if nothing tells.
 
     A toilet with a bathtub or shower is a bathroom; living, dining and kitchen may go together.
     """

@@ -167,7 +167,7 @@ def tree(content: bytes) -> Document:
 
 
 def _feed(parser: expat.XMLParserType, content: bytes) -> None:
-    """Parse by portions; a tag of which no end is in sight is refused before it is held whole."""
+    """Parse by portions; a tag without an end in sight is refused before it is held whole."""
     for start in range(0, len(content), PORTION):
         parser.Parse(content[start : start + PORTION], False)
         waiting = start + PORTION - max(parser.CurrentByteIndex, 0)

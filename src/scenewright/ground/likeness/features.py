@@ -4,8 +4,8 @@
 the root of its area, its corners. *How*: distance to the nearest building, how much larger or
 smaller that is, gaps to the sides and ahead or behind, by how much the next building ahead or
 behind is shifted aside, where the four nearest stand in its own frame, the angle to the nearest,
-its direction, the share of ground built on around it, distance and angle to the street of what
-stands in its front row. Gaps are in metres up to :data:`FAR`; what has no neighbour that way has
+its direction, the share of ground built on around it, distance and angle to the street of
+those in its front row. Gaps are in metres up to :data:`FAR`; what has no neighbour that way has
 :data:`FAR`; what a building has not, as the street of one in the second row, is nan.
 """
 
@@ -82,7 +82,7 @@ def measure_buildings(frames: BuiltFrames, roads: Sequence[BuiltRoad] = ()) -> d
 
 
 def join_measures(rows: Sequence[dict[str, Floats]]) -> dict[str, Floats]:
-    """The features of several scenes together, each measured by itself; nan where one of them has
+    """The features of several scenes together, each measured separately; nan where one of them has
     not what another has (streets).
 
     >>> one, two = {"area": np.ones(1), "street": np.zeros(1)}, {"area": np.ones(2)}

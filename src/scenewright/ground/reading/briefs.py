@@ -1,4 +1,4 @@
-"""The buildings that a brief draws: those of its sources, and what stands on its sites."""
+"""The buildings that a brief draws: those of its sources, and those on its sites."""
 
 from __future__ import annotations
 

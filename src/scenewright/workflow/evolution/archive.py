@@ -36,7 +36,7 @@ class CandidateArchive:
             self.check_features(len(self.bred[0].values))
 
     def check_features(self, count: int) -> None:
-        """InputError unless every candidate has so many features."""
+        """InputError unless every candidate has ``count`` features."""
         if any(len(one.values) != count for one in self.bred.values()):
             raise InputError(
                 "is damaged, or of another version: features do not fit", "start a new one"

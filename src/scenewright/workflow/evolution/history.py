@@ -24,7 +24,7 @@ class ShownScreen(NamedTuple):
 
 class History(NamedTuple):
     """How many ``entries`` there are, the ``events`` among them, the ``screens``, all candidates
-    ever ``shown``, and how often the model was left to rate by itself (``autos``)."""
+    ever ``shown``, and how often the model was left to rate alone (``autos``)."""
 
     entries: int = 0
     events: tuple[Event, ...] = ()
@@ -75,8 +75,8 @@ def _first_pick(events: Sequence[Event], shown: Sequence[int]) -> Pick | None:
 
 
 def read_history(entries: Sequence[Entry], candidates: int) -> History:
-    """The history of all entries of a log that holds so many ``candidates``; InputError where they
-    speak of others.
+    """The history of all entries of a log that holds ``candidates`` candidates; InputError where
+    they speak of others.
 
     >>> shown = {"screen": 0, "shown": [0, 1], "predicted": [None, None]}
     >>> said = {"event": "pick", "best": 1, "among": [0, 1]}

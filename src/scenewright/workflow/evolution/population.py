@@ -97,7 +97,7 @@ def breed_genomes(
     open_: int = 0,
 ) -> list[Genome]:
     """Genomes of batch ``number`` that are not ``known``: some by chance, else of one or two
-    ``parents``, the best of which come first; fewer where there are no more. The first ``open_``
+    ``parents``, the best first; fewer where there are no more. The first ``open_``
     alleles of each gene may be used (0: as many as suit the batch)."""
     count = how.each if number else how.first
     open_ = open_ or count_open(genes, len(known), number, how)

@@ -247,8 +247,8 @@ class Evolution:
         return self._show([made])[0]
 
     def rate_itself(self, rounds: int, progress: OnProgress | None = None) -> int:
-        """Breed on for so many rounds without asking, the model rating in the person's place; only
-        where it may be trusted. Nothing is learned from that and the champion stays; the next
+        """Breed on for ``rounds`` rounds without asking, the model rating in the person's place;
+        only where it may be trusted. Nothing is learned from that and the champion stays; the next
         screen is the person's again. How many candidates were bred."""
         if self._run is not None:
             refuse("auto")

@@ -85,7 +85,7 @@ def _list_sizes(area: AreaPlan, plan: ExtendPlan) -> dict[str, list[tuple[float,
 
 
 def find_outside(area: AreaPlan, pieces: Sequence[Piece], shapes: Shapes) -> list[Finding]:
-    """Buildings of an area of which more than 1 cm leaves it or stands in a street, or that stand
+    """Buildings of an area that leave it or stand in a street by more than 1 cm, or stand
     off the ground."""
     found = []
     wider = shapely.buffer(area.outline, TOLERANCE, join_style="mitre")

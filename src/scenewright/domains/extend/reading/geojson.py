@@ -1,4 +1,4 @@
-"""Extensions drawn as GeoJSON: a map of what stands, and polygons tagged ``extend`` to be filled.
+"""Extensions drawn as GeoJSON: a map of buildings, and polygons tagged ``extend`` to be filled.
 
 Buildings and streets are the source; a polygon with ``extend=yes`` is an area. Its tags ``count``
 and ``coverage`` are those of the brief.

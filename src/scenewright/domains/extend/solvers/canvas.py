@@ -89,7 +89,7 @@ class Canvas:
         return self.covered >= self.wanted * (1 - self.problem.settings.slack)
 
     def enough(self) -> bool:
-        """Whether so much is built that what lacks is no fault: within :data:`SHORT`."""
+        """Whether enough is built: what is missing is within :data:`SHORT`, and no fault."""
         if self.stopped:
             return True
         if self.problem.number is not None:

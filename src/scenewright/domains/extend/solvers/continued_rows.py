@@ -42,7 +42,7 @@ class RowString(NamedTuple):
 
 
 def continue_rows(canvas: Canvas, rng: np.random.Generator) -> int:
-    """Continue all rows of what stands; how many buildings were added."""
+    """Continue all rows of buildings; how many were added."""
     first = canvas.first
     known = np.flatnonzero(canvas.origin[:first] >= 0)
     if len(known) < 3:

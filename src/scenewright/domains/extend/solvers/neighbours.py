@@ -103,7 +103,7 @@ def proposals_of(canvas: Canvas, number: int) -> tuple[Floats, Indices]:
 
 
 def worth_of(canvas: Canvas, pose: Floats, origin: int, skip: int = -1) -> float:
-    """How well a copy at a pose agrees with what stands about it: neighbours where the original
+    """How well a copy at a pose agrees with its surroundings: neighbours where the original
     has one count up to 1 each, those where it has none cost ``missing``."""
     pattern, settings = canvas.problem.pattern, canvas.problem.settings
     step = canvas.boxes[:, :2] - pose[:2]

@@ -71,7 +71,7 @@ def _place_patches(
 
 
 def _nearness(canvas: Canvas, poses: Floats, good: NDArray[np.bool_]) -> Floats:
-    """How much placements (k, n, 3) count by how near what fits of each comes to what stands:
+    """How much placements (k, n, 3) count by how near the fitting part of each comes to buildings:
     1 beside it, half :data:`FAR` metres on."""
     there = canvas.boxes[canvas.there]
     if not len(there):

@@ -1,4 +1,4 @@
-"""Coverage repaired: free ground filled in line with what stands, too much taken away."""
+"""Coverage repaired: free ground filled in line with its surroundings, excess taken away."""
 
 from __future__ import annotations
 

@@ -19,7 +19,7 @@ from scenewright.ground.rows import BuildingRow, string_of
 ALONG = float(np.deg2rad(20.0))
 """How far a row may turn from the longer rows and still run along them."""
 GROUPED = 25.0
-"""Metres within which what stands by itself is of the group of an element of a row."""
+"""Metres within which a lone building belongs to the group of an element of a row."""
 
 
 class UnfoldedRow(NamedTuple):

@@ -1,10 +1,10 @@
-"""Growth by the grammar: arrays unfold sideways, and what stands between them is repeated.
+"""Growth by the grammar: arrays unfold sideways, and the buildings between them are repeated.
 
 Zhang and Fei (2017, section 1.2): LayoutConstruction → (Front)(Border){Group …}(Back), groups of
 features, features of arrays, arrays of elements. How a scene grows by it is not printed. Ours: each
 feature that runs along the scene's longer rows is folded, its string stretched to the length of the
-ground before it and laid out with its own gaps and setbacks, along streets that bend; what stands
-by itself belongs to the group of the nearest element of such a feature and follows it, or is
+ground before it and laid out with its own gaps and setbacks, along streets that bend; a lone
+building belongs to the group of the nearest element of such a feature and follows it, or is
 repeated as it stands; and the whole layout is repeated across, one scene and one gap between its
 features farther each time, the nearest first.
 """
@@ -85,7 +85,7 @@ def _shifts_across(problem: ExtendProblem, grammars: list[SceneGrammar]) -> list
 def _lay_scene(
     canvas: Canvas, streets: shapely.Geometry, grammar: SceneGrammar, times: int, stands: bool
 ) -> None:
-    """One layout, moved across so many times: its rows to the ends of the ground, then what else
+    """One layout, moved across ``times`` times: its rows to the ends of the ground, then what else
     is of it, as often as there is room along the rows."""
     frame = grammar.frame
     step = np.array([np.cos(frame[2]), np.sin(frame[2])]) * times * (frame[4] + grammar.between)

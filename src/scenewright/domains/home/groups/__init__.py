@@ -31,7 +31,7 @@ class GroupKind:
 
     ``height`` is what counts in front of windows; ``back`` 1 if it belongs to a wall; ``main``
     its role at the main wall; ``clear`` free depth outside the patch; ``access`` sides, at least
-    one of which must be reachable; ``inset`` walkable depth inside; ``daylight`` and ``nestle``
+    one must be reachable; ``inset`` walkable depth inside; ``daylight`` and ``nestle``
     wishes; ``roomy`` the room areas (m²) at which the smallest and the largest case are preferred;
     ``essential`` the category that makes the group what it is; ``shades`` how much it minds a
     window behind it; ``symmetry`` how much its axis belongs to the middle of the floor beside it;

@@ -1,4 +1,4 @@
-"""A site and what stands on it as exact shapes, built once and shared by every test.
+"""A site and its buildings as exact shapes, built once and shared by every test.
 
 Landmarks come from the brief, whatever the answer says of them; buildings are the other pieces.
 """

@@ -1,4 +1,4 @@
-"""What a site asks for against what stands on it: buildings, and the ground laid out."""
+"""The demands of a site against its solution: buildings, and the ground laid out."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ from scenewright.ground.works import GroundWorks
 def list_owed(
     sites: Sequence[Site], plans: Sequence[SitePlan], pieces: Sequence[Piece], kinds: Catalog
 ) -> Iterator[Owed]:
-    """What each site is to hold: so many buildings of a name, model and size, or at least one where
-    it states a target."""
+    """What each site is to hold: a number of buildings of a name, model and size, or at least one
+    where it states a target."""
     for site, plan in zip(sites, plans, strict=True):
         here = [p for p in pieces if p.space == plan.id and p.category == "building"]
         marks = {name for row in plan.landmarks for name in (row.id, f"{plan.id}/{row.id}")}
@@ -60,7 +60,7 @@ def _is_as_large(piece: Piece, rows: Sequence[Building], model: str, kinds: Cata
 
 
 def find_unstated(plans: Sequence[SitePlan], works: Sequence[GroundWorks]) -> list[Finding]:
-    """A finding for each site of which the solution does not say what is laid out on the ground."""
+    """A finding for each site whose ground works the solution does not state."""
     stated = {one.site for one in works}
     return [
         Finding("missing", "", plan.id, "", "", f"what is laid out on {plan.id} is not stated")

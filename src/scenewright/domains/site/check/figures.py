@@ -158,8 +158,8 @@ def _storeys(ground: JudgedSite, piece: Piece) -> int:
 
 
 def _distances(bodies: SiteBodies) -> dict[str, float | None]:
-    """The least distance between two bodies of which one was placed, and the mean over buildings
-    of that to the nearest body."""
+    """The least distance between two bodies, at least one of them placed, and the mean over
+    buildings of the distance to the nearest body."""
     own = np.flatnonzero(~bodies.landmark)
     if len(bodies.ids) < 2 or not len(own):
         return {"least_spacing": None, "mean_spacing": None}

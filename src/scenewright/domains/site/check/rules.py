@@ -35,7 +35,7 @@ def find_overlaps(grounds: JudgedSite, bodies: SiteBodies) -> list[Finding]:
 
 
 def find_outside(grounds: JudgedSite, bodies: SiteBodies) -> list[Finding]:
-    """Buildings of which more than 1 cm leaves the site, which float or are sunk, or are higher
+    """Buildings that leave the site by more than 1 cm, float, are sunk, or are higher
     than the limit."""
     found = []
     own = np.flatnonzero(~bodies.landmark)
@@ -123,8 +123,8 @@ def find_too_close(grounds: JudgedSite, bodies: SiteBodies) -> list[Finding]:
 
 
 def _sunless(grounds: JudgedSite, bodies: SiteBodies) -> list[Finding]:
-    """Buildings nearer behind another, on the side away from the noon sun, than so many heights
-    of it: the footprint moved that far towards the pole passes over them."""
+    """Buildings nearer behind another, on the side away from the noon sun, than the required
+    multiple of its height: the footprint moved that far towards the pole passes over them."""
     times = grounds.site.sun_spacing
     if times <= 0.0 or len(bodies.ids) < 2:
         return []

@@ -97,7 +97,7 @@ def sunny_sides(corners: Floats, latitude: float) -> Floats:
 
 
 def sample_rows(count: int) -> Indices:
-    """At most 120 of so many rows, evenly spread."""
+    """At most 120 of ``count`` rows, evenly spread."""
     return np.unique(np.linspace(0, count - 1, min(count, MOST)).round().astype(np.int64))
 
 

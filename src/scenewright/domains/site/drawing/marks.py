@@ -48,7 +48,7 @@ MUCH, BAND = 0.3, 1.1
 """Visual quality V drawn as most, and how wide the band along the ways is in millimetres."""
 
 STOREYS = ((3, "#fbe9d3"), (6, "#f5cfa3"), (11, "#e9ac73"), (18, "#cf8850"), (10_000, "#a8643a"))
-"""Fills of buildings up to so many storeys."""
+"""Most storeys, and the fill of buildings up to it."""
 
 LABEL, SMALLEST = 2.1, 1.15
 """Height of labels in millimetres, and the least at which they are still written."""
@@ -335,7 +335,7 @@ def views_mark(view: PaperView, points: Points, values: Points) -> Mark:
 
 
 def view_colour(share: float) -> str:
-    """The colour of a place from which so much is seen, of the most.
+    """The colour of a place with a ``share`` (0 to 1) of the best view.
 
     >>> view_colour(0.0), view_colour(1.0)
     ('#ece2f0', '#6a1b82')

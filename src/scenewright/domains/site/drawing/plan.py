@@ -40,7 +40,7 @@ LARGE, MODELS = 2000, 30
 
 
 class SiteSheet(NamedTuple):
-    """One site with what stands on it, what was found, and its bounds in metres."""
+    """One site with its buildings, the findings, and its bounds in metres."""
 
     site: Site
     plan: SitePlan
@@ -125,7 +125,7 @@ def _drawing(
     findings: tuple[Finding, ...],
     figures: dict[str, Any],
 ) -> SiteSheet:
-    """Bounds take in the site, streets beside it and what stands no farther outside than it is
+    """Bounds take in the site, streets beside it and buildings no farther outside than it is
     long."""
     low, high = plan.outline.min(0), plan.outline.max(0)
     reach = float((high - low).max()) / 2

@@ -24,7 +24,7 @@ KIND, PART, TURN = range(3)
 
 
 class SiteLattice(NamedTuple):
-    """The lattice of a site and what stands where on it.
+    """The lattice of a site and the buildings on its cells.
 
     ``lattice`` (6,): x, y of its corner, cos and sin of its lines, size of a cell in metres,
     base heading. ``shape`` rows m and columns n. ``spans`` (kinds + 1, 2, 2): columns and rows of

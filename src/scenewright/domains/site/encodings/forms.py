@@ -101,7 +101,7 @@ def parallel(sizes: Floats, spacing: float, target: Target, behind: float = 0.0)
 
 
 def lay_staggered(sizes: Floats, spacing: float, target: Target, behind: float = 0.0) -> Floats:
-    """Rows of which every other one is moved by half a place, so that one looks between two.
+    """Rows, every other one shifted by half a place, so that each building looks between two.
 
     Boxes (k, 5) for ``sizes`` (k, 3), metres.
     """
@@ -251,7 +251,7 @@ def point(sizes: Floats, spacing: float, target: Target, behind: float = 0.0) ->
 
 
 def _towers(sizes: Floats, spacing: float, target: Target, behind: float, columns: int) -> Floats:
-    """Towers in so many columns, the last row in the middle."""
+    """Towers in ``columns`` columns, the last row in the middle."""
     count = len(sizes)
     boxes, rows = np.zeros((count, 5)), -(-count // columns)
     cell = np.array([target[0] / columns, target[1] / rows])

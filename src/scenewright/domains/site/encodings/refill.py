@@ -89,7 +89,7 @@ def _list_missing(
 
 
 def measure_amount(cells: SiteLattice, genes: Ints, amount: Amount) -> tuple[float, float]:
-    """Ground covered and floor area of what stands, square metres."""
+    """Ground covered and floor area of the buildings, square metres."""
     area = cells.sizes.prod(1) * count_kinds(cells, genes)
     return float(area.sum()), float((area * amount.storeys).sum())
 

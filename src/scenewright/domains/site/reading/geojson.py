@@ -273,7 +273,7 @@ def _near_parts(
     whole: shapely.LineString, width: float, floor: shapely.Polygon, verge: float
 ) -> list[shapely.LineString]:
     """The parts of a line whose surface comes within a verge of a floor: cut off :data:`BEYOND`
-    metres outside, or so much farther that the street beside the verge is whole."""
+    metres outside, or farther where the street beside the verge needs it."""
     if not shapely.dwithin(floor, whole, verge + width):
         return []
     found = []

@@ -18,8 +18,8 @@ SEEN, SUN, EVEN = range(3)
 
 
 class Around(NamedTuple):
-    """A block about to be filled: its middle (2,) and size in metres, eyes (e, 2) near it, what
-    stands near, boxes (m, 5) with heights (m,) and sides (m, 5), the path of the sun (s, 4), the
+    """A block about to be filled: its middle (2,) and size in metres, eyes (e, 2) near it, its
+    neighbours, boxes (m, 5) with heights (m,) and sides (m, 5), the path of the sun (s, 4), the
     hours it shines on a front to it that has nothing before it, and the weights (3,) of the aims, 0
     where there is nothing to look at."""
 

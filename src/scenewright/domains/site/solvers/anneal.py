@@ -1,9 +1,9 @@
 """Sites by annealing over boxes, as the paper's local templates and its comparison "SA".
 
-Kirkpatrick, Gelatt, Vecchi 1983. A move looks only at the building that moved and what stands near
-it. The energy is the repaired sum, or f_cost of (6) with the ratio (5) where the problem's form is
-``printed``. Buildings may overlap on the way; what still cannot stand in the end is left out.
-"""
+Kirkpatrick, Gelatt, Vecchi 1983. A move looks only at the building that moved and its
+neighbours. The energy is the repaired sum, or f_cost of (6) with the ratio (5) where the problem's
+form is ``printed``. Buildings may overlap on the way; what still cannot stand in the end is left
+out."""
 
 from __future__ import annotations
 

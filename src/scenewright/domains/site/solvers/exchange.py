@@ -29,11 +29,11 @@ class Slots(NamedTuple):
     """What stands in n slots, and l landmarks after them.
 
     ``grid`` lists boxes as large as any that may come; ``frames`` and ``heights`` in it are those
-    of what stands. ``quality`` (n + l, 5) of sides; ``room`` (n, 2) greatest width and depth;
-    ``made`` what eyes see; ``path`` of the sun and ``hours`` (n,) on fronts; ``eyes`` that may see
-    a slot, ``shaded`` slots near it. The rest is scratch: ``log`` (rays, 3) eye, ray and building,
-    ``old`` (rays, 2) value and distance before, ``logged`` (1,) how many; ``fresh`` (n,) hours, the
-    move that last looked at an eye or slot, ``eye_marks`` and ``slot_marks``.
+    of the buildings placed. ``quality`` (n + l, 5) of sides; ``room`` (n, 2) greatest width and
+    depth; ``made`` what eyes see; ``path`` of the sun and ``hours`` (n,) on fronts; ``eyes`` that
+    may see a slot, ``shaded`` slots near it. The rest is scratch: ``log`` (rays, 3) eye, ray and
+    building, ``old`` (rays, 2) value and distance before, ``logged`` (1,) how many; ``fresh`` (n,)
+    hours, the move that last looked at an eye or slot, ``eye_marks`` and ``slot_marks``.
     """
 
     grid: BoxGrid
@@ -195,8 +195,8 @@ def in_sun(s: SiteState, v: Slots, rule: ExchangeRule, i: int, frame: Frame) -> 
 
 @inlined
 def too_near(a: Frame, high: float, b: Frame, other: float, rule: ExchangeRule) -> bool:
-    """True if one box stands behind another, on the side away from the noon sun, by less than so
-    many heights of it."""
+    """True if one box stands behind another, on the side away from the noon sun, by less than the
+    multiple of its height that ``rule`` asks for."""
     c, s = rule.noon
     dx, dy = b[0] - a[0], b[1] - a[1]
     aside, ahead = abs(dx * s - dy * c), dx * c + dy * s

@@ -72,7 +72,7 @@ class Filling(NamedTuple):
     before: SiteLayout | None
 
     def over(self, share: float, boxes: Floats, present: Flags, forms: list[str]) -> bool:
-        """Report what stands, ``share`` of this filling being done; true if it should end."""
+        """Report the layout, ``share`` of this filling being done; true if it should end."""
 
         def best() -> SiteLayout:
             if self.before is not None and self.before.present.sum() >= present.sum():
@@ -123,7 +123,7 @@ def _over_in_block(
     forms: list[str],
     share: float,
 ) -> bool:
-    """Report a share of the layouts of one block after ``count`` of so many ``blocks``."""
+    """Report a share of the layouts of one block after ``count`` of ``blocks`` blocks."""
     return filling.over((count + share) / blocks, boxes, present, forms)
 
 
@@ -189,7 +189,7 @@ def list_edges(problem: SiteProblem, b: int) -> Floats:
 def list_ground(
     problem: SiteProblem, b: int, boxes: Floats, present: Flags, waiting: list[int]
 ) -> Floats:
-    """Edges of a block less what stands near with its distances."""
+    """Edges of a block, cut back to keep distance from fixed buildings."""
     edges, sizes = list_edges(problem, b), problem.buildings.sizes
     low, high = edges.reshape(-1, 2).min(0), edges.reshape(-1, 2).max(0)
     standing = np.concatenate([boxes[present], problem.ground.landmarks])

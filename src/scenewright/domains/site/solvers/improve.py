@@ -47,8 +47,8 @@ def improve_layout(
     """A layout after exchanges and turns that gain in what is seen and in sun, by their weights,
     and how many were tried. ``begun`` is the share of the run done before.
 
-    Time grows with the number of buildings and of eyes near each. All are taken for boxes: what
-    stands in the corner of another stays.
+    Time grows with the number of buildings and of eyes near each. All are taken for boxes: a
+    building in the corner of another stays.
     """
     aims = read_site_aims(problem.weights)
     here = np.flatnonzero(found.present)
@@ -126,7 +126,7 @@ def make_slots(problem: SiteProblem, boxes: Floats, here: Ints) -> Slots:
 
 
 def _roomy(boxes: Floats, heights: Floats, count: int, give: float) -> BoxGrid:
-    """A grid over boxes of which the first ``count`` may be exchanged: it holds any that come."""
+    """A grid over boxes, the first ``count`` of them exchangeable, for boxes of any later size."""
     large = boxes.copy()
     large[:count, 3:] = (boxes[:count, 3:].max(1) + 2.0 * give)[:, None]
     grid, true = box_grid(large, heights), box_grid(boxes, heights)
@@ -136,7 +136,7 @@ def _roomy(boxes: Floats, heights: Floats, count: int, give: float) -> BoxGrid:
 
 
 def _near(places: Floats, others: Floats, far: float) -> Lists:
-    """For each of some points those of others within so many metres."""
+    """For each of ``places``, the ``others`` within ``far`` metres."""
     own, other = shapely.STRtree(others).query(places, predicate="dwithin", distance=far)
     order = np.lexsort((other, own))
     starts = np.searchsorted(own[order], np.arange(len(places) + 1))

@@ -2,7 +2,7 @@
 
 Where the middle of a polygon can stand, turned some way, is exact: the block less the sums
 (Minkowski) of the turned polygon with the edges of the block and with what keeps it away, both cut
-into convex parts, of which each sum is the hull of the sums of corners. Buildings are set one by
+into convex parts, whose sums are the hulls of the sums of their corners. Buildings are set one by
 one, the largest first, at the corner of that region where all that stands stays most compact.
 """
 
@@ -53,8 +53,8 @@ def interlock(
     begun: float = 0.0,
 ) -> tuple[SiteLayout, int]:
     """A layout with more on the ground, and how many were tried: what was left out is set between
-    what stands, or all is set anew, whichever holds most floor. Sites of boxes, and what is
-    complete, stay as they are. ``begun`` is the share of the run done before."""
+    the buildings placed, or all is set anew, whichever holds most floor. Sites of boxes, and what
+    is complete, stay as they are. ``begun`` is the share of the run done before."""
     made, rule = problem.buildings, problem.settings.interlock
     if not made.footprints or found.present.all() or len(made.sizes) > rule.many:
         return found, 0
@@ -269,8 +269,9 @@ def _is_convex(shape: shapely.Polygon) -> bool:
 def keep_away(
     problem: SiteProblem, standing: Sequence[StandingBuilding], height: float
 ) -> list[shapely.Polygon]:
-    """What a building so high must stay off: the spacing, or a way, around what stands; behind it
-    so many of its heights as are asked for the sun, and as many of the building's before it."""
+    """The floor a building ``height`` metres high must keep off: the spacing, or a way, around each
+    building standing; for the sun, multiples of its height behind it and of the new one's before
+    it."""
     gap = max(problem.spacing, problem.fire_access) + HAIR
     sun = problem.sun_spacing
     found = []

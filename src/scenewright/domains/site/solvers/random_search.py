@@ -39,7 +39,7 @@ def drop_buildings(
     boxes: Floats,
 ) -> None:
     """Drop buildings in ``order`` (n,) where they stand clear; write where to ``boxes`` (n, 5),
-    no width for those that found no room in so many tries."""
+    no width for those that found no room in ``tries`` tries."""
     for i in range(boxes.shape[0]):
         remove(s.buckets, i)
         for k in range(5):

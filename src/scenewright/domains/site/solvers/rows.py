@@ -68,7 +68,7 @@ def set_rows(
     numbers: Ints,
 ) -> int:
     """Write the ``numbers`` (k,) of buildings set and where, ``placed`` (k, 2), and say how many;
-    ``waiting`` (k,) are theirs in turn, of which those set become -1, ``scratch`` (2, e, 2)."""
+    ``waiting`` (k,) are theirs in turn, -1 once set; ``scratch`` (2, e, 2)."""
     work, spans = scratch[0], scratch[1]
     top, bottom = -math.inf, math.inf
     for k in range(edges.shape[0]):

@@ -23,7 +23,7 @@ from scenewright.geometry.boxes import Floats
 
 AS_USUAL = SiteSettings()
 STEPS = 20_000
-"""Moves of annealing a template by itself."""
+"""Moves of annealing a single template."""
 
 
 class Template(NamedTuple):

@@ -197,7 +197,7 @@ def kept_apart(
 def printed_ratio(terms: Floats, weights: Floats) -> Floats:
     """E_eval of (5) for terms (..., 6): weighted position costs over weighted visual quality.
 
-    It explodes where the quality of what stands is small and is infinite where nothing stands;
+    It explodes where the quality of the buildings is small and is infinite where there are none;
     for a given set of buildings, all placed, the divisor is constant and says nothing.
     """
     places = [INSERT, OVERLAP, ROAD, FACING]
@@ -222,7 +222,7 @@ def repaired_sum(terms: Floats, weights: Floats, count: int) -> Floats:
     """Our energy for terms (..., 6) of ``count`` buildings asked for: position costs + what the
     visual quality lacks to 1 each + buildings left out. Lower is better, least 0.
 
-    A sum instead of (5)'s ratio: bounded, and each term can be weighed and explained by itself.
+    A sum instead of (5)'s ratio: bounded, and each term can be weighed and explained separately.
     """
     signed = weights.copy()
     signed[QUALITY] = -weights[QUALITY]

@@ -1,4 +1,4 @@
-"""What the blocks of a village are to hold against what stands on them."""
+"""The demands of the blocks of a village against the houses on them."""
 
 from __future__ import annotations
 

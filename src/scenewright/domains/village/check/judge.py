@@ -140,7 +140,7 @@ def find_overlaps(judged: JudgedBlock) -> list[Finding]:
 
 
 def find_outside(judged: JudgedBlock) -> list[Finding]:
-    """Houses of which more than 1 cm leaves the block, or that stand off the ground."""
+    """Houses that leave the block by more than 1 cm, or stand off the ground."""
     found = []
     wider = shapely.buffer(judged.floor, TOLERANCE, join_style="mitre")
     shapely.prepare(wider)

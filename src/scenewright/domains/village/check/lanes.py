@@ -15,7 +15,7 @@ from scenewright.domains.village.brief import Lane
 
 
 def find_on_lanes(houses: Sequence[Piece], shapes: Shapes, lanes: Sequence[Lane]) -> list[Finding]:
-    """Houses of which more than 1 cm stands on a lane, by its line and width in the brief."""
+    """Houses more than 1 cm on a lane, by its line and width in the brief."""
     if not len(shapes) or not lanes:
         return []
     lines = np.array([shapely.LineString(lane.line) for lane in lanes], object)

@@ -1,4 +1,4 @@
-"""Is a block full? The odds that houses are missing from what stands, as *continue* of Zhu, Jiang
+"""Is a block full? The odds that it lacks houses, as *continue* of Zhu, Jiang
 and Li (2022), by logistic regression on figures of the block instead of a view of it."""
 
 from __future__ import annotations

@@ -99,7 +99,7 @@ def without_houses(seen: Surroundings, standing: StandingHouses) -> Surroundings
 
 
 def grid_over(floor: shapely.Polygon, points: int = POINTS) -> Floats:
-    """About so many points (g, 2) of a square grid over ground; at least one."""
+    """About ``points`` points (g, 2) of a square grid over ground; at least one."""
     west, south, east, north = floor.bounds
     step = max(1.0, float(np.sqrt(floor.area / points)))
     x, y = np.arange(west + step / 2, east, step), np.arange(south + step / 2, north, step)

@@ -68,7 +68,7 @@ def near_to(distance: Floats, *scales: float) -> Floats:
 
 
 def forgive(value: Floats, by: float) -> Floats:
-    """Values nearer to 0, by so much at most.
+    """Values moved towards 0 by at most ``by``.
 
     >>> forgive(np.array([-0.5, 0.1, 2.0]), 0.2).round(3).tolist()
     [-0.3, 0.0, 1.8]

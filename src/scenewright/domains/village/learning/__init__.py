@@ -1,1 +1,1 @@
-"""What is learned of real blocks: how many houses, of which classes, and how they stand."""
+"""What is learned of real blocks: how many houses, their classes, and how they stand."""

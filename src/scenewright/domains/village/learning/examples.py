@@ -75,7 +75,7 @@ def problem_of_block(
 
 
 def turns_of(block: RealBlock, rng: np.random.Generator) -> Iterator[Turn]:
-    """The houses of a block in an order of placing, each with what stands before it."""
+    """The houses of a block in an order of placing, each with the houses placed before it."""
     whole = block.standing
     areas = shapely.area(whole.shapes) * np.exp(rng.normal(0.0, JITTER, len(whole.shapes)))
     order = np.argsort(-areas, kind="stable")
@@ -98,7 +98,7 @@ def house_at(ring: Floats) -> tuple[House, Floats]:
 def legal_proposals(
     problem: VillageProblem, turn: Turn, rng: np.random.Generator, most: int
 ) -> tuple[Floats, Shapes]:
-    """At most so many legal proposals (k, 3) for a house, and their footprints (k,)."""
+    """At most ``most`` legal proposals (k, 3) for a house, and their footprints (k,)."""
     poses = rng.permutation(propose(problem, turn.seen.standing, turn.house, rng))
     shapes, rings = shapes_at(turn.house, poses)
     good = np.flatnonzero(shapely.contains_xy(problem.floor, rings[..., 0], rings[..., 1]).all(1))

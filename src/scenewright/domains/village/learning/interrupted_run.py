@@ -26,7 +26,7 @@ def checkpoint_path(output: Path) -> Path:
 
 
 def save_training(path: Path, key: str, state: TrainingState, seconds: float) -> None:
-    """Keep a state: ``key`` says of which training it is, ``seconds`` what it took."""
+    """Keep a state: ``key`` identifies the training, ``seconds`` is what it took."""
     arrays = {
         f"{group}/{name}": value
         for group, values in zip(GROUPS, state[:3], strict=True)

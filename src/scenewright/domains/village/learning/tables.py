@@ -64,7 +64,7 @@ def learn_regions(blocks: Sequence[RealBlock], manner: Manner) -> dict[str, Regi
 
 
 def learn_manner(blocks: Sequence[RealBlock], known: Manner = OURS) -> Manner:
-    """The manner of some blocks, of which another is ``known``: tables of relations, the law of
+    """The manner of some blocks, given a ``known`` one: tables of relations, the law of
     counts, shares of classes."""
     rows = np.concatenate([relate_in_order(block) for block in blocks])
     small = rows[:, 4] == 0

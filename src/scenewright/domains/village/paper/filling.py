@@ -66,8 +66,8 @@ def fill_as_paper(
     hear: Hear | None = None,
 ) -> PaperFilling:
     """The houses put on a block until *continue* says stop, at most as many as are asked for;
-    ``goes_on`` gets what stands and may end it, ``hear`` every step (*continue*'s odds, the classes
-    drawn, what was retrieved)."""
+    ``goes_on`` gets the houses so far and may end it, ``hear`` every step (*continue*'s odds, the
+    classes drawn, what was retrieved)."""
     frame, free = frame_of(problem.floor, PIXELS), problem.floor.difference(problem.kept_free)
     shapely.prepare(free)
     candidates = list_candidates(problem.houses)

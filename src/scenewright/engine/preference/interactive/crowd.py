@@ -69,8 +69,8 @@ def follow(
     seed: int,
     heard: Sequence[Mapping[Genome, float]],
 ) -> Crowd:
-    """Where a method is after sheets of which so much was ``heard``: stars by genome, of each; what
-    was shown and not rated counts as :data:`MIDDLE`."""
+    """The state of a method after the sheets ``heard``, each the stars by genome; a candidate
+    shown and not rated counts as :data:`MIDDLE`."""
     run = CrowdRun(method, matrix, seed)
     crowd = begin_crowd(run)
     for ratings in heard:
@@ -79,7 +79,7 @@ def follow(
 
 
 def begin_crowd(run: CrowdRun) -> Crowd:
-    """The first generation, all of which is asked of."""
+    """The first generation, shown whole."""
     first = run.matrix.draw(run.matrix.population, run.method.led, run.chance(0))
     return _ask(run, Crowd(0, tuple(first), ()))
 

@@ -168,8 +168,8 @@ def _list_smaller(
         if may_stand_free(task, pieces, box):
             radius = find_circle(free_beside(task, floor, pieces, added.pieces)).radius
             if radius <= void.radius - LESS:
-                amid = not is_backed(box, task.ground.walls, OFF_WALL + NEAR_AT_WALL)
-                yield radius + AMID * amid, number, added
+                stands_free = not is_backed(box, task.ground.walls, OFF_WALL + NEAR_AT_WALL)
+                yield radius + AMID * stands_free, number, added
 
 
 def _list_added(

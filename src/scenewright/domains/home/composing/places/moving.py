@@ -54,7 +54,7 @@ def find_places(
     metres, if not stated that of the preset."""
     longest, walls = dict[Reach, float](), read_walls(task.ground)
     step = step or task.preset.settings.composing.step
-    amid = bool(group.pieces) and not is_backed(group.dressed.box, task.ground.walls, AMID)
+    stands_free = bool(group.pieces) and not is_backed(group.dressed.box, task.ground.walls, AMID)
     for case in cases:
         reach = reach_of(case)
         if reach not in longest:
@@ -65,7 +65,7 @@ def find_places(
             free = flush if len(flush) else free
         if case.function in FREE and _may_stand_amid(task):
             free = np.concatenate([free, list_amid(task, case, standing)])
-        if amid:
+        if stands_free:
             there = _in_place(task, case, standing, group.dressed.box)
             free = np.concatenate([free, there])
         if len(free):

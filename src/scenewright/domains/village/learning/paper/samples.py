@@ -54,7 +54,7 @@ class PaperSample(NamedTuple):
 
 
 def tell_block(block: RealBlock, size: int) -> PaperBlock:
-    """A real block for views of so many pixels a side."""
+    """A real block for views of ``size`` pixels a side."""
     houses, frame = paper_houses(block), frame_of(block.floor, size)
     steps = np.arange(size) + 0.5
     spots = frame.metres(np.stack(np.meshgrid(steps, steps), -1).reshape(-1, 2))

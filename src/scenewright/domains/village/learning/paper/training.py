@@ -56,7 +56,7 @@ def train_paper(
     names: Sequence[str] = tuple(PRINTED.batch),
     device: str = "cpu",
 ) -> dict[str, Any]:
-    """Networks trained on real blocks, each by itself; ``tell`` gets every step's loss."""
+    """Networks trained on real blocks, one after another; ``tell`` gets every step's loss."""
     import torch
 
     torch.manual_seed(seed)
