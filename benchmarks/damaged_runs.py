@@ -20,7 +20,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from benchmarks.damaged_warm import Spent, WarmParsers
-from scenewright.core import apart
+from scenewright.core import isolated_reading
 
 MEBIBYTE = 2**20
 GUARD = 3072 * MEBIBYTE
@@ -68,7 +68,7 @@ def _work(paths: Sequence[Path], use: Use, spare: Path, writer: int, sound: Path
     held = int(Path("/proc/self/statm").read_text().split()[0]) * resource.getpagesize()
     resource.setrlimit(resource.RLIMIT_AS, (held + GUARD, held + GUARD))
     parsers = WarmParsers()
-    apart.run_child = parsers.run
+    isolated_reading.run_child = parsers.run
     if again is not None:
         (spare / f"warm-{os.getpid()}").mkdir()
         measure_run(again, use, spare / f"warm-{os.getpid()}", parsers)

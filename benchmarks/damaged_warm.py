@@ -17,7 +17,7 @@ import tempfile
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from scenewright.core import apart
+from scenewright.core import isolated_reading
 
 PROGRAM = "from benchmarks.damaged_warm import serve; serve()"
 
@@ -30,14 +30,14 @@ class Spent(NamedTuple):
 
 
 class WarmParsers:
-    """Runs orders of :func:`scenewright.core.apart.read_apart` in forks of warm processes."""
+    """Runs orders of :func:`~scenewright.core.isolated_reading.read_apart` in warm forks."""
 
     def __init__(self) -> None:
         self.spent = Spent()
-        self._fresh = apart.run_child
+        self._fresh = isolated_reading.run_child
         self._servers: dict[str, subprocess.Popen[bytes] | None] = {}
 
-    def run(self, order: bytes, seconds: float) -> apart.Ended:
+    def run(self, order: bytes, seconds: float) -> isolated_reading.Ended:
         """What a parser answers to an order."""
         module = json.loads(order)["module"]
         if module not in self._servers:
@@ -48,7 +48,7 @@ class WarmParsers:
         answer = _ask(server, order)
         spent = Spent(*answer["spent"])
         self.spent = Spent(self.spent.seconds + spent.seconds, max(self.spent.memory, spent.memory))
-        return apart.Ended(answer["said"].encode(), answer["code"])
+        return isolated_reading.Ended(answer["said"].encode(), answer["code"])
 
 
 def _start(order: bytes) -> subprocess.Popen[bytes] | None:
@@ -59,7 +59,7 @@ def _start(order: bytes) -> subprocess.Popen[bytes] | None:
         stdout=subprocess.PIPE,
         stderr=subprocess.DEVNULL,
         cwd=Path(__file__).parent.parent,
-        env=apart.surroundings(),
+        env=isolated_reading.surroundings(),
     )
     if _ask(server, order)["threads"] == 1:
         return server
@@ -82,7 +82,7 @@ def serve() -> None:
     orders, answers = sys.stdin.buffer, os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)
     warmth = io.StringIO()
-    apart.carry_out(json.loads(orders.readline()), warmth)
+    isolated_reading.carry_out(json.loads(orders.readline()), warmth)
     _say(answers, {"threads": len(os.listdir("/proc/self/task"))})
     for order in orders:
         with tempfile.TemporaryFile() as said:
@@ -103,8 +103,10 @@ def _fork(order: bytes, said: Any) -> dict[str, Any]:
             os.dup2(said.fileno(), 1)
             with os.fdopen(1, "w", closefd=False) as out:
                 wanted = json.loads(order)
-                apart.limit(wanted["memory"] * apart.MEBIBYTE, wanted["seconds"])
-                apart.carry_out(wanted, out)
+                isolated_reading.limit(
+                    wanted["memory"] * isolated_reading.MEBIBYTE, wanted["seconds"]
+                )
+                isolated_reading.carry_out(wanted, out)
             code = 0
         finally:
             os._exit(code)  # nothing of the parent's is cleaned up here

@@ -21,7 +21,7 @@ from benchmarks.village_location import (
     nearest_of,
     turns_drawn,
 )
-from scenewright.domains.village.learned.more import odds_of_figures
+from scenewright.domains.village.learned.fullness import odds_of_figures
 from scenewright.domains.village.learned.pose_net import score_poses
 from scenewright.domains.village.learned.style import VillageStyle
 from scenewright.domains.village.learned.tokens import PoseTokens

@@ -147,7 +147,7 @@ def test_a_room_again_keeps_what_is_locked(house: Solution) -> None:
 def test_a_room_again_from_the_same_seed_is_furnished_as_at_first(
     house: Solution, room: str
 ) -> None:
-    """Composed like the whole home, and without what stands in another of its rooms."""
+    """Composed like the whole home, and without the pieces of another of its rooms."""
     after = resolve(house, again=[room], steps=6000)
     assert furniture(after) == furniture(house)
     assert after.energies[room] == pytest.approx(house.energies[room])

@@ -205,7 +205,7 @@ def test_a_thinned_ball_is_a_ball_in_the_same_box(most: int) -> None:
 
 
 def test_what_collapses_nowhere_keeps_its_largest_triangles() -> None:
-    """Faces that meet at random, and a fan of so many that collapsing them takes minutes."""
+    """Faces that meet at random, and a fan so large that collapsing it takes minutes."""
     rng = np.random.default_rng(1)
     wild = Part(RED, rng.random((200, 3)), rng.integers(0, 200, (20_000, 3)))
     k = np.arange(1, 30_000)

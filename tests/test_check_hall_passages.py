@@ -1,4 +1,4 @@
-"""The referee on passages between zones, and on what stands outside its zone."""
+"""The referee on passages between zones, and on objects outside their zone."""
 
 from __future__ import annotations
 

@@ -152,8 +152,8 @@ def test_a_column_and_what_stands_right_before_a_screen_hide_it():
     assert is_unseen(both, _room_with((1.3, -3.0, 1.6, 0.1)))
     chest = piece("chest_of_drawers", 2.7, 0.3, 0.4, 0.4)
     assert is_unseen((*both, _group("chest", chest)))
-    amid = piece("chest_of_drawers", 1.5, 0.3, 0.4, 0.4)
-    assert not is_unseen((*both, _group("chest", amid)))
+    between = piece("chest_of_drawers", 1.5, 0.3, 0.4, 0.4)
+    assert not is_unseen((*both, _group("chest", between)))
 
 
 def test_a_wall_beside_the_sight_costs_before_it_hides_the_screen():

@@ -153,9 +153,9 @@ def find_darkness(desk, ground):
 
 def test_a_desk_away_from_the_window_costs_the_more_the_farther_it_is():
     ground = _lit_ground(ENTERED | {"windows": [{"at": [2.0, 3.0], "width": 1.0}]})
-    near, amid, far = (_desk_at(2.0, y) for y in (2.5, 1.4, 0.3))
+    near, middle, far = (_desk_at(2.0, y) for y in (2.5, 1.4, 0.3))
     assert find_darkness(near, ground) == 0.0
-    assert 0.0 < find_darkness(amid, ground) < find_darkness(far, ground) == 1.0
+    assert 0.0 < find_darkness(middle, ground) < find_darkness(far, ground) == 1.0
     assert find_darkness(_desk_at(0.3, 2.7), ground) == pytest.approx(
         (1.2366 - 1.05) / 1.05, abs=0.01
     )

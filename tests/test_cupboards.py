@@ -37,7 +37,7 @@ def room_of(y: float, depth: float) -> dict:
         (0.7, 0.08, [2.0, 0.33, pi / 2, 1.8, 0.66]),
         (0.7, 0.6, None),  # a whole wardrobe
         (0.15, 0.08, None),  # doors on the wall
-        (1.6, 0.08, None),  # a screen amid the room
+        (1.6, 0.08, None),  # a free-standing screen
     ],
 )
 def test_floor_between_doors_and_wall_is_a_cupboard(y, depth, expected):

@@ -1,4 +1,4 @@
-"""Where chairs stand at one desk by itself: how many, on which side, looking at it."""
+"""Where chairs stand at a single desk: how many, on which side, looking at it."""
 
 from __future__ import annotations
 

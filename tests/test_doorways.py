@@ -1,4 +1,4 @@
-"""Wide doors: what stands before one when its home is done, and what it gives way to."""
+"""Wide doors: pieces before one when its home is done, and what they give way to."""
 
 from __future__ import annotations
 
@@ -202,7 +202,7 @@ def test_a_screen_on_the_wall_over_a_door_is_left_out_by_name():
 
 @pytest.mark.parametrize("name", ["chest", "wardrobe"])
 def test_what_is_tall_before_a_wide_door_costs_more(name):
-    """Of what stands as far before it; found for one group as for many places at once."""
+    """At the same distance from it; measured for one group as for many places at once."""
     task = task_of(ROOM, CLOSET)
     rule = task.preset.settings.composing
     group = stand(task, name, 0.3, 2.1, 0.0, lambda c: c.width == 1.0)

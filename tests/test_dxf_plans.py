@@ -12,9 +12,9 @@ from shapely import Polygon
 
 from flat import flat_solution
 from scenewright.cli import run
-from scenewright.core.apart import Allowance, read_apart
 from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
+from scenewright.core.isolated_reading import Allowance, read_apart
 from scenewright.formats import read, write
 from thoroughness import few_or_many
 
@@ -159,7 +159,7 @@ def test_rooms_that_cover_little_of_what_the_walls_span_are_no_plan(tmp_path: Pa
 
 
 def test_rooms_without_doors_are_no_plan(tmp_path: Path) -> None:
-    """A page of boxes, of which one has a gap: strips between dimensions, a table of words."""
+    """A page of boxes, one with a gap: strips between dimensions, a table of words."""
     draw(tmp_path / "plan.dxf", 6, 1.0)
     boxes = [
         ((x, y), (x + 3.0, y), (x + 3.0, y + 2.0), (x, y + 2.0), (x, y))

@@ -1,4 +1,4 @@
-"""The equations of Cao, Cheng and Zhang (2024), each by itself: preset `paper` is what they print.
+"""The equations of Cao, Cheng and Zhang (2024), each separately: preset `paper` is what they print.
 
 Eqs. 7 to 9 are tested in `test_check_hall_measures`, patterns in `test_patterns`, walls in
 `test_hall_walls`; here is what the energy and the chain are made of.

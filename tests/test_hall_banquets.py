@@ -34,7 +34,7 @@ def gala(*more: dict[str, Any], **tables: Any) -> Brief:
 
 
 def read_boxes(solution: Solution, category: str, more: float = 0.0) -> np.ndarray:
-    """Boxes (n, 5) of what is of a category, so many metres wider and deeper."""
+    """Boxes (n, 5) of the pieces of a category, ``more`` metres wider and deeper."""
     mine = [piece for piece in solution.pieces if piece.category == category]
     return np.array(
         [(*p.pose[:2], p.pose.heading, p.size.width + more, p.size.depth + more) for p in mine]

@@ -33,7 +33,7 @@ def started() -> StartedHall:
 
 
 def rows(left: float, step: float) -> np.ndarray:
-    """Twelve showcases in three rows from ``left`` on, so many metres apart."""
+    """Twelve showcases in three rows from ``left`` on, ``step`` metres apart."""
     return np.array(
         [(left + step * k, 2.5 + 4.0 * j, 0.0, 1.2, 0.6) for j in range(3) for k in range(4)]
     )

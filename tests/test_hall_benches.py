@@ -1,4 +1,4 @@
-"""Benches keep off what stands beside them where there is another place to look from."""
+"""Benches keep off their neighbours where there is another place to look from."""
 
 from __future__ import annotations
 
@@ -82,7 +82,7 @@ def test_a_wall_is_a_better_place_than_beside_another_bench() -> None:
 
 
 def test_a_place_from_where_a_column_hides_the_picture_costs() -> None:
-    """A column amid the way from a bench about (5, 7) to the picture, or beside that."""
+    """A column on the line from a bench about (5, 7) to the picture, or beside that."""
     hidden, beside = (
         find_costs(walls=np.array([[x, 8.6, x + 0.2, 8.6]]))[-len(FARS) :] for x in (4.9, 6.0)
     )

@@ -39,7 +39,7 @@ def store(**demand: Any) -> Brief:
 
 
 def longest_run(pieces: list[Piece], width: float) -> int:
-    """Most pieces in a line of which each is nearer than ``width`` to the next."""
+    """Most pieces in a line, each nearer than ``width`` to the next."""
     most = 0
     for first in pieces:
         c, s = math.cos(first.pose.heading), math.sin(first.pose.heading)

@@ -53,7 +53,8 @@ def test_the_desk_of_a_reading_room_looks_to_visitors(seed: int) -> None:
 
 @pytest.mark.parametrize("seed", [1, 2])
 def test_serving_counters_stand_with_their_backs_at_the_wall_between_the_doors(seed: int) -> None:
-    """Their free floor reaches into that of the doors: that is no reason to stand amid the hall."""
+    """Their free floor reaches into that of the doors: that is no reason to stand free in the
+    hall."""
     box = [[0.0, 0.0], [26.0, 0.0], [26.0, 16.0], [0.0, 16.0]]
     serving = [[0.0, 0.0], [26.0, 0.0], [26.0, 5.5], [0.0, 5.5]]
     eating = [[0.0, 5.5], [26.0, 5.5], [26.0, 16.0], [0.0, 16.0]]

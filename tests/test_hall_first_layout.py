@@ -29,7 +29,7 @@ def energy(fitted: Fitted) -> float:
 
 
 def hall_with_windows(border: float, windows: list[dict[str, Any]], count: int) -> Brief:
-    """A hall of 20 by 10 metres, its two zones parted at x = ``border``; so many exhibits hang in
+    """A hall of 20 by 10 metres, its two zones parted at x = ``border``; ``count`` exhibits hang in
     the smaller one."""
     zones = [
         {"id": "west", "outline": ring(0, 0, border, 10)},

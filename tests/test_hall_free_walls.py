@@ -22,7 +22,7 @@ from scenewright.domains.hall.walls.partitions import SPARE, short_of, standing_
 
 
 def gallery(count: int) -> Brief:
-    """One room with so many pictures, and a little furniture."""
+    """One room with ``count`` pictures, and a little furniture."""
     room = {
         "id": "room",
         "outline": [[0, 0], [12, 0], [12, 9], [0, 9]],

@@ -153,7 +153,7 @@ SHORT: dict[str, tuple[Room, str, str]] = {
         r"3\d\d of 400 showcase",
         ROOM.format(r"1\d\d\d\.\d"),
     ),
-    "behind what stands there": (
+    "behind fixed objects": (
         hall(
             fixed=standing(1, size=[11.9, 6.0, 1], at=[6, 4.9], heading=1.5707963),
             demands=[{"category": "stage"}],

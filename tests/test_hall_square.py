@@ -1,4 +1,4 @@
-"""Groups amid the floor are square to the hall, unless they go with a slanting wall near them."""
+"""Free-standing groups are square to the hall, unless they go with a slanting wall near them."""
 
 from __future__ import annotations
 

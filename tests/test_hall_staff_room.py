@@ -57,7 +57,7 @@ def wall_gap(found: Solution, piece: Piece) -> float:
 
 
 def moved(found: Solution, piece: Piece, ahead: float) -> Solution:
-    """The solution with one piece so many metres farther ahead."""
+    """The solution with one piece ``ahead`` metres farther ahead."""
     c, s = math.cos(piece.pose.heading), math.sin(piece.pose.heading)
     pose = piece.pose._replace(x=piece.pose.x + ahead * c, y=piece.pose.y + ahead * s)
     pieces = tuple(replace(p, pose=pose) if p.id == piece.id else p for p in found.pieces)

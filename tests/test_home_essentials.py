@@ -82,7 +82,7 @@ ROOMS = {
 }
 
 COMPOSED = ("a toilet beside the door", "a kitchen run between doors")
-"""What composing mends by itself, so that no second try is needed."""
+"""What composing alone mends, so that no second try is needed."""
 
 
 @pytest.mark.parametrize("name", ROOMS)

@@ -100,8 +100,8 @@ def overlaps(group: Group) -> set[tuple[int, int]]:
 @pytest.mark.parametrize("function", GROUPS)
 @pytest.mark.parametrize("seed", range(3))
 def test_a_refitted_case_is_sound(function: str, seed: int) -> None:
-    """Nothing newly overlaps or sticks out of the box, backs stay at the back edge, what stands on
-    something stays on it, and chosen members have their own sizes."""
+    """Nothing newly overlaps or sticks out of the box, backs stay at the back edge, members on
+    others stay on them, and chosen members have their own sizes."""
     rng = np.random.default_rng(seed)
     for case in cases(function).groups[::3]:
         scale = {c: rng.uniform(0.85, 1.2, 3) for c in sorted({m.category for m in case.members})}

@@ -168,7 +168,7 @@ def test_a_home_without_a_living_room_has_a_soft_seat_where_it_sleeps():
 
 
 def _seat_beside(*pieces: Piece) -> list[tuple[float, float]]:
-    """Where armchairs are put in a bedroom of 5 by 4 m beside what stands there."""
+    """Where armchairs are put in a bedroom of 5 by 4 m beside its pieces."""
     kitchen = _room("kitchen", "kitchen", 0, 1.2, 1.4)
     tasks = _tasks(_flat(kitchen, _room("bed", "bedroom", 10.0, 5.0), BATH))
     bed = next(k for k, task in enumerate(tasks) if task.space.id == "bed")

@@ -25,7 +25,7 @@ def _in_an_empty_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None
 
 
 def save_room(report: InputReport) -> str:
-    """A room that was read from another file, of which the report tells."""
+    """A room that was read from another file, which the report describes."""
     brief = sw.read(ROOM).model_copy(update={"input_report": report})
     Path("room.json").write_text(brief_json.dumps(brief), encoding="utf-8")
     return "room.json"

@@ -14,7 +14,7 @@ from scenewright.catalog.models.furniture import library_turn, understood
 from scenewright.catalog.models.likeness import TURNS, UPS, turn_matrix
 from scenewright.catalog.models.listing import list_models
 from scenewright.catalog.models.model import Model
-from scenewright.catalog.models.upright import turn_model
+from scenewright.catalog.models.orientation import turn_model
 from scenewright.core.brief.catalog import entry_of
 from scenewright.core.errors import InputError
 

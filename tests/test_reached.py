@@ -16,7 +16,7 @@ SOURCE = ROOT / "src"
 ASSETS = "scenewright.catalog.assets"
 """Its modules are named in the rows of kinds."""
 FROM_PYTHON = "scenewright.domains.village.learning.paper"
-"""The networks of Zhu, Jiang and Li (2022), of which no weights are shipped: trained and run from
+"""The networks of Zhu, Jiang and Li (2022), whose weights are not shipped: trained and run from
 Python (docs/village.md)."""
 
 

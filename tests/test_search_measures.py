@@ -194,7 +194,7 @@ def test_finished_samples_meet_the_wishes_the_referee_counts(name: str) -> None:
 
 
 def shaken(pieces: tuple[Piece, ...], seed: int) -> tuple[Piece, ...]:
-    """Pieces of which some stand elsewhere, the farther the greater the seed; 0: as they are."""
+    """Pieces, some of them moved, the farther the greater the seed; 0: unchanged."""
     rng = random.Random(seed)
     off = 0.1 * 2 ** (seed % 4)
 

@@ -72,7 +72,7 @@ def test_blocks_are_filled_about_their_middle_where_that_is_aimed_at() -> None:
 
 
 def uneven(problem: SiteProblem, found: SiteLayout) -> float:
-    """How far the middle of what stands in a block lies off the block's, by exact polygons."""
+    """How far the centre of the buildings of a block is off the block's, by exact polygons."""
     total, middles = 0.0, shapely.points(found.boxes[found.present, :2])
     for first, last in problem.ground.block_spans:
         block = polygon(problem.ground.block_edges[first:last])

@@ -140,7 +140,7 @@ def test_the_referee_crosses_from_the_line_of_the_brief():
 
 
 def test_the_referee_sees_what_bars_the_way_from_the_street():
-    """A building that fills the site from side to side cuts off what stands behind it."""
+    """A building that fills the site from side to side cuts off those behind it."""
     site = {"roads": [{"line": LINES["4 m outside"]}], "setback": 0, "spacing": 0}
     solution = fill(**site)
     rows = [building("wall", 60, 10, 120, 8, 6, space="g"), building("b", 60, 45, space="g")]

@@ -17,7 +17,7 @@ METRES = {"feet": 0.3048, "inches": 0.0254, "centimetres": 0.01, "millimetres": 
 
 
 def house(unit: float, doors: bool = True) -> dict[str, Any]:
-    """Two rooms and a hall, 14.2 m long, in a unit of so many metres."""
+    """Two rooms and a hall, 14.2 m long, in a unit of ``unit`` metres."""
 
     def room(name: str, x: float, width: float) -> dict[str, Any]:
         outline = [(x, 0), (x + width, 0), (x + width, 4), (x, 4)]

@@ -41,7 +41,7 @@ def group(name, category, x, y, heading, width, depth, rank=1):
 
 
 def row_at(x, length):
-    """A sofa and what stands at its end, with their backs to a strip ``x`` metres wide."""
+    """A sofa and its neighbour, with their backs to a strip ``x`` metres wide."""
     return [
         group("seating", "sofa", x + 0.45, 1.0, 0.0, 2.0, 0.9),
         group("shelf", "sideboard", x + 0.45, 2.0 + length / 2, 0.0, length, 0.9),

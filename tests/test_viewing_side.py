@@ -127,7 +127,7 @@ def test_what_hangs_over_a_worktop_is_drawn_whole_or_not_at_all():
 
 
 def floor_in(home: Scene, *functions: str) -> str:
-    """The floor of its only room, if that is for so much."""
+    """The floor of its only room, if that is for ``functions``."""
     used = replace(home, spaces=tuple(replace(s, functions=functions) for s in home.spaces))
     (room,) = (b for b in blocks_of(used, shipped()) if b.category == "space")
     return room.material.name

@@ -18,7 +18,7 @@ from scenewright.core.errors import InputError
 from scenewright.domains import problems
 from scenewright.domains.village.choosing import choose_houses
 from scenewright.domains.village.house import House, to_own_frame
-from scenewright.domains.village.learned.more import odds_of_more
+from scenewright.domains.village.learned.fullness import odds_of_more
 from scenewright.domains.village.learned.pose_net import score_poses, shapes_of_net
 from scenewright.domains.village.learned.style import (
     FORMAT,
@@ -110,7 +110,7 @@ def test_surroundings_grow_and_shrink_as_if_made_anew() -> None:
 
 def test_the_shipped_net_asks_the_neighbour() -> None:
     """Poses drawn by the net beside one house: most within 4° of it, and each degree below 4° is
-    likelier than one beyond. (Scores alone are against proposals, most of which are parallel.)"""
+    likelier than one beyond. (Scores alone are against proposals, most of them parallel.)"""
     problem = problem_of_block(
         RealBlock("b", "", shapely.box(0, 0, 60, 45), FLOOR[None, :2], (RINGS[1],)),
         (),

@@ -25,7 +25,7 @@ FULL = ("wardrobe", "kitchen", "single")
 
 @pytest.mark.parametrize("group", ["wardrobe", "kitchen", "single", "seating"])
 def test_free_boxes_are_those_on_which_nothing_has_a_fault(group: str) -> None:
-    """As each member by itself tells; and a case wider than the longest stretch has none."""
+    """As each member tells alone; and a case wider than the longest stretch has none."""
     brief, catalog = read("sample:home-flat"), shipped()
     rooms, placed = plan_rooms(brief).spaces, solve(brief, steps=400, threads=1).pieces
     tasks, _ = prepare_rooms(brief, rooms, catalog, PRESETS["default"], "anneal", 0)

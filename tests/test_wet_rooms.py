@@ -1,4 +1,4 @@
-"""Bathrooms, halls and stores: what stands along their walls fills its stretch of wall."""
+"""Bathrooms, halls and stores: furniture along their walls fills its stretch of wall."""
 
 from __future__ import annotations
 

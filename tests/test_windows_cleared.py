@@ -1,4 +1,4 @@
-"""Windows: what stands before one when its home is done, and where it goes instead."""
+"""Windows: pieces before one when its home is done, and where they go instead."""
 
 from __future__ import annotations
 

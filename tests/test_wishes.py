@@ -221,7 +221,7 @@ def test_new_places_draw(function: str, wish: dict[str, Any]) -> None:
 
 
 def test_nothing_is_near_itself() -> None:
-    """A sofa belongs to its seating, but it is what stands beside it that counts."""
+    """A sofa belongs to its seating, but its neighbours are what counts."""
     alone = piece("sofa", 3.0, 2.0, 0.0, Size(2.0, 0.9, 0.8))
     alone = replace(alone, function="seating")
     table = replace(piece("coffee_table", 3.0, 3.8, 0.0, Size(0.6, 0.6, 0.4)), function="seating")

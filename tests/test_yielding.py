@@ -52,7 +52,7 @@ def test_what_bars_the_way_to_another_room_gives_way(
     monkeypatch.setitem(PRESETS, "untouched", usual._replace(settings=never))
     before = home.solve(brief, preset="untouched", seed=0, steps=2000)
     assert not check(before).valid
-    standing = {p.id for p in solution.pieces if p.category != "rug"}  # rugs follow what stands
+    standing = {p.id for p in solution.pieces if p.category != "rug"}  # rugs follow other pieces
     assert standing < {p.id for p in before.pieces}
 
 

@@ -21,7 +21,7 @@ from scenewright.catalog.kinds.other_words import GENERIC
 from scenewright.catalog.models.front import Front, front
 from scenewright.catalog.models.likeness import TURNS, UPS, turn_matrix
 from scenewright.catalog.models.model import Model
-from scenewright.catalog.models.upright import (
+from scenewright.catalog.models.orientation import (
     VOTERS,
     energies_of,
     own_up,

@@ -29,7 +29,7 @@ from scenewright.catalog.models.furniture import (
 from scenewright.catalog.models.hues import main_colour
 from scenewright.catalog.models.likeness import UPS, turn_matrix
 from scenewright.catalog.models.model import LARGEST, Model, clean
-from scenewright.catalog.models.upright import turn_model
+from scenewright.catalog.models.orientation import turn_model
 from scenewright.core.catalog import Part
 from scenewright.core.errors import InputError
 from scenewright.core.scene import Size

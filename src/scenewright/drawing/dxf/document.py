@@ -13,7 +13,14 @@ from scenewright.drawing.dxf.entities import Canvas
 from scenewright.drawing.dxf.layers import HATCHES, PAPER, layer_row
 from scenewright.drawing.dxf.pens import LineTypes
 from scenewright.drawing.dxf.place import Placing, on_paper, true_size
-from scenewright.drawing.dxf.things import METRES, MILLIMETRES, WINDOWS, Blocks, draw_all, name_part
+from scenewright.drawing.dxf.placed_entities import (
+    METRES,
+    MILLIMETRES,
+    WINDOWS,
+    Blocks,
+    draw_all,
+    name_part,
+)
 from scenewright.drawing.layers import PlanDrawing
 from scenewright.drawing.marks import FillPattern, PaperView, Stencil
 from scenewright.drawing.sheet import EDGE, drawing_area

@@ -12,8 +12,8 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
-from scenewright.core.apart import Allowance, read_apart
 from scenewright.core.brief import Brief
+from scenewright.core.isolated_reading import Allowance, read_apart
 from scenewright.formats.drawn_plan import brief_of
 
 ALLOWANCE = Allowance(memory=1024, per_size=16, seconds=60)

@@ -18,7 +18,7 @@ from scenewright.core.plan import Plan
 from scenewright.core.scene import Scene
 from scenewright.core.solution import Solution
 from scenewright.drawing.dxf.document import UNITS, new_document
-from scenewright.drawing.dxf.things import name_part
+from scenewright.drawing.dxf.placed_entities import name_part
 from scenewright.render.items import RenderItem, things
 
 LAYERS = {

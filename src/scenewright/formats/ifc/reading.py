@@ -16,11 +16,11 @@ from pydantic import ValidationError
 
 from scenewright.building.outlines import rings as clean_rings
 from scenewright.building.room_names import functions_from_name, says_nothing
-from scenewright.core.apart import Allowance, read_apart
 from scenewright.core.brief import Brief
 from scenewright.core.brief.input_report import Fate, report_input
 from scenewright.core.document_faults import to_input_error
 from scenewright.core.errors import InputError
+from scenewright.core.isolated_reading import Allowance, read_apart
 from scenewright.formats.ifc.extract import GREATEST_FILE, HEAD, check_head
 from scenewright.formats.ifc.openings import OPENINGS, add_open_sides, place_openings
 from scenewright.formats.ifc.pieces import BUILT_IN, MOVABLE, fixed_item

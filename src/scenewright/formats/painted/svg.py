@@ -11,9 +11,9 @@ import numpy as np
 
 from scenewright.building.drawn.drawing import Word
 from scenewright.building.drawn.paper import Paper, Run, Shape
-from scenewright.core.apart import Allowance, read_apart
 from scenewright.core.errors import InputError
 from scenewright.core.extras import require
+from scenewright.core.isolated_reading import Allowance, read_apart
 
 if TYPE_CHECKING:
     from scenewright.core.brief import Brief

@@ -8,9 +8,9 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
-from scenewright.core.apart import Allowance, read_apart
 from scenewright.core.errors import InputError
 from scenewright.core.extras import install_line
+from scenewright.core.isolated_reading import Allowance, read_apart
 from scenewright.core.map_options import AS_IT_IS, MapOptions
 from scenewright.ground.geodata.extract import OSM_FILES
 from scenewright.ground.geodata.kinds import kind_by_suffix

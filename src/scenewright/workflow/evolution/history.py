@@ -9,7 +9,7 @@ from scenewright.engine.preference.events import Edit, Event, Pick, counting, ev
 from scenewright.engine.preference.trust import TrustRecord, count_hit
 from scenewright.workflow.evolution.log import Entry
 from scenewright.workflow.evolution.log_records import check_known
-from scenewright.workflow.evolution.said import candidates_in
+from scenewright.workflow.evolution.statement_checks import candidates_in
 
 
 class ShownScreen(NamedTuple):

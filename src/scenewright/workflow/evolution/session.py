@@ -52,7 +52,7 @@ from scenewright.workflow.evolution.population import (
     measure_solution,
     rank_parents,
 )
-from scenewright.workflow.evolution.said import check_said
+from scenewright.workflow.evolution.statement_checks import check_said
 
 
 class Evolution:

@@ -18,8 +18,8 @@ import numpy as np
 from scenewright.core.array_archive import read_arrays
 from scenewright.core.errors import InputError
 from scenewright.core.stored_file import report_damage
+from scenewright.domains.village.learned.fullness import FIGURES, MoreLaw
 from scenewright.domains.village.learned.mix import EMPTY, HouseMix
-from scenewright.domains.village.learned.more import FIGURES, MoreLaw
 from scenewright.domains.village.learned.pose_net import Weights, shapes_of_net
 from scenewright.domains.village.settings import OURS, Manner, Relations
 

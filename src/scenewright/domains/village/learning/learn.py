@@ -14,7 +14,7 @@ from scenewright.core.atomic_file import atomic_write, check_targets
 from scenewright.core.errors import InputError
 from scenewright.core.plan import Plan
 from scenewright.domains.village.blocks import VillagePlan
-from scenewright.domains.village.learned.more import odds_of_figures
+from scenewright.domains.village.learned.fullness import odds_of_figures
 from scenewright.domains.village.learned.style import (
     SUFFIX,
     VillageStyle,

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from scenewright.domains.village.learned.more import MoreLaw, figures_of_state
+from scenewright.domains.village.learned.fullness import MoreLaw, figures_of_state
 from scenewright.domains.village.learned.style import VillageStyle, style_in_region
 from scenewright.domains.village.learned.surroundings import survey
 from scenewright.domains.village.learning.tables import RealBlock

@@ -18,7 +18,7 @@ from typing import Any, NamedTuple, TextIO
 
 from scenewright.core.errors import InputError
 
-PROGRAM = "from scenewright.core.apart import answer; answer()"
+PROGRAM = "from scenewright.core.isolated_reading import answer; answer()"
 MEBIBYTE = 2**20
 STOPPED = (-9, -24)
 """Exit codes of what was killed, or took more of the processor than it may."""
