@@ -9,11 +9,6 @@ import pytest
 import scenewright
 from scenewright.core.brief import Brief
 from scenewright.core.solution import Solution
-from scenewright.domains.hall.patterns import AROUND
-from scenewright.domains.hall.retouch.companies import propose_companies
-from scenewright.domains.hall.solvers.chains import begin_chain, layout_of
-from scenewright.domains.hall.solving import problems
-from scenewright.engine.draws import streams
 
 
 def lounge(count: int, **more: Any) -> Brief:
@@ -47,12 +42,3 @@ def test_armchairs_stand_round_low_tables(count: int, tables: int) -> None:
 def test_a_pattern_that_is_asked_for_stays() -> None:
     found = scenewright.solve(lounge(5, patterns=["grid"]), seed=1, threads=1)
     assert read_pattern(found) == "grid"
-
-
-def test_few_seats_stand_in_one_company_too() -> None:
-    (one,) = problems(lounge(5, patterns=["chain", "grid"]))
-    chain = begin_chain(one.problem, one.start, streams(0, 1)[0])
-    proposed = list(propose_companies(one.problem, one.start, layout_of(chain).boxes))
-    unit = next(k for k, name in enumerate(one.problem.names) if "chairs" in name)
-    assert {int(kept.rows[unit, 1]) for kept in proposed} == {1, 2}
-    assert {int(kept.rows[unit, 0]) for kept in proposed} == {AROUND}

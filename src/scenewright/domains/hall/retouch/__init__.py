@@ -13,7 +13,6 @@ from scenewright.domains.hall.retouch.bands import measure_bands, propose_bands
 from scenewright.domains.hall.retouch.banquets import measure_banquets, propose_banquets
 from scenewright.domains.hall.retouch.bare import find_floor, measure_bare, propose_moves
 from scenewright.domains.hall.retouch.columns import find_columns, propose_pitches, stand_in_aisles
-from scenewright.domains.hall.retouch.companies import measure_apart, propose_companies
 from scenewright.domains.hall.retouch.desks import (
     desks_adrift,
     find_desks,
@@ -35,7 +34,6 @@ from scenewright.domains.hall.retouch.gates import (
     propose_gates,
 )
 from scenewright.domains.hall.retouch.gazes import measure_gazes, propose_views
-from scenewright.domains.hall.retouch.lecterns import lecterns_adrift, propose_lecterns
 from scenewright.domains.hall.retouch.loop import list_runs, mend_layout
 from scenewright.domains.hall.retouch.mending import Retouch, SeenTouch
 from scenewright.domains.hall.retouch.nearness import (
@@ -46,7 +44,6 @@ from scenewright.domains.hall.retouch.nearness import (
 from scenewright.domains.hall.retouch.outer_rows import measure_slots, propose_lines
 from scenewright.domains.hall.retouch.queues import measure_queues, propose_queues
 from scenewright.domains.hall.retouch.ropes import propose_ropes, ropes_adrift
-from scenewright.domains.hall.retouch.runs import measure_runs, propose_runs
 from scenewright.domains.hall.retouch.spread import measure_spread, propose_spread
 from scenewright.domains.hall.retouch.stands import measure_backs, propose_turns
 from scenewright.domains.hall.retouch.tills import find_tills, propose_tills, tills_adrift
@@ -87,12 +84,6 @@ RETOUCHES: tuple[Pass[Retouch], ...] = (
         "rows",
         Retouch(_whole, measure_bands, propose_bands),
         "a stage nobody has a seat before stands at the middle of a wall",
-    ),
-    Pass(
-        "lecterns",
-        "seating",
-        Retouch(_whole, lecterns_adrift, propose_lecterns),
-        "a lectern stands at the side of what is shown",
     ),
     Pass(
         "exhibit",
@@ -155,22 +146,10 @@ RETOUCHES: tuple[Pass[Retouch], ...] = (
         "lounge seats look into the hall, not at a wall close before",
     ),
     Pass(
-        "companies",
-        "seating",
-        Retouch(_whole, measure_apart, propose_companies),
-        "lounge seats stand round low tables",
-    ),
-    Pass(
         "bare",
         "floor",
         Retouch(find_floor, measure_bare, propose_moves),
         "no large circle of floor is empty",
-    ),
-    Pass(
-        "runs",
-        "rows",
-        Retouch(_whole, measure_runs, propose_runs, make_room=False),
-        "rows too long to walk round get aisles",
     ),
     Pass(
         "spread",
