@@ -55,8 +55,7 @@ CODE = (
 """What the runs are of: those of other code are not kept."""
 VP = method_named("vp")
 METHODS = {name: method_named(name) for name in ("vp", "tiga", "ciga", "siga", "sga")} | {
-    "vp, network to the end": VP._replace(alone=10**6),
-    "vp, no network": VP._replace(network=False),
+    "vp, network to the end": VP._replace(alone=10**6)
 }
 OURS = "taste"
 
@@ -74,7 +73,7 @@ def list_compared(quick: bool) -> tuple[Compared, ...]:
     """The site and the extension; as many ratings as the papers tell of (284, 30 generations of
     eight)."""
     size, area = 15 if quick else 30, "extend-terrace"
-    of_site = ("tiga", "vp", "vp, network to the end", "vp, no network", "sga")
+    of_site = ("tiga", "vp", "vp, network to the end", "sga")
     of_area = ("siga", "ciga", "sga", OURS)
     return (
         Compared(f"site of {size}", partial(site_world, size), of_site, 60 if quick else 284),

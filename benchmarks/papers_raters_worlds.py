@@ -55,12 +55,15 @@ class RatedWorld(NamedTuple):
 class _SiteRater(NamedTuple):
     inner: SiteRater
     boxes: Callable[[Genome], Floats]
+    known: dict[Genome, float]
 
     def truth(self, genome: Genome) -> float:
-        return like(self.inner.taste, self.boxes(genome))
+        if genome not in self.known:
+            self.known[genome] = like(self.inner.taste, self.boxes(genome))
+        return self.known[genome]
 
     def rate(self, genomes: Sequence[Genome]) -> Floats:
-        return self.inner.rate(np.array([self.boxes(genome) for genome in genomes]))
+        return self.inner.rate_liked([self.truth(genome) for genome in genomes])
 
 
 def site_world(size: int) -> RatedWorld:
@@ -70,7 +73,7 @@ def site_world(size: int) -> RatedWorld:
     boxes = prepare_matrix(brief, plan).boxes
     return RatedWorld(
         lambda seed: make_matrix_breeder(brief, plan, seed),
-        lambda number: _SiteRater(SiteRater(problem, number), boxes),
+        lambda number: _SiteRater(SiteRater(problem, number), boxes, {}),
     )
 
 

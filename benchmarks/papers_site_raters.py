@@ -7,6 +7,7 @@ tire, a drifting scale and anchoring, as the simulated persons of :mod:`.person_
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -83,12 +84,16 @@ class SiteRater:
 
     def rate(self, layouts: Floats) -> Floats:
         """Stars, 1 to 5, of layouts (k, n, 5) one after the other."""
+        return self.rate_liked([like(self.taste, boxes) for boxes in layouts])
+
+    def rate_liked(self, liked: Sequence[float]) -> Floats:
+        """Stars of layouts by how much each is truly liked."""
         self._strict += DRIFT * float(self._rng.standard_normal())
         given: list[float] = []
-        for boxes in layouts:
+        for truth in liked:
             self.rated += 1
             noise = NOISE * (1.0 + max(self.rated - FRESH, 0) / TIRING)
-            felt = 3.0 + like(self.taste, boxes) / 2.5 + self._strict
+            felt = 3.0 + truth / 2.5 + self._strict
             felt += noise / 1.5 * float(self._rng.standard_normal())
             felt += ANCHOR * (float(np.mean(given)) - felt) if given else 0.0
             given.append(float(np.clip(np.round(2.0 * felt) / 2.0, 1.0, 5.0)))

@@ -50,7 +50,6 @@ def test_the_network_rates_on_to_the_end_where_it_is_not_capped(site: RatedWorld
         run_method(site, name, True, 0, 60) for name in ("vp", "vp, network to the end")
     )
     assert 0 < capped.alone[-1] <= 13 < 200 <= whole.alone[-1]
-    assert run_method(site, "vp, no network", True, 0, 60).alone[-1] == 0
 
 
 def test_levels_are_common_and_what_is_not_reached_counts_whole() -> None:
