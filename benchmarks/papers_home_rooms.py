@@ -66,12 +66,15 @@ ROOMS = (
     ),
     Drawn("bedroom 4", ((0, 0), (4.2, 0), (4.2, 2.9), (0, 2.9)), ((0.7, 0), (4.2, 2.3)), BEDROOM),
 )
+BOXED = ", three boxes a door"
+"""What is added to the name of a room whose doors ask for what ours do: the sweep of the leaf and
+the floor on both sides, boxes that overlap, in place of the one area of C3."""
 FOUR = ROOMS[0]._replace(name="living 1, four patches", groups=(*LIVING, "desk"))
 """The same room with a study area besides (4.4)."""
 
 
 def case_of(room: Drawn) -> Case:
-    """The room as the paper's problem, and as single pieces."""
+    """The room as the paper's problem, and as single pieces; with the doors that its name says."""
     doors = [{"at": at, "width": 0.8, "swing": "in", "hinge": "left"} for at in room.doors]
     stated = {"id": "r", "function": "living", "outline": room.outline, "doors": doors}
     (space,) = spaces(Brief.model_validate({"rooms": [stated]}))
@@ -80,4 +83,7 @@ def case_of(room: Drawn) -> Case:
     problem = build_problem(ground, wishes, PAPER, True, ROUTE, area)
     parts = tuple(parts_of(wish, area, shipped()) for wish in wishes)
     pieces = posed_pieces(ground, parts, shipped(), PAPER, True, ROUTE)
-    return Case(room.name, as_in_paper(problem, wishes, space), pieces, parts)
+    posed = as_in_paper(problem, wishes, space)
+    if room.name.endswith(BOXED):
+        posed = posed._replace(ground=posed.ground._replace(keep_free=ground.keep_free))
+    return Case(room.name, posed, pieces, parts)

@@ -2,8 +2,9 @@
 
 Ten **simulated** raters with tastes of their own (:mod:`.papers_raters_worlds`) rate a site of
 thirty buildings by the methods of Zhang and Yang (2023), and the plots of an extension by those of
-Zhang and Fei (2017), as ``evolve --method`` runs them, until each has given as many ratings as the
-paper says. Told are ratings and generations until the best layout shown is liked as much as
+Zhang and Fei (2017), as ``evolve --method`` runs them, until each has given 150 ratings
+(``--full``: as many as the papers tell of, 284, and 30 generations of eight). Told are ratings and
+generations until the best layout shown is liked as much as
 
 * the *common level*: what every method reaches with this rater;
 * the *usual method's end*: what TIGA (sites) or SIGA (extensions) has shown in the end;
@@ -38,7 +39,7 @@ from scenewright.engine.preference.taste import judge, learn_taste
 __all__ = ["markdown_lines", "records"]
 
 Record = dict[str, Any]
-RATERS, QUICK = 10, 2
+RATERS, QUICK, USUAL = 10, 2, 150
 CHILDREN, FEW, PARENTS = 48, 3, 4
 """Children that a taste chooses from, those it has rated, and the parents of the next."""
 STUDENT = {2: 12.706, 10: 2.262}
@@ -69,15 +70,21 @@ class Compared(NamedTuple):
     ratings: int
 
 
-def list_compared(quick: bool) -> tuple[Compared, ...]:
-    """The site and the extension; as many ratings as the papers tell of (284, 30 generations of
-    eight)."""
+def list_compared(quick: bool, full: bool = False) -> tuple[Compared, ...]:
+    """The site and the extension."""
     size, area = 15 if quick else 30, "extend-terrace"
     of_site = ("tiga", "vp", "vp, network to the end", "sga")
     of_area = ("siga", "ciga", "sga", OURS)
     return (
-        Compared(f"site of {size}", partial(site_world, size), of_site, 60 if quick else 284),
-        Compared(area, partial(plots_world, area), of_area, 48 if quick else 240),
+        Compared(
+            f"site of {size}",
+            partial(site_world, size),
+            of_site,
+            60 if quick else 284 if full else USUAL,
+        ),
+        Compared(
+            area, partial(plots_world, area), of_area, 48 if quick else 240 if full else USUAL
+        ),
     )
 
 
@@ -169,10 +176,12 @@ def _choose_by_taste(
     return rank(list(children))[:FEW]
 
 
-def records(quick: bool = False, progress: Progress | None = None) -> Iterator[Record]:
+def records(
+    quick: bool = False, progress: Progress | None = None, full: bool = False
+) -> Iterator[Record]:
     """All records; runs once done are kept."""
     raters, kept = QUICK if quick else RATERS, open_runs("papers_raters", CODE)
-    for compared in list_compared(quick):
+    for compared in list_compared(quick, full):
         world, runs = compared.world(), dict[tuple[str, bool], list[RatedRun]]()
         jobs = [(name, led) for name in compared.methods for led in starts_of(name)]
         for number, (name, led) in enumerate(jobs):

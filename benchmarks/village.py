@@ -26,6 +26,7 @@ from scenewright.domains.village.choosing import choose_houses
 from scenewright.domains.village.grow import layout_of
 from scenewright.domains.village.learned.style import SHIPPED, VillageStyle, read_style
 from scenewright.domains.village.learning.examples import problem_of_block
+from scenewright.domains.village.learning.paper.training import BRIEF, PRINTED
 from scenewright.domains.village.learning.real_blocks import library_of
 from scenewright.domains.village.learning.tables import RealBlock
 from scenewright.domains.village.paper.filling import fill_as_paper
@@ -46,6 +47,8 @@ USUAL = {"paper": 24, "tables": 40, "proposals": 40, "annealing": 6, "brief anne
 seconds."""
 HOUSES = 70
 """Houses of a split whose places are foretold."""
+PRINTED_WEIGHTS = 24_600_000
+"""Weights of all networks of the paper at their printed sizes."""
 QUICK, QUICK_HOUSES, QUICK_MOVES = 6, 10, 1000
 ROOT = Path(__file__).parent.parent
 STYLES = Path(__file__).parent / "styles"
@@ -266,7 +269,8 @@ def markdown_lines(found: Sequence[Record]) -> list[str]:
     """Means of the splits: one row a measure, one column a method."""
     methods = list(dict.fromkeys(str(row["case"]).split(", ", 1)[1] for row in found))
     metrics = list(dict.fromkeys(str(row["metric"]) for row in found))
-    lines = [f"| measure | {' | '.join(methods)} | against |", "|---" * (len(methods) + 2) + "|"]
+    heads = [f"{name}, {tell_share()}" if name.startswith("paper") else name for name in methods]
+    lines = [f"| measure | {' | '.join(heads)} | against |", "|---" * (len(methods) + 2) + "|"]
     for metric in metrics:
         rows = [row for row in found if row["metric"] == metric]
         cells = [
@@ -275,6 +279,18 @@ def markdown_lines(found: Sequence[Record]) -> list[str]:
         told = _mean_cell([r["baseline"] for r in rows if r["baseline"] is not None])
         lines.append(f"| {metric} | {' | '.join(cells)} | {told} |")
     return lines
+
+
+def tell_share() -> str:
+    """How much of what is printed the shipped networks of the paper had.
+
+    >>> tell_share()
+    '1/74 of the weights, 0.3–3.3 % of the epochs'
+    """
+    shares = [100 * BRIEF.epochs[name] / PRINTED.epochs[name] for name in BRIEF.epochs]
+    weights = sum(values.size for values in read_paper_nets().values())
+    most = f"{min(shares):.1f}–{max(shares):.1f} % of the epochs"
+    return f"1/{PRINTED_WEIGHTS / weights:.0f} of the weights, {most}"
 
 
 def _mean_cell(values: Sequence[float]) -> str:
