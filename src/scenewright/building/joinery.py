@@ -82,7 +82,8 @@ def _lining(opening: Opening) -> Part:
 
 
 def _leaf(opening: Opening, along: float, use: DoorUse) -> tuple[Part, ...]:
-    """A leaf, open on its swing side, and its handles, set so far along the whole opening."""
+    """A leaf, open on its swing side, and its handles, set ``along`` metres into the whole
+    opening."""
     clear = opening.width - 2 * min(LINING, opening.width / 8) - 0.006
     top = max(opening.head - LINING - 0.006, 0.5)
     made = (*_panel(clear, top, use), make_part(METAL, *_handles(clear)))

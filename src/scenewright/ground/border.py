@@ -32,7 +32,7 @@ out a street beside it may lie."""
 def open_border(floor: shapely.Polygon, street: Way, verge: float, lane: float) -> Way:
     """A street with the parts of its middle line that run outside beside a site (``beside``) and
     the stretches of the outline that are open to it (``mouths``): those at most ``verge`` metres
-    from its edge, none near where it comes so far in that a way as wide as a ``lane`` can begin.
+    from its edge, none near where it reaches in far enough for a ``lane`` to begin.
 
     >>> line = np.array([[-90.0, -5.0], [90.0, -5.0]])
     >>> street = Way("a", "", "road", 6.0, line, (), ())

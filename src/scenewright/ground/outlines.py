@@ -120,7 +120,7 @@ def crossings(lines_: Sequence[Points]) -> int:
 
 @lru_cache(maxsize=32)
 def grow(floor: shapely.Polygon, far: float) -> shapely.Geometry:
-    """A floor and what lies within ``far`` metres of it, or what of it lies so deep inside if
+    """A floor and what lies within ``far`` metres of it, or the part that deep inside if
     negative; made once for all streets of a width.
 
     >>> round(grow(shapely.box(0, 0, 4, 3), -1.0).area, 6)

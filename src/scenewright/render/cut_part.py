@@ -8,7 +8,7 @@ import numpy as np
 
 from scenewright.core.catalog import Part
 
-APART = 0.3  # parts so far above all below them hang on the wall, metres
+APART = 0.3  # gap below a part from which it hangs on the wall, metres
 
 
 def cut_part(part: Part, cut: float | None) -> Part | None:

@@ -32,7 +32,7 @@ CLEAR = 0.6
 """How opaque what hides others is drawn."""
 WALL, HUNG = "partition", "wall_exhibit"
 BEHIND = 0.02
-"""A partition so near at a picture, metres, is the wall it hangs on."""
+"""Metres from a picture within which a partition is the wall it hangs on."""
 
 OVER, BEFORE = 1.2, 0.25
 """What hangs as high as this over the floor and is as deep as this, metres, hides things

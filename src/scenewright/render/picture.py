@@ -44,8 +44,8 @@ class Camera(NamedTuple):
 
 
 class Air(NamedTuple):
-    """Linear colours of the sky at the horizon and overhead, and how far one sees, in metres:
-    so far away a third of a thing's own colour is left (H. Koschmieder 1924)."""
+    """Linear colours of the sky at the horizon and overhead, and the visibility, in metres:
+    at that distance a third of a thing's own colour is left (H. Koschmieder 1924)."""
 
     horizon: tuple[float, float, float]
     zenith: tuple[float, float, float]

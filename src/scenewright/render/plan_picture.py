@@ -26,7 +26,7 @@ Bounds = tuple[float, float, float, float]
 FINER = 3
 """Times as fine as asked for that is drawn, for smooth edges."""
 CUT = 1.2
-"""Walls and windows are cut so high above the floor, metres."""
+"""Height above the floor at which walls and windows are cut, metres."""
 PAGE: Colour = (255, 255, 255)
 ROOM: Colour = (247, 244, 238)
 GROUND: Colour = (226, 232, 214)

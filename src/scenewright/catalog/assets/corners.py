@@ -17,8 +17,8 @@ Parts = tuple[Part, ...]
 
 
 def corner_outline(size: Size, leg: float, wing: float) -> Outline:
-    """Corners of an L that fills a box, counter-clockwise from back left: the ``leg`` along the
-    back so deep, the ``wing`` on the left so wide, metres.
+    """Corners of an L that fills a box, counter-clockwise from back left: ``leg`` is the depth
+    of the arm along the back, ``wing`` the width of that on the left, metres.
 
     >>> corner_outline(Size(2.0, 2.0, 1.0), 0.5, 0.75)[2:5]
     [(1.0, -0.5), (-0.25, -0.5), (-0.25, 1.0)]

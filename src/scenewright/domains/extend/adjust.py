@@ -32,7 +32,7 @@ def adjust(
     """Make ``edits`` and place again what they touch.
 
     Buildings that a moved one stands on find another place; in areas named in ``again`` all that
-    is not locked does. All other buildings stay, and so does what stood before.
+    is not locked does. All other buildings stay, old ones too.
     """
     made = plan or plan_extend(solution.brief)
     rules = GroundRules(_find_building, lock_extension, find_overlapped, _grow_again)

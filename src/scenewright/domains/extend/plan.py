@@ -45,7 +45,7 @@ LEAST_ROW = 1.0
 GAP = 30.0
 """Metres between old and new ground that are closed."""
 MARGIN = 8.0
-"""Metres of ground about what stood before."""
+"""Metres of ground around old buildings."""
 
 
 def plan_extend(brief: Brief) -> Plan:
@@ -217,7 +217,7 @@ def _lock(row: LockedGrowth, outline: shapely.Polygon, place: str) -> StandingLo
 
 
 def _spaces(old: Sequence[BuiltScene], areas: Sequence[AreaPlan]) -> tuple[Space, ...]:
-    """The areas, and the ground of what stood before beside them."""
+    """The areas, and the ground of old buildings beside them."""
     found = [
         Space(area.id, area.name, ("extend",), LEVEL.id, *rings(area.outline), SKY)
         for area in areas

@@ -170,7 +170,7 @@ def assemble_solution(
     seed: int,
     seconds: float,
 ) -> Solution:
-    """The solution of all areas of a brief, with what stood before."""
+    """The solution of all areas of a brief, with the old buildings."""
     first = plan.areas[0].id
     skipped = tuple(
         LeftOut(first, line.partition(": ")[2], "of the source, not followed", False)

@@ -11,7 +11,7 @@ from scenewright.core.scene import Piece
 from scenewright.core.space import Space
 
 LEAF = 0.15  # a fixed wardrobe less deep than this is the doors of a cupboard, metres
-DEEPEST = 0.9  # a cupboard is at most so deep behind its doors, metres
+DEEPEST = 0.9  # greatest depth of a cupboard behind its doors, metres
 SHALLOWEST = 0.25  # less floor behind doors is no cupboard, metres
 
 

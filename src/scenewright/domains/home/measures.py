@@ -9,8 +9,8 @@ ROUNDING = 1e-9
 ALIKE = 0.99
 """The cosine, at least, between headings that are taken for one: 8 degrees."""
 RAISED = 0.3
-"""What begins so high, metres, stands on something or hangs: no unit of a run, and no floor is
-filled by it. Lower than any worktop, higher than any plinth."""
+"""Height of the underside, metres, from which a piece is on another or hangs: no unit of a run,
+and it fills no floor. Lower than any worktop, higher than any plinth."""
 ON_FLOOR = 0.12
 """What begins higher, metres, leaves the floor free: it stands on something, on legs, or hangs."""
 AT_WALL = 0.12

@@ -235,7 +235,8 @@ LONG_RUN = 1.8
 
 NOTED = frozenset(("shoes",))  # usual, and all that a hall is for
 GUESTS = {"wardrobe": (1.2, 0.62), "washer": (0.62, 0.64)}
-"""Groups that in a kitchen leave their wall to the run: at most so wide and deep, metres."""
+"""Groups that in a kitchen leave their wall to the run, and their greatest width and depth,
+metres."""
 HEARTH = PlacementPreference(
     draws=(Attraction(("fireplace",), near=0.6, far=2.6, facing=1.0, middle=True),)
 )

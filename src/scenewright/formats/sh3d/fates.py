@@ -22,8 +22,8 @@ CUT = 0.05
 
 
 def is_kept(piece: HomePiece, keep: bool, height: float) -> bool:
-    """Whether a piece stays where it is in a room so high: what is built in, or all, to ``keep``,
-    that begins below the ceiling."""
+    """Whether a piece stays where it is in a room of that ``height``: what is built in, or all, to
+    ``keep``, that begins below the ceiling."""
     return (keep or stays(piece)) and piece.z < height - ROOF
 
 

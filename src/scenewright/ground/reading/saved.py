@@ -14,7 +14,7 @@ from scenewright.ground.built import BuiltBuilding, BuiltRoad, BuiltScene
 from scenewright.ground.reading.cleaning import clean_outline, drop_overlaps
 
 OLD = "source"
-"""The space of what stood before an extension."""
+"""The space of the buildings before an extension."""
 GROUNDS = ("sites", "blocks", "areas")
 """Keys of briefs under which grounds are listed."""
 

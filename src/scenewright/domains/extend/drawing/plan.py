@@ -1,4 +1,4 @@
-"""The plan of an extension to print, to scale, north up: what stood before in grey, what is new in
+"""The plan of an extension to print, to scale, north up: old buildings in grey, what is new in
 colour.
 
 Ground, streets old and new, buildings with their fronts and the letters of their kinds; what the

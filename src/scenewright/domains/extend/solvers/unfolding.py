@@ -170,7 +170,7 @@ def _lay_row(
 def _pose(
     canvas: Canvas, streets: shapely.Geometry, row: UnfoldedRow, origin: int, along: float
 ) -> Floats:
-    """The pose (3,) of an element with its middle so far along the row's line."""
+    """The pose (3,) of an element with its middle ``along`` metres down the row's line."""
     deep = float(canvas.problem.pattern.boxes[origin, 4])
     spot = from_frames(np.array([along, row.before[origin] - deep / 2]), row.frame)
     return face_street(np.array([*spot, row.frame[2]]), deep, row.setbacks[origin], streets)

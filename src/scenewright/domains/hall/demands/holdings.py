@@ -41,7 +41,7 @@ class HallDemand(NamedTuple):
     ``unstated`` neither this nor what it looks at, its free floor or how full its zone is. What is
     ``set_last`` is set once all else stands. Each object of sofas and beds in ``lounges``
     (:mod:`.lounges`, :mod:`.bedsides`) is one of these until it is furnished; so are as many as
-    stand in a row, ``every`` of them, before an ``aisle`` so wide (:mod:`.cross_aisles`)."""
+    stand in a row, ``every`` of them, before an ``aisle`` of that width (:mod:`.cross_aisles`)."""
 
     id: str
     name: str

@@ -1,4 +1,4 @@
-"""Desks at which nobody can serve: a wall is so near behind them that no one can stand there."""
+"""Desks at which nobody can serve: a wall behind them leaves no room to stand."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 """Chain: T = {c, (n_1 … n_M), (rw_1 … rw_M), (rh_1 … rh_M)} (Cao, Cheng, Zhang 2024).
 
 Layer i is a row of n_i objects with gaps rw_i between them, rh_i behind the row before. Ours: where
-a unit has an extra measure, aisles so wide divide rows of more than :data:`BLOCK` objects.
+a unit has an extra measure, aisles of that width divide rows of more than :data:`BLOCK` objects.
 """
 
 from __future__ import annotations

@@ -92,7 +92,7 @@ def _see_bounds(stage: Floats, zone: Floats) -> Floats:
 
 
 def _find_gap(at: Floats, reach: Floats) -> float:
-    """The least gap of rows of objects whose middles (n,) lie ``at`` and reach so far (n,)."""
+    """The least gap of rows of objects with middles ``at`` (n,) and half depths ``reach`` (n,)."""
     order = np.argsort(at, kind="stable")
     steps = (at - reach)[order][1:] - (at + reach)[order][:-1]
     apart = steps[steps > 0.0]

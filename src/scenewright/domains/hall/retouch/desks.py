@@ -201,7 +201,7 @@ def _turn_back(problem: HallProblem, boxes: Floats) -> NDArray[np.bool_]:
 
 
 def _is_cramped(problem: HallProblem, boxes: Floats) -> NDArray[np.bool_]:
-    """Which of some desks (n, 5) have a wall so near behind that nobody can stand there."""
+    """Which of some desks (n, 5) have a wall too near behind for anybody to stand there."""
     strips = find_staff_floor(boxes)
     walls = shapely.linestrings(problem.ground.edges[:, :4].reshape(-1, 2, 2))
     cramped = np.zeros(len(boxes), np.bool_)

@@ -97,7 +97,7 @@ def _stand_at_walls(problem: HallProblem, kept: Kept, stage: int) -> Iterator[tu
 def _place(
     chain: HallChain, kept: Kept, stage: int, along: float, side: float
 ) -> tuple[Kept, Floats]:
-    """A stage so far along the walls of its zone, and the box (5,) it has there."""
+    """A stage ``along`` metres down the walls of its zone, and the box (5,) it has there."""
     moved = kept._replace(pose=kept.pose.copy())
     moved.pose[stage, :2] = along, side
     bring_back(chain.p, chain.s, chain.work, moved)

@@ -30,8 +30,8 @@ AROUND, COMPANY = ("around",), 2
 
 def join_lounges(wishes: list[HallDemand], route: float) -> list[HallDemand]:
     """Demands in which sofas, low tables and chairs of the same zones are lounges where the brief
-    says no more of them; chairs without a sofa look at each other. A route so wide leads to every
-    sofa."""
+    says no more of them; chairs without a sofa look at each other. A way ``route`` metres wide
+    leads to every sofa."""
     left = {wish.id: wish for wish in wishes}
     for sofas in [wish for wish in wishes if wish.category == SOFA and _is_open(wish)]:
         joined = _join(sofas, left, route)

@@ -220,7 +220,7 @@ def queues_of(p: PreparedHall, s: State, unit: int) -> float:
 
 @inlined
 def in_queue(p: PreparedHall, s: State, work: Scratch, unit: int, till: int) -> bool:
-    """Whether a unit stands, or stood, so near to tills that it could be in their way."""
+    """Whether a unit is, or was, near enough to tills to be in their way."""
     if unit == till:
         return True
     for t in range(p.spans[till, 0], p.spans[till, 1]):

@@ -88,7 +88,7 @@ def _in_the_way(piece: Piece, catalog: Catalog) -> bool:
 
 
 def _across(door: Opening, width: float, depth: float) -> list[float]:
-    """A box in a door: so wide along the wall, so deep across it."""
+    """A box in a door: ``width`` along the wall, ``depth`` across it."""
     return [door.x, door.y, float(np.arctan2(door.ux, -door.uy)), width, depth]
 
 

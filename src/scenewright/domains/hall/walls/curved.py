@@ -53,8 +53,8 @@ def space_places(walls: Sequence[WallStretch], need: WallNeed) -> list[WallStret
 
 
 def _stands_off(line: Floats, width: float) -> bool:
-    """Whether a line (k, 2) bulges out so far behind something so wide that it stands at no wall
-    there."""
+    """Whether a line (k, 2) bulges out too far behind an object ``width`` metres wide for it to
+    stand there."""
     curve = shapely.LineString(line)
     return _bulge(curve, 0.5 * curve.length, 0.5 * width) > BULGE
 

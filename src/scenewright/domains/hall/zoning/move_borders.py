@@ -145,8 +145,8 @@ def _name(now: ShiftedHall, line: BorderLine) -> str:
 def _shift_line(
     search: HallSearch, now: ShiftedHall, line: BorderLine, metres: float
 ) -> list[ShiftedHall]:
-    """The same layout where a line lies so far to its left, and with the groups on the side that
-    it moves into carried along; without what cannot be."""
+    """The same layout where a line lies ``metres`` to its left, and with the groups on the side
+    that it moves into carried along; without what cannot be."""
     hall = now.hall
     zones = shift_zones(hall.plan.zones, line, metres, hall.space)
     borders = shared_borders(zones or ())

@@ -100,8 +100,8 @@ def _join(one: BorderLine, other: BorderLine) -> BorderLine:
 def shift_zones(
     zones: tuple[Zone, ...], line: BorderLine, metres: float, space: Space
 ) -> tuple[Zone, ...] | None:
-    """The zones once a line has moved so far to its left; None where they would not fill the same
-    floor, or one lose more than two fifths of its own.
+    """The zones once a line has moved ``metres`` to its left; None where they would not fill the
+    same floor, or one lose more than two fifths of its own.
 
     >>> west = Zone("a", "", "hall", np.array([[0, 0], [2, 0], [2, 3], [0, 3]], float))
     >>> east = Zone("b", "", "hall", np.array([[2, 0], [5, 0], [5, 3], [2, 3]], float))
@@ -137,7 +137,7 @@ def _widen(line: BorderLine) -> list[tuple[float, float, int, int]]:
 
 
 def _strip(line: BorderLine, span: tuple[float, float], metres: float) -> shapely.Polygon:
-    """What a piece of a line sweeps as it moves so far to its left."""
+    """What a piece of a line sweeps as it moves ``metres`` to its left."""
     normal = metres * np.array([-line.way[1], line.way[0]])
     start, end = (line.start + t * line.way for t in span)
     return shapely.Polygon([start, end, end + normal, start + normal])

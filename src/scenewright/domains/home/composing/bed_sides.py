@@ -14,7 +14,7 @@ from scenewright.domains.home.rules.classes import MOVED
 from scenewright.geometry.boxes import area_in_polygon, common_area, make_frame
 
 OFF_BED, GOT_IN_FROM = 0.01, 0.45
-"""The floor beside a bed from which one gets in begins and ends so far from it, metres."""
+"""From where to where, off a bed, the floor lies from which one gets in, metres."""
 FREE = 0.91  # share of that floor, from the middle of the bed to its foot, that is free
 
 

@@ -176,7 +176,7 @@ def _do_face(one: Member, other: Member) -> bool:
 
 
 def lie_across(off: tuple[float, float], ahead: tuple[float, float]) -> bool:
-    """Whether what lies so far ``off`` is across an aisle from one that looks ``ahead``, a step
+    """Whether a piece at offset ``off`` is across an aisle from one that looks ``ahead``, a step
     aside at most.
 
     >>> lie_across((1.8, 0.9), (1.0, 0.0)), lie_across((1.8, 1.5), (1.0, 0.0))

@@ -19,7 +19,7 @@ from scenewright.geometry.boxes import Frame, area_in_polygon, common_area, make
 Floats = NDArray[np.float64]
 
 ASIDE, AWAY = radians(35.0), radians(90.0)
-"""A screen is seen well up to so far off the axis of a sofa, and from so far on not at all: the
+"""Angles off the axis of a sofa up to which a screen is seen well, and from which not at all: the
 head turns 30 to 45 degrees with ease (Panero, Zelnik 1979)."""
 
 ON_AXIS, OFF_AXIS = 0.15, 1.2
@@ -56,7 +56,7 @@ BEFORE, CLOSE = 0.5, 3.0
 by what factor more."""
 
 LYING = radians(60.0)
-"""A screen is seen from a bed or an armchair up to so far off the axis of either."""
+"""Angle off the axis of a bed or an armchair up to which a screen is seen from it."""
 
 RESTING = ("armchair", "double_bed", "single_bed", "bunk_bed")
 """What else one watches a screen from."""

@@ -18,9 +18,9 @@ from scenewright.domains.home.measures import TUCKED
 
 Floats = NDArray[np.float64]
 
-ASIDE = (0.6, 0.5, 0.4)  # a rug under the foot reaches so far beyond both sides, metres
+ASIDE = (0.6, 0.5, 0.4)  # reach of a rug under the foot beyond both sides, metres
 FOOT = (0.3, 0.1, 0.0)  # and beyond the foot, metres
-UNDER = (1.5, 1.2)  # and is so long, metres
+UNDER = (1.5, 1.2)  # and its length, metres
 LENGTHS = (1.8, 1.6, 1.4, 1.2, 1.0)  # of a rug along a bed, metres
 WIDTHS = (1.2, 1.0, 0.85, 0.7)  # of that, half a metre of it before the bed at least, metres
 OFF_SIDES = 0.12  # by which a rug before the foot is narrower than the bed, metres

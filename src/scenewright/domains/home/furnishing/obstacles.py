@@ -1,4 +1,4 @@
-"""What stands in a room so far, as something to keep clear of."""
+"""The pieces placed so far, as obstacles."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ TOUCHING = 0.002
 
 
 class StandingObstacles(NamedTuple):
-    """What stands in the room so far: boxes ``(o, 5)``, several where a piece covers less than its
+    """The pieces in the room so far: boxes ``(o, 5)``, several where a piece covers less than its
     own, underside and top ``(o, 2)``, and what each is called."""
 
     boxes: Floats

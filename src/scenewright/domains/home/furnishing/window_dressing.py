@@ -30,7 +30,7 @@ CURTAIN_REACH, SEEN = (
     0.005,
 )  # floor below a curtain, metres, and what of it is not noticed, m²
 LET_DOWN = 0.35  # of a window's height that a blind covers
-RESTING = 0.2  # a curtain ends at least so far above a desk or chest that stands below it, metres
+RESTING = 0.2  # least gap between a curtain and a desk or chest below it, metres
 OFF_UNITS = 0.8  # no curtain nearer than this to kitchen units, metres
 NARROWEST = 0.3  # a window narrower than this is left bare, metres
 

@@ -174,7 +174,7 @@ def _floor_of(units: tuple[Unit, ...]) -> tuple[float, float]:
 
 
 def place(wall: KitchenWall, start: float, width: float, depth: float, out: float) -> Box:
-    """The box of what is so wide and deep, at a wall from ``start`` on and ``out`` from it."""
+    """The box of ``width`` and ``depth`` at a wall, from ``start`` on and ``out`` from it."""
     return (*point_at(wall, start + width / 2, out + depth / 2), wall.heading, width, depth)
 
 
@@ -235,7 +235,7 @@ def _size(category: str, wide: float) -> Size:
 
 
 def point_at(wall: KitchenWall, along: float, out: float) -> tuple[float, float]:
-    """A point so far along a wall and out from it."""
+    """A point ``along`` a wall and ``out`` from it, metres."""
     return (wall.x + wall.ux * along - wall.uy * out, wall.y + wall.uy * along + wall.ux * out)
 
 

@@ -75,7 +75,7 @@ def bare(length: float) -> list[Unit]:
 
 
 def _in_row(units: list[Unit], width: float, depth: float) -> Group:
-    """Units so deep side by side, and what hangs above them."""
+    """Units of ``depth`` side by side, and what hangs above them."""
     members: list[Member] = []
     at, back = -width / 2, -(depth + 0.01) / 2
     for unit, wide in units:

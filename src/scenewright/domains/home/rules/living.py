@@ -25,7 +25,7 @@ from scenewright.domains.home.rules.sources import DGUV, FLATS, PANERO
 AHEAD, WIDE = 1.2, 0.8
 """The floor before the middle of a sofa that it looks over, metres: a low table and those who pass
 have room there."""
-FEET, ARM = 0.45, 0.2  # who sits has feet so far before the seats, beside the arms, metres
+FEET, ARM = 0.45, 0.2  # room for feet before seats, and for arms beside them, metres
 SEAT = 0.95  # how deep the seats of a sofa are, the long one of a corner sofa apart, metres
 SEEN, FELT = 0.12, 0.05  # shares of that and of the floor for feet that are not noticed
 BESIDE_TABLE = 0.2  # a seat nearer than this to where one sits at a table crowds it, metres

@@ -15,7 +15,7 @@ FACING, HAIR = 0.35, 1e-3
 """Cosine of how far an edge of the ground may turn from the fronts that look over it, and metres
 by which margins reach over it."""
 NEARLY = math.radians(45.0)
-"""Fronts that look so near to the preferred heading may look out for the sun."""
+"""Angle off the preferred heading within which fronts may turn to the sun."""
 
 
 def blind(problem: SiteProblem, boxes: Floats, far: float = AHEAD) -> Flags:

@@ -285,7 +285,7 @@ def keep_away(
 def _shades(
     shape: shapely.Polygon, heading: float, behind: float, ahead: float
 ) -> list[shapely.Polygon]:
-    """The ground so far behind a polygon, and so far ahead, towards the noon sun."""
+    """The ground behind a polygon and ahead of it, towards the noon sun, to those distances."""
     toward = np.array([math.cos(heading), math.sin(heading)])
     found = []
     for part in convex_parts(_corners(shape)):

@@ -1,7 +1,7 @@
 """Groups slid along the wall at their back: onto an axis, into a corner, against a neighbour, off a
 door.
 
-Nothing is lost by it: what stood stands, no fault of composition is added, no piece has less floor
+Nothing is lost by it: all pieces stay, no fault of composition is added, no piece has less floor
 before it. Ways are walked once, on the outcome (:mod:`.homes`). Bathrooms have rules of their own
 (:mod:`..filling.wet_rooms`), kitchens are made to measure.
 """

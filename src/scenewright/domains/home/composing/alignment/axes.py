@@ -14,8 +14,8 @@ from scenewright.domains.home.measures import ALIKE
 from scenewright.domains.home.problem import Ground
 
 OFF_FROM = 1.6  # what is farther aside belongs to something else, metres
-BY_WINDOW = 0.9  # a desk so far beside a window still belongs to it, metres
-AT_BACK = 0.5  # a window so near to the back of a desk is in the wall behind it, metres
+BY_WINDOW = 0.9  # farthest aside a desk may be to belong to a window, metres
+AT_BACK = 0.5  # distance up to which a window is in the wall behind a desk, metres
 SEATED, AT_FOOT, AT_WINDOW = 1.5, 1.0, 0.8
 """What a metre off the axis of a sofa or its screen, of a bed and of a window costs."""
 FIRST = ("media", "chest", "vanity", "sideboard")

@@ -56,13 +56,13 @@ class Span(NamedTuple):
         return (x - self.row[0]) * self.row[2] + (y - self.row[1]) * self.row[3]
 
     def cost_at(self, middle: float, width: float) -> float:
-        """What the gaps cost on both sides of what is so wide and has its middle there."""
+        """What the gaps on both sides of a piece of ``width`` with that ``middle`` cost."""
         gaps = (middle - width / 2 - self.start, self.end - middle - width / 2)
         return sum(cost_of_gap(gap, end) for gap, end in zip(gaps, self.ends, strict=True))
 
     def list_flush(self, width: float) -> list[float]:
-        """Middles at which what is so wide ends at what ends the stretch, so far off a door that
-        nobody brushes it."""
+        """Middles at which a piece of ``width`` touches an end of the stretch, or keeps off a door
+        there."""
         off = [OFF_DOOR * (end == DOOR) for end in self.ends]
         found = (self.start + off[0] + width / 2, self.end - off[1] - width / 2)
         return [m for m in found if self.holds(m, width)]
@@ -73,7 +73,7 @@ class Span(NamedTuple):
         return self._replace(ends=(first, last))
 
     def holds(self, middle: float, width: float) -> bool:
-        """Whether what is so wide and has its middle there is within the stretch."""
+        """Whether a piece of ``width`` with that ``middle`` is within the stretch."""
         room = min(middle - self.start, self.end - middle) - width / 2
         return room > -FLUSH_GAP
 

@@ -210,8 +210,8 @@ def _list_boxes(
 
 
 def _are_near_pairs(boxes: Floats, placed: Placed) -> NDArray[np.bool_]:
-    """Which of boxes (n, 5) for two armchairs are so near to two others that those look at the
-    backs of these."""
+    """Which of boxes (n, 5) for two armchairs are near two others that would look at their
+    backs."""
     pairs = (p.dressed.box[:2] for p in placed if p.dressed.case.name in FREE)
     near = [np.hypot(*(boxes[:, :2] - pair).T) < PAIRS_APART for pair in pairs]
     return np.any(np.reshape(near, (len(near), len(boxes))), axis=0)

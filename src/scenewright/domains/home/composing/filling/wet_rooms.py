@@ -64,7 +64,7 @@ TOUCHES_WITHIN = 0.06  # a side nearer than this to a wall or a neighbour touche
 TOUCHING = 0.15  # what a side that touches something is worth
 SLOT = 0.5  # what a metre of slots beside it costs
 FRONT = 0.5  # free before what is used from its front, metres
-PAST, STAND = 0.2, 0.55  # what ends no farther past its front is no bar; one stands so wide, metres
+PAST, STAND = 0.2, 0.55  # how far past its front a neighbour may end; room to stand, metres
 HUNG = 1.0  # what hangs higher is no bar, metres
 LESS, TALL = 0.2, 0.6  # steps between widths that are tried, and the least of them, metres
 TRIED = 16  # places that are furnished
@@ -148,7 +148,7 @@ def can_stand_before(ground: Ground, box: Floats, standing: StandingObstacles) -
 
 
 def _measure_worth(name: str, stretch: FreeStretch, starts: Floats, width: float) -> Floats:
-    """What places (n,) along a stretch are worth to a group so wide: its width, the sides that
+    """What places (n,) along a stretch are worth to a group of ``width``: its width, the sides that
     touch something, less the slots beside it."""
     gaps = np.column_stack([starts, stretch.length - width - starts])
     slots = np.where((gaps > TOUCHES_WITHIN) & (gaps < WIDEST), gaps, 0.0).sum(1)

@@ -59,7 +59,7 @@ def widen_groups(task: RoomTask, answer: RoomAnswer, barred: frozenset[str]) -> 
 
 
 def _list_doors(task: RoomTask, growth: Growth) -> Floats:
-    """The floor (k, 5) where doors open and so far round it that what grows keeps ``off`` them."""
+    """The floor (k, 5) where doors open, and ``off`` metres round it for what grows."""
     doors = task.ground.keep_free[: len(task.ground.keep_free) * (task.ground.area >= ROOMY)]
     return doors + 2 * growth.off * np.array([0.0, 0.0, 0.0, 1.0, 1.0])
 

@@ -44,7 +44,8 @@ def list_ends(case: Group) -> Iterator[tuple[Group, Member]]:
 
 
 def _stand_beside(fridge: Member, unit: Member, side: int, width: float) -> Member:
-    """A fridge so wide at one side of a unit, its back in line; to its right if ``side`` is +1."""
+    """A fridge of ``width`` at one side of a unit, its back in line; to its right if ``side`` is
+    +1."""
     c, s = cos(unit.heading), sin(unit.heading)
     along = side * (unit.size.width + width) / 2
     ahead = (fridge.size.depth - unit.size.depth) / 2

@@ -45,7 +45,7 @@ class FreeStretch(NamedTuple):
         return boxes_along(starts + form.width / 2, self.row, self.heading, form)
 
     def slots_beside(self, start: float, width: float) -> float:
-        """Metres that are too narrow for anything beside what is so wide and begins there."""
+        """Metres beside a piece of ``width`` from ``start`` on that are too narrow for anything."""
         gaps = (start, self.length - width - start)
         return sum(gap for gap in gaps if NARROWEST < gap < WIDEST)
 

@@ -26,7 +26,7 @@ OF_ENTRY = frozenset(("shoes", "coats"))
 SHELVES, OF_ROOM = "storage", frozenset(("chest", "console", "sideboard", "vanity"))
 """What of a room goes where it stands before open shelves."""
 MUCH = 3.0
-"""What it costs at least that something stands so near that it goes."""
+"""Least cost of standing too near for which a group is left out."""
 
 
 def leave_out_near(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
