@@ -143,7 +143,7 @@ def learn(
     output: Annotated[Path, typer.Option("-o", "--output", metavar="GROUPS.json")],
     as_json: Json = False,
 ) -> int:
-    """Learn furniture groups from furnished homes: what stands together, how, in which sizes."""
+    """Learn furniture groups from furnished homes: what goes together, how, in which sizes."""
     from scenewright import formats
     from scenewright.domains import learn_groups
 

@@ -26,7 +26,7 @@ def compare(
     seed: Annotated[int, typer.Option(min=0, help="Seed of the shuffles.")] = 0,
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON document only.")] = False,
 ) -> int:
-    """Compare two places: what stands there and how, beyond chance, with a ruler and in words."""
+    """Compare two places: their buildings and how they stand, beyond chance, with a ruler."""
     from scenewright.ground.likeness.places import FEWEST, compare_places
 
     one, other = _scenes(first, second)
@@ -91,7 +91,9 @@ def _show(found: PlaceComparison) -> None:
         },
         {"": "two real compounds, median", "what": "", "how": "", "whole": OTHER_PLACE},
     ]
-    tables.table(console, ruler, title="excess over chance: what stands, and how", whole=("",))
+    tables.table(
+        console, ruler, title="excess over chance: buildings, and how they stand", whole=("",)
+    )
     tables.print_line(
         console, f"{found.verdict}; {found.copied:.0%} of the second copies the first"
     )

@@ -53,9 +53,7 @@ def grown_scenes(document: Any) -> tuple[BuiltScene, BuiltScene]:
         [piece for piece in pieces if isinstance(piece, dict)] if isinstance(pieces, list) else []
     )
     if not rows or not any(piece.get("space") == OLD for piece in rows):
-        raise InputError(
-            "is no saved extension with what stood before", "give two scenes to compare"
-        )
+        raise InputError("holds no buildings of a source", "give two scenes to compare")
     parts = [[p for p in rows if (p.get("space") == OLD) is before] for before in (True, False)]
     old, new = (saved_scene(document | {"pieces": part}) for part in parts)
     return (

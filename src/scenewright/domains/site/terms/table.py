@@ -63,7 +63,7 @@ _ROWS = (
         QUALITY,
         "building",
         1,
-        "visual quality of what stands; higher is better",
+        "visual quality of the buildings; higher is better",
         _PAPER + "5, E_S",
     ),
     TermRow("left", LEFT, "building", 10, "buildings left out", "ours"),
@@ -92,7 +92,7 @@ SITE_AIMS: tuple[TermRow, ...] = (
         2,
         "site",
         0.5,
-        "how far the middle of what stands in a block lies off the block's",
+        "how far the centre of a block's buildings is off the block's",
         "ours",
     ),
 )
