@@ -46,13 +46,16 @@ class GuidedSettings(NamedTuple):
     """The paper's chain (Cao, Cheng, Zhang 2024): its iterations and its λ; moves of a group
     refused one after the other before it changes its pattern (``stuck``); moves drawn for one
     iteration at most, lest a layout that cannot move never ends (``draws``); metres below which a
-    wall is removed (``shortest``)."""
+    wall is removed (``shortest``); the share of moves that try a wall unasked (``walls``), and of
+    translations and turns that are turns (``turned``)."""
 
     steps: int = 1000
     rate: float = 0.1
     stuck: int = 20
     draws: int = 200
     shortest: float = 0.5
+    walls: float = 0.05
+    turned: float = 0.5
 
 
 class SearchSettings(NamedTuple):

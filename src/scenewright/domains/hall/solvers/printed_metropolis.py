@@ -191,10 +191,10 @@ def unit_move(
     stream: Stream,
     size: float,
     stuck: Ints,
-    most: int,
+    rule: GuidedSettings,
 ) -> int:
     """Write the move of one unit that an energy asks for, another pattern where it was refused
-    ``most`` times in a row; the unit."""
+    ``rule.stuck`` times in a row; the unit."""
     step = uniform(stream) * size
     if term == FILL:
         unit = unit_in(p, filled_least(p, s, stream), stream)
@@ -207,13 +207,13 @@ def unit_move(
         unit = drawn_unit(p, s, SPACE, stream)
     begin(p, s, work, unit)
     crowded = s.covered[unit, 1] + s.covered[unit, 2] > s.covered[unit, 0]
-    if stuck[unit] >= most:
+    if stuck[unit] >= rule.stuck:
         stuck[unit] = 0
         change_pattern(p, s, unit, stream)
     elif term == PROPORTION:
         spread(p, s, unit, -step, stream)
     elif term == ACCESS or (term == SPACE and crowded) or s.code[unit] == SINGLE:
-        if uniform(stream) < 0.5 and s.code[unit] != WALL:
+        if uniform(stream) < rule.turned and s.code[unit] != WALL:
             turn(p, s, unit, stream)
         else:
             slide(s, unit, max(step, 0.02), stream)
@@ -237,7 +237,7 @@ def draw_once(
     """One move drawn and judged: the energy without the route after it, infinity if it is
     refused, and whether it broke no hard rule."""
     term, host = drawn_energy(p, s, stream), -1
-    if p.hosts.shape[0] > 0 and (term == ACCESS or uniform(stream) < 0.05):
+    if p.hosts.shape[0] > 0 and (term == ACCESS or uniform(stream) < rule.walls):
         host = wall_move(p, s, work, term, stream, rule.shortest)
     if host >= 0:
         after = measure_all(p, s, work)
@@ -245,7 +245,7 @@ def draw_once(
             return after, True
         undo_wall(p, s, work, host)
         return math.inf, after < math.inf
-    unit = unit_move(p, s, work, term, stream, size, stuck, rule.stuck)
+    unit = unit_move(p, s, work, term, stream, size, stuck, rule)
     after = bare + judge(p, s, work, unit)
     if after <= limit:
         settle(p, s, work, unit)
