@@ -188,14 +188,14 @@ def are_apart(one: Sequence[float], other: Sequence[float]) -> bool:
 
 def page_lines(told: Sequence[Record]) -> Iterator[str]:
     """A row a choice: as we have it, and what else was tried, in bold what is told apart."""
-    yield "| left open | figure | ours | tried | hardly matters |"
+    yield "| left open | figure | ours | tried | matters |"
     yield "|---|---|---|---|---|"
     for case in dict.fromkeys(row["case"] for row in told):
         mine = [row for row in told if row["case"] == case]
         tried = "; ".join(_cell(row) for row in mine)
-        same = "" if any(row["apart"] for row in mine) else "yes"
+        matters = "yes" if any(row["apart"] for row in mine) else "not told apart"
         ours = f"{mine[0]['as_run']}: {mine[0]['ours']:.4g}"
-        yield f"| {case} | {mine[0]['unit']} | {ours} | {tried} | {same} |"
+        yield f"| {case} | {mine[0]['unit']} | {ours} | {tried} | {matters} |"
 
 
 def _cell(row: Record) -> str:

@@ -32,9 +32,9 @@ from scenewright.domains.hall.fit import Fitted
 from scenewright.domains.hall.solvers.chains import begin_chain
 from scenewright.domains.hall.solvers.printed_metropolis import run_printed
 from scenewright.domains.hall.terms.state import PreparedHall
-from scenewright.domains.site.encodings.cell_moves import random_genes
 from scenewright.domains.site.solvers import SITE_SOLVERS
 from scenewright.domains.site.solvers.answer import score
+from scenewright.domains.site.solvers.genetic import MatrixGenetic
 from scenewright.domains.site.solvers.lattice import make_cells
 from scenewright.domains.site.solvers.matrix_judge import make_judge
 from scenewright.domains.village.paper.filling import fill_as_paper
@@ -58,7 +58,7 @@ BUILT_BY = ("scenewright.domains.extend.build_problem", "scenewright.domains.vil
 """What domains are asked for by their contract."""
 EVALUATIONS, SITE_STEPS, MOVES, ITERATIONS = 600, 1000, 60_000, 1000
 """Matrices that ants build, layouts bred and moves annealed on a site, iterations in a hall."""
-RATED, TESTED, BLOBS = 40, 30, 6
+RATED, TESTED, BLOBS = 40, 20, 6
 
 
 @contextmanager
@@ -105,19 +105,21 @@ def try_network(vigilance: float, rate: float, seed: int) -> float:
     """σ (24) of an ART1 network on stars of a simulated rater it did not learn from."""
     problem = _site().problems["default"]
     cells, rng = make_cells(problem), np.random.default_rng(seed)
-    rows = [random_genes(cells, rng, problem.buildings.quality, 0.5) for _ in range(BLOBS)]
-    for _ in range(RATED + TESTED - BLOBS):
-        one, other = (rows[k] for k in rng.integers(BLOBS, size=2).tolist())
-        rows.append(np.where(rng.random((len(one), 1)) < 0.85, one, other))
-    genes = np.array(rows, float).reshape(len(rows), -1)
-    stars = SiteRater(problem, seed).rate(make_judge(problem, cells).boxes(genes))
-    bits, settings = (
-        mark_alleles(read_alleles(genes), len(cells.counts())),
-        Art1Settings(vigilance, rate),
-    )
+    judge, rater = make_judge(problem, cells), SiteRater(problem, seed)
+    solver = MatrixGenetic(cells, problem.buildings.quality, mutation=0.5, local=False)
+    width = np.zeros(cells.fits.shape[2] * 3)
+    state, rows, given = solver.init(rng, width, width), [], list[float]()
+    while len(given) < RATED + TESTED:
+        genes, state = solver.ask(state, rng)
+        told = rater.rate(judge.boxes(genes))
+        state = solver.tell(state, genes, -told)
+        rows.append(read_alleles(genes))
+        given += told.tolist()
+    stars, settings = np.array(given), Art1Settings(vigilance, rate)
+    bits = mark_alleles(np.concatenate(rows), len(cells.counts()))
     network = learn_ratings(bits[:RATED], stars[:RATED], settings)
-    told = [rate_pattern(network, row, MIDDLE, settings) for row in bits[RATED:]]
-    return measure_rmse(stars[RATED:], np.array(told))
+    guessed = [rate_pattern(network, row, MIDDLE, settings) for row in bits[RATED:]]
+    return measure_rmse(stars[RATED:], np.array(guessed))
 
 
 @cache
