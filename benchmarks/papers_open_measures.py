@@ -20,7 +20,6 @@ from benchmarks.hall_measure import posed as pose_hall
 from benchmarks.papers_home_readings import AS_RUN, LIVING, genetic
 from benchmarks.papers_home_rooms import case_of
 from benchmarks.papers_site_raters import SiteRater
-from benchmarks.papers_site_search import read_alleles
 from benchmarks.site_scenes import Scene, scene_brief
 from benchmarks.site_scenes import posed as pose_site
 from scenewright.domains import problems
@@ -32,6 +31,7 @@ from scenewright.domains.hall.fit import Fitted
 from scenewright.domains.hall.solvers.chains import begin_chain
 from scenewright.domains.hall.solvers.printed_metropolis import run_printed
 from scenewright.domains.hall.terms.state import PreparedHall
+from scenewright.domains.site.encodings.cells import KIND, PART
 from scenewright.domains.site.solvers import SITE_SOLVERS
 from scenewright.domains.site.solvers.answer import score
 from scenewright.domains.site.solvers.genetic import MatrixGenetic
@@ -113,7 +113,8 @@ def try_network(vigilance: float, rate: float, seed: int) -> float:
         genes, state = solver.ask(state, rng)
         told = rater.rate(judge.boxes(genes))
         state = solver.tell(state, genes, -told)
-        rows.append(read_alleles(genes))
+        whole = genes.reshape(len(genes), -1, 3).astype(np.int64)
+        rows.append(np.where(whole[:, :, PART] == 0, whole[:, :, KIND], 0))
         given += told.tolist()
     stars, settings = np.array(given), Art1Settings(vigilance, rate)
     bits = mark_alleles(np.concatenate(rows), len(cells.counts()))
@@ -168,9 +169,9 @@ def lay_hall(chosen: dict[str, float], seed: int) -> float:
     κ, δ_min as a share, Z, or a setting of the chain."""
     fitted = _hall(chosen.get("kappa", 0.1))
     problem = fitted.problem
-    guided = problem.settings.guided._replace(
-        **{name: value for name, value in chosen.items() if name in problem.settings.guided._fields}
-    )
+    usual = problem.settings.guided
+    more: dict[str, Any] = {name: v for name, v in chosen.items() if name in usual._fields}
+    guided = usual._replace(**more)
     chain = begin_chain(problem, fitted.start, streams(seed, 1)[0])
     p = _prepare(chain.p, chosen)
     schedule = np.array([guided.rate, guided.rate, float(ITERATIONS), 0.0])

@@ -46,8 +46,8 @@ def lines_of(domain: str, page: str) -> list[Line]:
         cells = [cell.strip() for cell in line.strip("|").split("|")]
         code = [re.fullmatch(r"`([^`]+)`", cell) for cell in cells[1:3]]
         if len(cells) >= 4 and all(code):
-            named = (match[1] for match in code if match)
-            found.append(Line(domain, cells[0], *named, cells[3].strip("`")))
+            function, test = (match[1] for match in code if match)
+            found.append(Line(domain, cells[0], function, test, cells[3].strip("`")))
     return found
 
 
@@ -83,7 +83,7 @@ def test_every_test_named_is_there(lines: list[Line], root: Path) -> None:
 
 def told_by(node: ast.Call) -> Iterator[str]:
     """``kind.fact`` of what one call of ``tell`` tells."""
-    words = [arg.value for arg in node.args if isinstance(arg, ast.Constant)]
+    words = [str(arg.value) for arg in node.args if isinstance(arg, ast.Constant)]
     for word in node.keywords:
         yield f"{words[0]}.{word.arg}"
         if isinstance(word.value, ast.DictComp) or word.arg is None:
@@ -95,8 +95,7 @@ def test_every_fact_named_is_told_in_traces(lines: list[Line], root: Path) -> No
         told = set[str]()
         for file in (root / "src/scenewright/domains" / domain).rglob("*.py"):
             for node in ast.walk(ast.parse(file.read_text("utf-8"))):
-                named = isinstance(node, ast.Call) and isinstance(node.func, ast.Name)
-                if named and node.func.id == "tell":
+                if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "tell":
                     told |= set(told_by(node))
         facts = [line.fact for line in lines if line.domain == domain and line.fact]
         assert facts

@@ -95,14 +95,19 @@ def markdown(name: str, records: Sequence[Record]) -> Iterable[str]:
 
 
 def measure(
-    name: str, extent: Extent, progress: Callable[[float, str], None], rescaled: bool = False
+    name: str,
+    extent: Extent,
+    progress: Callable[[float, str], None],
+    rescaled: bool = False,
+    everything: bool = False,
 ) -> Measured:
     """Run one benchmark to its end or until Ctrl-C or SIGTERM; whatever it prints goes to the
-    standard error. ``rescaled``: with its real plans brought to their true scale."""
+    standard error. ``rescaled``: with its real plans brought to their true scale; ``everything``:
+    with all that belongs to it."""
     records: list[Record] = []
     try:
         with _termination_interrupts(), redirect_stdout(sys.stderr):
-            for record in _run(name, extent, progress, rescaled):
+            for record in _run(name, extent, progress, rescaled, everything):
                 missing = [key for key in KEYS if key not in record]
                 if missing:
                     raise RuntimeError(f"bench {name}: a record lacks {', '.join(missing)}")
@@ -124,19 +129,25 @@ def _missing_package(name: str, error: ModuleNotFoundError) -> InputError | Modu
 
 
 def _run(
-    name: str, extent: Extent, progress: Callable[[float, str], None], rescaled: bool
+    name: str,
+    extent: Extent,
+    progress: Callable[[float, str], None],
+    rescaled: bool,
+    everything: bool,
 ) -> Iterable[Record]:
     _open_folder(name)
     function = import_module(f"benchmarks.{name}").records
     known, more = inspect.signature(function).parameters, dict[str, bool]()
-    if extent == "full":
-        if "full" not in known:
-            raise InputError(f"benchmark '{name}' always measures everything", "leave --full out")
-        more["full"] = True
-    if rescaled:
-        if "rescaled" not in known:
-            raise InputError(f"benchmark '{name}' has no plans to rescale", "leave --rescaled out")
-        more["rescaled"] = True
+    for word, asked, refusal in (
+        ("full", extent == "full", f"benchmark '{name}' always measures everything"),
+        ("rescaled", rescaled, f"benchmark '{name}' has no plans to rescale"),
+        ("everything", everything, f"benchmark '{name}' has no more than it measures"),
+    ):
+        if asked and word not in known:
+            option = "--all" if word == "everything" else f"--{word}"
+            raise InputError(refusal, f"leave {option} out")
+        if asked:
+            more[word] = True
     return function(extent == "quick", progress, **more)
 
 

@@ -310,6 +310,9 @@ def bench(
         bool,
         typer.Option("--rescaled", help="Real flats at their true scale: hinged doors of 0.75 m."),
     ] = False,
+    everything: Annotated[
+        bool, typer.Option("--all", help="With all that belongs to it, such as papers.")
+    ] = False,
     outputs: Annotated[
         list[Path] | None,
         typer.Option("-o", "--output", metavar="OUT", help="A .json or .md; may be repeated."),
@@ -329,7 +332,7 @@ def bench(
     cli_bench.check_outputs(outputs or ())
     cli_bench.check_page(name, into)
     with show_progress(terminal.console(stderr=True), quiet) as progress:
-        measured = cli_bench.measure(name, extent, progress, rescaled)
+        measured = cli_bench.measure(name, extent, progress, rescaled, everything)
     cli_bench.write(outputs or (), name, measured.records)
     if into is not None and not measured.interrupted:
         cli_bench.write_into(into, name, extent, rescaled, measured.records)

@@ -1,0 +1,85 @@
+"""All five papers at once: ``scenewright bench papers -o papers.json -o papers.md``.
+
+Each part is a benchmark of its own, run with the same ``--quick``; ``--all`` adds every choice that
+the papers leave open (:mod:`.papers_open`). Villages need the project's real data and are left out,
+with a word, where there are none.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator, Sequence
+from importlib import import_module
+from typing import Any, NamedTuple
+
+from benchmarks.page_tables import list_lines
+from benchmarks.spread import Progress
+from scenewright.core.errors import InputError
+
+Record = dict[str, Any]
+
+
+class PaperPart(NamedTuple):
+    """A paper, and the benchmark that repeats its experiments."""
+
+    paper: str
+    bench: str
+
+
+PARTS = (
+    PaperPart("Cao, Cheng, Zhang 2024", "papers_halls"),
+    PaperPart("Liu, Jiang, Mao, Wang 2017", "papers_home"),
+    PaperPart("Zhang, Yang 2023", "papers_site"),
+    PaperPart("Zhang, Yang 2023; Zhang, Fei 2017", "papers_raters"),
+    PaperPart("Zhang, Fei 2017", "extend_paper"),
+    PaperPart("Zhu, Jiang, Li 2022", "village"),
+)
+OPEN = PaperPart("what the papers leave open", "papers_open")
+
+
+def records(
+    quick: bool = False, progress: Progress | None = None, everything: bool = False
+) -> Iterator[Record]:
+    """The records of one part after the other, each with its ``bench`` and ``paper``; a last record
+    of each part says how many seconds it took."""
+    parts = (*PARTS, OPEN) if everything else PARTS
+    for number, part in enumerate(parts):
+        begun = time.perf_counter()
+        if progress:
+            progress(number / len(parts), part.bench)
+        try:
+            for record in import_module(f"benchmarks.{part.bench}").records(quick):
+                yield record | part._asdict()
+        except InputError as fault:
+            print(f"{part.bench} is left out: {fault}")
+            continue
+        yield tell_seconds(part, time.perf_counter() - begun)
+
+
+def tell_seconds(part: PaperPart, seconds: float) -> Record:
+    """The record of how long a part took, which its tables leave out."""
+    return {
+        "case": part.bench,
+        "metric": "measured within",
+        "unit": "s",
+        "ours": round(seconds, 1),
+        "baseline": None,
+        "baseline_name": "",
+        "ratio": None,
+        "runs": 1,
+        "bench": "papers",
+        "paper": part.paper,
+    }
+
+
+def markdown_lines(told: Sequence[Record]) -> Iterator[str]:
+    """The tables of every part under its paper's name, and what each part took."""
+    for part in (*PARTS, OPEN):
+        mine = [row for row in told if row["bench"] == part.bench]
+        if mine:
+            yield from (f"## {part.paper}: `bench {part.bench}`", "")
+            yield from list_lines(part.bench, mine)
+            yield ""
+    yield from ("| measured | s |", "|---|---|")
+    took = [row for row in told if row["bench"] == "papers"]
+    yield from (f"| {row['case']} | {row['ours']:.0f} |" for row in took)
