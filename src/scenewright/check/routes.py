@@ -212,7 +212,7 @@ def blocking_in(bodies: Bodies, within: NDArray[np.int64]) -> NDArray[np.int64]:
 
 
 def squeeze_in(bodies: Bodies, ground: JoinedFloor, walk: Walk, within: Shape) -> Shape:
-    """Where a person comes who has walked to a narrow room by the route and goes on sideways, as
+    """Where a person gets who has walked to a narrow room by the route and goes on sideways, as
     a disc of 0.2 m: in the floor of the room and its doorways, and just before them."""
     near = shapely.intersection(ground.floor, shapely.buffer(within, 2 * walk.radius))
     bare = _open(ground._replace(floor=near), ROBOT_RADIUS)

@@ -75,7 +75,7 @@ class Kind:
     ``access`` lists the sides, at least one of which must be reachable from the door (none: the
     piece is used together with its group, like a nightstand). ``reach`` is the free depth in
     metres a person needs at that side. ``flat`` things (rugs) may be stood on by others, one
-    ``swings`` open for who walks through it (the leaf of a gate).
+    ``swings`` open for people (the leaf of a gate).
     ``support`` tells what holds it: the floor, a wall (pictures, wall cabinets), the ceiling
     (lamps) or the top of another piece. ``under`` names kinds this one may be pushed under or
     into (a chair under a table). ``airy`` is what air passes under or round: it may stand before
@@ -87,8 +87,8 @@ class Kind:
     connected to, ``hall`` how halls lay it out, ``chairs`` those that come with it. ``words`` are
     the phrases it is recognised by; ``in_rooms`` what such a word means in a room, where that is
     not this kind. ``essential`` names what it serves as where a room cannot do without (a *seat*,
-    a *bed*). ``staff`` is the depth in metres of the floor behind it for who serves there, kept
-    free behind it in halls. ``forms`` is the furniture group it makes when groups are
+    a *bed*). ``staff`` is the depth in metres of the floor for staff behind it, kept
+    free in halls. ``forms`` is the furniture group it makes when groups are
     learned, ``alone`` the group it makes alone.
 
     ``drawn_by`` lists the modules whose ``ASSETS`` draw it; a leading dot stands for

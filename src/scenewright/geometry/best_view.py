@@ -176,7 +176,7 @@ def parallel_rays(way: Floats, size: float) -> tuple[Floats, Floats]:
 
 
 def _axes(way: Floats) -> tuple[Floats, Floats]:
-    """What is right and up to one who looks against ``way``."""
+    """The right and up directions of a viewer who looks against ``way``."""
     right = np.cross([0.0, 0.0, 1.0], way)
     right = right / np.linalg.norm(right)
     return right, np.cross(way, right)

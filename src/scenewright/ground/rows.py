@@ -1,6 +1,6 @@
 """Rows of buildings: who stands beside whom with the fronts in line, and the strings they are.
 
-A row runs to the right as one sees it who looks along the fronts' headings. Its string has the
+A row runs to the right of a viewer who looks along the fronts' headings. Its string has the
 letter of the kind of each building, and ``-`` where the gap to the next is more than usual.
 """
 

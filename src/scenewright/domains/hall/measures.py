@@ -5,7 +5,7 @@ from __future__ import annotations
 HEAD_HEIGHT = 2.0
 """What begins above is in nobody's way: the least headroom of stairs and doors."""
 ARM = 0.2
-"""How far an arm reaches beyond the side of who walks by, and one stands off a chair."""
+"""How far the arm of a passer-by reaches beyond their side, and how far one stands off a chair."""
 QUEUE = 2.0
 """Depth of the floor before a till or desk on which people wait: about four of them."""
 DOOR_OUTSIDE = 0.6

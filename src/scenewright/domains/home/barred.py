@@ -177,7 +177,7 @@ def _use_regions(
 
 
 def _squeeze(walked: FloorWalk, within: Shape) -> Shape:
-    """Where a person comes who goes on sideways from the route, in a room and its doorways."""
+    """Where a person gets sideways from the route, in a room and its doorways."""
     floor = walked.floor
     near = floor.whole.intersection(within.buffer(2 * walked.radius))
     solid = [obstacle.footprint for obstacle in walked.obstacles]

@@ -242,7 +242,7 @@ HEARTH = PlacementPreference(
 )
 """Seats gather before the middle of a fireplace that stands."""
 VIEW = PlacementPreference(draws=(Attraction(("outlook",), facing=0.1),))
-"""Who sits on a balcony looks out or along it, not at the house."""
+"""Seats on a balcony look out or along it, not at the house."""
 PRIVATE = PlacementPreference(draws=(Attraction(("door",), near=3.0),))
 BED_APART_FROM = 40.0
 """Area in m² of a room also lived or cooked in from which its bed keeps away from doors."""

@@ -82,8 +82,8 @@ def _lloyd(vectors: Floats, centres: Floats) -> tuple[Indices, float]:
 
 def leader(vectors: Floats, threshold: float) -> Indices:
     """The class (n,) of each vector (n, d), taken one after the other. After each, those taken
-    before are asked again: who is nearer on average to another class goes over to it, who is
-    farther than the threshold from all leaves.
+    before are asked again: members nearer on average to another class join it, those
+    farther than the threshold from all leave.
 
     >>> leader(np.array([[0.0], [4.0], [0.3], [4.1]]), 1.0).tolist()
     [0, 1, 0, 1]

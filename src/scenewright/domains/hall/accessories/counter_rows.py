@@ -63,5 +63,5 @@ def _measure_off(row: Piece, one: Piece) -> tuple[float, float]:
 
 
 def _right_of(row: Piece) -> tuple[float, float]:
-    """The direction to the right of who serves at it, looking ahead."""
+    """The direction to the right of its staff, looking ahead."""
     return math.sin(row.pose.heading), -math.cos(row.pose.heading)

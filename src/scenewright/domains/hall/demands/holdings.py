@@ -34,7 +34,7 @@ class HallDemand(NamedTuple):
 
     Chairs asked for by themselves name the demand ``at`` whose tables they stand; once joined
     (:mod:`.seating`), that holds them as ``seated``. A desk then stands with ``before`` metres for
-    its chair, ``turned`` so that who sits at it looks ahead. Counters at a wall stand with
+    its chair, ``turned`` so that people at it look ahead. Counters at a wall stand with
     ``staff`` metres behind them, and ``before`` them is the floor of stools; those in a ``row`` are
     one object until they are furnished, and so are two rows back to back (``double``). Of what is
     ``unplaced`` the brief says neither whether it stands at a wall nor in what pattern; of what is
@@ -190,7 +190,7 @@ def _clearance(
     stated = usual if demand.clearance is None else demand.clearance
     front, left, back, right = stated if isinstance(stated, tuple) else (stated,) * 4
     if demand.clearance is None and at_wall and demand.category in TABLE_CHAIRS:
-        return (max(front, back), 0.0, 0.0, 0.0)  # side by side, who sits there before them
+        return (max(front, back), 0.0, 0.0, 0.0)  # side by side, people before them
     return (front, left, 0.0 if at_wall else back, right)
 
 

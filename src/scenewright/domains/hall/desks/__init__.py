@@ -1,1 +1,1 @@
-"""Desks, counters and tills: the forms they take, who serves there and who sits at them."""
+"""Desks, counters and tills: the forms they take, their staff and their seats."""

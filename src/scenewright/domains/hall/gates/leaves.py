@@ -1,4 +1,4 @@
-"""The leaves of wide gates: they swing open for who walks through and show that one may."""
+"""The leaves of wide gates: they swing open for people and show the way through."""
 
 from __future__ import annotations
 

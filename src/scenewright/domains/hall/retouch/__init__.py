@@ -95,7 +95,7 @@ RETOUCHES: tuple[Pass[Retouch], ...] = (
         "stands",
         "exhibits",
         Retouch(_whole, measure_backs, propose_turns),
-        "stands show who comes in their fronts",
+        "stands turn their fronts to the entrance",
     ),
     Pass(
         "gates",
@@ -113,7 +113,7 @@ RETOUCHES: tuple[Pass[Retouch], ...] = (
         "counters",
         "service",
         Retouch(other_desks, desks_adrift, propose_desks, place=find_desks),
-        "counters stand at walls with room for who serves",
+        "counters stand at walls with room for staff",
     ),
     Pass(
         "waiting",

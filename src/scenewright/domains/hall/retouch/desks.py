@@ -25,7 +25,7 @@ STEP, PROPOSED, APART = 0.4, 120, 0.9
 """Metres between two places that are tried along a wall, how many of the best of them, and the
 least distance of as many others."""
 BEHIND, STAFF = 0.3, 0.9
-"""Metres that a back or side may be farther from a wall than who serves needs, and what they need
+"""Metres that a back or side may be farther from a wall than staff needs, and what they need
 at least."""
 FAR, TOO_FAR, PAYING, LITTLE = 3.0, 0.4, 0.2, 0.05
 """Metres from the entrance that are near enough, and what each beyond counts: of a desk one comes
@@ -37,7 +37,7 @@ WAY, WIDE, QUEUE_TRIED = 6.0, 1.2, 1.5
 WAITING = 0.3
 """What a square metre of queue on the way in counts, of desk one metre."""
 BACK_TO = 6.0
-"""What a back turned to who comes in counts, in metres."""
+"""What a back turned to the entrance counts, in metres."""
 CRAMPED = 2.0
 """What a desk counts behind which a wall leaves nobody room to stand, in metres."""
 LONGEST, LINES, SHORT = 4.0, 24, 6.5
@@ -169,8 +169,8 @@ def _rate(desks: Desks, unit: int) -> Rates:
 
 def measure_desks(problem: HallProblem, boxes: Floats, row: int, rates: Rates) -> Floats:
     """How far desks (n, 5) are from where one looks for them (n,): metres their back is off a wall
-    beyond what who serves needs, how far they are from the entrance, how much of them and their
-    queue lies on the way in, whether they turn their back to who comes in, and whether a wall
+    beyond what staff needs, how far they are from the entrance, how much of them and their
+    queue lies on the way in, whether they turn their back to the entrance, and whether a wall
     behind them leaves nobody room to serve."""
     door, inward = problem.visitors.entrances[0], problem.visitors.inward[0]
     middles, (width, depth) = boxes[:, :2], boxes[:, 3:, None].swapaxes(0, 1)
@@ -194,7 +194,7 @@ def measure_desks(problem: HallProblem, boxes: Floats, row: int, rates: Rates) -
 
 
 def _turn_back(problem: HallProblem, boxes: Floats) -> NDArray[np.bool_]:
-    """Which of some desks (n, 5) turn their back to who comes in."""
+    """Which of some desks (n, 5) turn their back to the entrance."""
     off = problem.visitors.entrances[0] - boxes[:, :2]
     front = np.stack([np.cos(boxes[:, 2]), np.sin(boxes[:, 2])], axis=1)
     return np.asarray((off * front).sum(1) < -0.3 * np.hypot(*off.T), bool)

@@ -1,4 +1,4 @@
-"""Stands and panels show who comes in their fronts, not a wall of backs."""
+"""Stands and panels turn their fronts to the entrance, not a wall of backs."""
 
 from __future__ import annotations
 

@@ -134,7 +134,7 @@ def _lacking(problem: HallProblem, layout: MeasuredLayout, pieces: tuple[Piece, 
 def _free_floor(
     space: Space, problem: HallProblem, solid: tuple[Piece, ...]
 ) -> shapely.MultiPolygon:
-    """Where the middle of a person comes who walks in at a door and goes on sideways."""
+    """Where the middle of a person can be who walks in at a door and goes on sideways."""
     floor = shapely.Polygon(space.outline, space.holes).buffer(-HALF)
     grown = shapely.buffer(polygons_of(list(solid)), HALF, join_style="mitre")
     parts = shapely.get_parts(shapely.difference(floor, shapely.union_all(grown)))

@@ -1,7 +1,7 @@
 """Chairs asked for beside desks and tables stand at them: both are laid out as one.
 
 At a desk one chair stands before its front. Where there is something to look at (a stage, a screen)
-desks stand in rows before it, turned so that who sits at them looks ahead.
+desks stand in rows before it, turned so that people at them look ahead.
 """
 
 from __future__ import annotations
@@ -104,7 +104,7 @@ def _with_company(
 
 def with_chair(table: HallDemand, deep: float, shown: str) -> HallDemand:
     """Desks on the floor they take with a chair ``deep`` metres deep before each, turned so that
-    who sits there looks at what is ``shown``, if anything is."""
+    people there look at what is ``shown``, if anything is."""
     front, left, back, right = table.clearance
     before = deep - TUCK
     front = max(front - before, SEATWAY)

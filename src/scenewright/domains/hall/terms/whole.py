@@ -96,7 +96,7 @@ def place_all(
 
 @inlined
 def facing_of(p: PreparedHall, s: State, unit: int) -> float:
-    """How far a unit is turned away from what it looks at, a desk from who comes in."""
+    """How far a unit is turned away from what it looks at, a desk from the entrance."""
     target = p.targets[unit]
     if target < 0:
         return welcome_of(p, s, unit)

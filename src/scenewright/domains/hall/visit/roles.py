@@ -7,7 +7,7 @@ from collections.abc import Collection
 from scenewright.domains.hall.classes import GOODS
 
 GATE = "ticket_gate"
-"""What everybody passes who comes into its zone."""
+"""Objects that all visitors of their zone pass."""
 MACHINES = ("ticket_machine",)
 """Where one gets a ticket or a number without being served."""
 FRONT = 16384

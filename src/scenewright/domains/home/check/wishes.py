@@ -2,7 +2,7 @@
 
 Distances are between footprints, and from footprints to the face of the wall an opening is in. A
 thing faces another if some of that lies within 30 degrees of straight ahead of its middle; of a
-group the largest piece counts, and who sits at a desk looks over it.
+group the largest piece counts, and people at a desk look over it.
 """
 
 from __future__ import annotations

@@ -10,7 +10,7 @@ from scenewright.core.scene import Size
 
 CHAIR = Size(0.46, 0.5, 0.85)
 SEAT = 0.5  # free depth a chair and its sitter take beyond the table's edge
-PLACE = 0.5  # of a table's edge, for each who sits there, at least
+PLACE = 0.5  # of a table's edge, for each seat, at least
 STOOL = Size(0.32, 0.32, 0.45)
 PUSHED = 0.08  # of a stool pushed under its table that still shows, metres
 TUCK = 0.2  # how far a chair stands under the table

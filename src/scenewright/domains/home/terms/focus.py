@@ -11,7 +11,7 @@ from scenewright.geometry.boxes import Floats, Frame, read_frame
 from scenewright.geometry.compiled import inlined
 
 HIDING = 0.3  # metres of tall furniture on a line of sight that hide what is behind it
-TALL = 1.3  # what is taller stands in the sight of one who comes in, metres
+TALL = 1.3  # least height that blocks the view of people entering, metres
 REACH = 1.0  # farther than this from where it mirrors another a piece is no counterpart, metres
 
 
