@@ -47,6 +47,7 @@ if TYPE_CHECKING:
     from scenewright.formats.solution_json import read as read_solution
     from scenewright.workflow.arrange import arrange
     from scenewright.workflow.evolve import evolve
+    from scenewright.workflow.observe import observe
 if TYPE_CHECKING:
     from typing import Any
 
@@ -77,6 +78,7 @@ __all__ = [
     "evolve",
     "explain",
     "losses",
+    "observe",
     "read",
     "read_solution",
     "resolve",
@@ -97,6 +99,7 @@ _HOMES = {
     "alternatives": "domains:alternatives",
     "arrange": "workflow.arrange:arrange",
     "evolve": "workflow.evolve:evolve",
+    "observe": "workflow.observe:observe",
     "batch": "batch:batch",
     "solve": "domains:solve",
     "resolve": "domains:resolve",

@@ -25,6 +25,7 @@ from scenewright.cli import evolve as cli_evolve
 from scenewright.cli import fold as cli_fold
 from scenewright.cli import learn as cli_learn
 from scenewright.cli import plan as cli_plan
+from scenewright.cli import render as cli_render
 from scenewright.cli.arguments import check_budget, check_repeated, check_words
 from scenewright.cli.faults import describe_usage_fault, drop_output, is_output_full, write_fault
 from scenewright.cli.pass_table import print_passes
@@ -287,6 +288,7 @@ app.command()(cli_compare.compare)
 app.command()(cli_fold.fold)
 app.command()(cli_learn.learn)
 app.command()(cli_plan.plan)
+app.command()(cli_render.render)
 app.command("list")(listing.list_)
 app.command()(listing.schema)
 app.add_typer(cli_catalog.app, name="catalog")

@@ -51,7 +51,7 @@ from scenewright.render.near_walls import (
 )
 
 Direction = tuple[float, float, float]
-ThingKind = Literal["slab", "space", "surface", "wall", "opening", "stairs", "piece"]
+ThingKind = Literal["slab", "space", "ceiling", "surface", "wall", "opening", "stairs", "piece"]
 
 SLAB = 0.22
 """Thickness in metres of the slab drawn under each level."""
@@ -174,14 +174,15 @@ def _slab(scene: Scene, level: Level) -> Iterator[RenderItem]:
     with np.errstate(divide="ignore", invalid="ignore"):  # at needles, which have no mitre
         region = shapely.union_all(shapely.buffer(shapes, 0.002, join_style="mitre"))
     region = region.difference(wells(scene.stairs, level.id))
-    meshes = [_flat(part.simplify(0.003), -SLAB, -SKIN) for part in polygons(region)]
+    meshes = [extrude_polygon(part.simplify(0.003), -SLAB, -SKIN) for part in polygons(region)]
     if meshes:
         name = f"slab of {level.name or level.id or 'the floor'}"
         plate = Part(CONCRETE, *merge(meshes))
         yield RenderItem(name, "slab", level.id, "", name, (plate,), (0, 0, 0), 0.0, {})
 
 
-def _flat(shape: shapely.Polygon, base: float, top: float) -> Mesh:
+def extrude_polygon(shape: shapely.Polygon, base: float, top: float) -> Mesh:
+    """A plate over a polygon with its holes, between two heights in metres."""
     ordered = shapely.orient_polygons(shape)
     rings = [shapely.get_coordinates(r)[:-1] for r in (ordered.exterior, *ordered.interiors)]
     return prism(rings[0], base, top, rings[1:])
@@ -222,7 +223,7 @@ def _floor(space: Space, well: shapely.Geometry, lid: float, slept_in: bool) -> 
     whole = shapely.Polygon(space.outline, space.holes)
     area, meshes = whole.area, [prism(space.outline, -SKIN, lid, space.holes)]
     if whole.intersects(well):
-        meshes = [_flat(part, -SKIN, 0.0) for part in polygons(whole.difference(well))]
+        meshes = [extrude_polygon(part, -SKIN, 0.0) for part in polygons(whole.difference(well))]
     extras: dict[str, str | float] = {
         "function": ", ".join(space.functions),
         "category": "space",

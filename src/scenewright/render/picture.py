@@ -31,6 +31,8 @@ CENTRE = np.zeros((1, 2), np.float32)
 SETS = light.samples()
 PORTION = 1 << 15
 PAGE = Material("page", (0.955, 0.950, 0.942))
+NEAREST = 0.01
+"""How far before the eye, in metres, glass must lie to be found by its bounds on the screen."""
 MORE = 3
 """Further rays to the sun for pixels in half shadow."""
 
@@ -73,6 +75,13 @@ class RenderStage(NamedTuple):
     air: Air | None = None
 
 
+class StageCasters(NamedTuple):
+    """Embree's trees over the triangles and the glass of a stage, built once for all its views."""
+
+    solid: rays.Caster
+    panes: rays.Caster
+
+
 class RayHits(NamedTuple):
     """What rays met: triangle, key (-1 beyond all shadows), point and normal; where nothing is
     met, the direction of the ray instead of a normal."""
@@ -101,16 +110,33 @@ def render(
     sun: tuple[float, float, float] = (-0.50, -0.22, 1.0),
 ) -> Pixels:
     """The picture ``(height, width, 3)`` in sRGB; ``sun`` is the direction towards the sun."""
-    view = view_of(camera, width, height)
-    to_sun = _frame(sun)
-    solid = rays.build(stage.corners.reshape(-1, 3), _triples(len(stage.corners)))
-    every = np.arange(width * height, dtype=np.int32)
-    seen = _look(stage, solid, view, every, CENTRE)
+    return draw_view(stage, build_casters(stage), view_of(camera, width, height), sun)
+
+
+def build_casters(stage: RenderStage) -> StageCasters:
+    """What rays are cast against."""
+    return StageCasters(build_caster(stage.corners), build_caster(stage.glass))
+
+
+def build_caster(corners: Singles) -> rays.Caster:
+    """A caster for triangles ``(m, 3, 3)``."""
+    count = len(corners)
+    triples = np.arange(3 * count, dtype=np.int32).reshape(-1, 3)
+    return rays.build(corners.reshape(-1, 3), triples)
+
+
+def draw_view(
+    stage: RenderStage, casters: StageCasters, view: CameraView, sun: tuple[float, float, float]
+) -> Pixels:
+    """One view of a stage as pixels ``(height, width, 3)`` in sRGB."""
+    to_sun, solid = _frame(sun), casters.solid
+    every = np.arange(view.width * view.height, dtype=np.int32)
+    seen = look_through(stage, solid, view, every, CENTRE)
     arriving = _arriving(solid, view, seen, to_sun, stage.reach)
     linear = _shade_surfaces(stage, view, seen, arriving, to_sun[2])
     _refine(stage, solid, view, seen, arriving, to_sun[2], linear)
-    _glaze(stage, view, seen, linear)
-    return develop_image(linear).reshape(height, width, 3)
+    _glaze(stage, casters.panes, view, seen, linear)
+    return develop_image(linear).reshape(view.height, view.width, 3)
 
 
 def view_of(camera: Camera, width: int, height: int) -> CameraView:
@@ -140,10 +166,6 @@ def _frame(sun: tuple[float, float, float]) -> Singles:
     return np.stack([side, np.cross(towards, side), towards]).astype(np.float32)
 
 
-def _triples(count: int) -> Ints:
-    return np.arange(3 * count, dtype=np.int32).reshape(-1, 3)
-
-
 def _by_portions(work: Callable[[slice], None], count: int) -> None:
     """Work through ``count`` pixels by the portion, few enough that the numbers of all rays stay
     in the cache. Two threads: while one casts rays, the other can run a kernel."""
@@ -152,10 +174,10 @@ def _by_portions(work: Callable[[slice], None], count: int) -> None:
         list(pool.map(work, portions))
 
 
-def _look(
+def look_through(
     stage: RenderStage, solid: rays.Caster, view: CameraView, pixels: Ints, shift: Singles
 ) -> RayHits:
-    """What the rays through ``pixels``, shifted in turn, meet."""
+    """What rays through ``pixels`` (n,), shifted in turn by ``shift`` (k, 2) of a pixel, meet."""
     met, keys = (np.empty(len(pixels), np.int32) for _ in range(2))
     points, facing = (np.zeros((len(pixels), 3), np.float32) for _ in range(2))
 
@@ -301,19 +323,20 @@ def _refine(
     marked = np.zeros(len(seen.keys), np.bool_)
     light.edges(seen.keys, view.width, marked)
     pixels = np.repeat(np.flatnonzero(marked).astype(np.int32), len(FINER))
-    finer = _look(stage, solid, view, pixels, FINER)
+    finer = look_through(stage, solid, view, pixels, FINER)
     lent = np.empty((len(pixels), 2), np.float32)
     light.borrow(pixels, seen.keys, view.width, arriving, finer.keys, lent)
     shades = _shade_surfaces(stage, view, finer, lent, to_sun)
     linear[pixels[:: len(FINER)]] = np.minimum(shades, 1.2).reshape(-1, len(FINER), 3).mean(1)
 
 
-def _glaze(stage: RenderStage, view: CameraView, seen: RayHits, linear: Singles) -> None:
+def _glaze(
+    stage: RenderStage, panes: rays.Caster, view: CameraView, seen: RayHits, linear: Singles
+) -> None:
     """Lay the colour of glass over what is seen through it."""
     if not len(stage.glass):
         return
     pixels = _find_covered_pixels(stage.glass, view)
-    panes = rays.build(stage.glass.reshape(-1, 3), _triples(len(stage.glass)))
     ways = _aim_rays(view, pixels, CENTRE)
     distance, face, _ = rays.hits(panes, np.broadcast_to(view.eye, ways.shape), ways)
     behind = (seen.points[pixels] - view.eye) @ view.axes[2]
@@ -324,8 +347,12 @@ def _glaze(stage: RenderStage, view: CameraView, seen: RayHits, linear: Singles)
 
 
 def _find_covered_pixels(triangles: Singles, view: CameraView) -> Ints:
-    """Pixels within the bounds of any of the triangles on the screen."""
+    """Pixels within the bounds of any of the triangles on the screen; all of them where one lies
+    partly behind the eye."""
     away = (triangles - view.eye) @ view.axes.T
+    away = away[away[..., 2].max(1) > 0.0]
+    if (away[..., 2] < NEAREST).any():
+        return np.arange(view.width * view.height, dtype=np.int32)
     step = 2.0 * view.across / view.width
     x = away[..., 0] / away[..., 2] / step + view.width / 2
     y = view.height / 2 - away[..., 1] / away[..., 2] / step

@@ -103,12 +103,12 @@ def blocks_of(
     turned by ``turn`` radians about z first, so that the eye sees it from another side."""
     seen = towards and turn_direction(towards, -turn)
     shown = [turn_item(one, turn) for one in affordable(things(scene, catalog, cut, seen))]
-    normals = _shared_normals(shown)
+    normals = shared_normals(shown)
     found: list[PartTriangles] = []
     start = 0.0
     for level in scene.levels:
         mine = [thing for thing in shown if thing.level == level.id]
-        blocks = [block for thing in mine for block in _of_thing(thing, normals[thing.key])]
+        blocks = [block for thing in mine for block in place_parts(thing, normals[thing.key])]
         if not blocks:
             continue
         low = min(block.vertices[:, 0].min() for block in blocks if len(block.vertices))
@@ -134,7 +134,7 @@ def turn_item(item: RenderItem, turn: float) -> RenderItem:
     return item._replace(at=turn_direction(item.at, turn), turn=item.turn + turn) if turn else item
 
 
-def _shared_normals(shown: Sequence[RenderItem]) -> dict[Hashable, list[Singles]]:
+def shared_normals(shown: Sequence[RenderItem]) -> dict[Hashable, list[Singles]]:
     """Normals of the parts of every kind of thing, by its key."""
     kinds = {thing.key: thing.parts for thing in shown}
     meshes = [(p.vertices, p.faces) for parts in kinds.values() for p in parts]
@@ -142,7 +142,8 @@ def _shared_normals(shown: Sequence[RenderItem]) -> dict[Hashable, list[Singles]
     return {key: [next(found) for _ in parts] for key, parts in kinds.items()}
 
 
-def _of_thing(thing: RenderItem, normals: Sequence[Singles]) -> list[PartTriangles]:
+def place_parts(thing: RenderItem, normals: Sequence[Singles]) -> list[PartTriangles]:
+    """The parts of a thing in the frame of its level, with ``normals`` of its own frame."""
     turn = thing._replace(at=(0.0, 0.0, 0.0))
     return [
         PartTriangles(
@@ -208,7 +209,7 @@ def _page(bounds: Floats, material: Material) -> PartTriangles:
     """A large sheet under the home that catches its shadow."""
     low, high = bounds.min(0), bounds.max(0)
     wide = 6 * float(np.max(high - low)) + 10
-    (x, y), z = (low[:2] + high[:2]) / 2, -SLAB - 0.002
+    (x, y), z = (low[:2] + high[:2]) / 2, min(-SLAB, float(low[2])) - 0.002
     vertices = np.array(
         [
             [x - wide, y - wide, z],
