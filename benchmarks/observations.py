@@ -45,6 +45,18 @@ def records(quick: bool = False, progress: stages.Progress | None = None) -> Ite
     return stages.run_stages(named, progress)
 
 
+def page_lines(records: list[Record]) -> Iterator[str]:
+    """A row a scene."""
+    yield "| | depth, masks, normals | with colour | trimesh, depth | other than it | than all |"
+    yield "|---|---|---|---|---|---|"
+    for case in dict.fromkeys(row["case"] for row in records):
+        fast, colour, other, slow = (row for row in records if row["case"] == case)
+        yield (
+            f"| {case} | {fast['ours']:.1f} | {colour['ours']:.1f} | {fast['baseline']:.1f} "
+            f"| {other['ours']:g} % | {slow['ours']:g} % |"
+        )
+
+
 def of_scene(name: str, count: int) -> Iterator[Record]:
     """The records of one scene."""
     made = observe(f"sample:{name}", cameras=count, steps=STEPS, seed=3)
