@@ -30,8 +30,8 @@ from scenewright.domains.village.learning.paper.training import BRIEF, PRINTED
 from scenewright.domains.village.learning.real_blocks import library_of
 from scenewright.domains.village.learning.tables import RealBlock
 from scenewright.domains.village.paper.filling import fill_as_paper
-from scenewright.domains.village.paper.passes import SHIPPED as PAPER
-from scenewright.domains.village.paper.passes import read_paper_nets
+from scenewright.domains.village.paper.nets_file import SHIPPED as PAPER
+from scenewright.domains.village.paper.nets_file import read_paper_nets
 from scenewright.domains.village.settings import VillageSettings
 from scenewright.domains.village.solvers import VILLAGE_SOLVERS
 from scenewright.domains.village.solvers.growing import standing_of

@@ -29,7 +29,8 @@ from scenewright.domains.village.learning.examples import Turn, examples_of
 from scenewright.domains.village.learning.more_training import states_of
 from scenewright.domains.village.learning.tables import RealBlock
 from scenewright.domains.village.paper.filling import tell_standing
-from scenewright.domains.village.paper.passes import PIXELS, PaperWeights, odds_of_places
+from scenewright.domains.village.paper.nets_file import PaperNets
+from scenewright.domains.village.paper.passes import odds_of_places
 from scenewright.domains.village.paper.views import base_and_door, class_planes, frame_of, paint
 from scenewright.domains.village.standing import Floats
 
@@ -95,7 +96,7 @@ def tell_locations(
     test: Sequence[RealBlock],
     houses: int,
     seed: int,
-    nets: PaperWeights | None,
+    nets: PaperNets | None,
     kept: KeptRuns,
 ) -> dict[str, list[Foretold]]:
     """What each method foretells of so many held-out houses; ``nets`` are the paper's."""
@@ -116,18 +117,19 @@ def tell_locations(
     return found
 
 
-def tell_by_paper(nets: PaperWeights, block: RealBlock, turn: Turn, free: Floats) -> Foretold:
+def tell_by_paper(nets: PaperNets, block: RealBlock, turn: Turn, free: Floats) -> Foretold:
     """What the paper's *location* network, told the real classes, says of the base point."""
-    frame = frame_of(block.floor, PIXELS)
+    frame = frame_of(block.floor, nets.sizes.pixels)
     view = paint(frame, block.floor, tell_standing(turn.seen.standing, block.streets))
     classes = (0, turn.house.shape, turn.house.size)
-    odds = odds_of_places(nets, np.concatenate([view, class_planes(classes, PIXELS)])).astype(float)
+    planes = np.concatenate([view, class_planes(classes, frame.size)])
+    odds = odds_of_places(nets, planes).astype(float)
     odds = np.where(view[0] < 0.5, 0.0, np.exp(odds - odds[view[0] >= 0.5].max()))
     odds /= odds.sum()
     rings = [block.houses[k] for k in missing_houses(block, turn)]
     bases = np.array([base_and_door(ring, ring[0])[0] for ring in rings])
     base = bases[0]
-    column, row = np.clip(frame.pixels(base[None])[0].astype(int), 0, PIXELS - 1)
+    column, row = np.clip(frame.pixels(base[None])[0].astype(int), 0, frame.size - 1)
     there = odds[row, column] / frame.pixel**2
     rows, columns = np.nonzero(odds > 0)
     places = best_places(

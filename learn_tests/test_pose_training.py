@@ -95,7 +95,8 @@ def test_what_is_learned_is_what_the_blocks_show() -> None:
     assert state.losses[-1] < state.losses[0] - 0.2
 
 
-def _rows(made: list[RealBlock]) -> list[dict[str, object]]:
+def rows_of(made: list[RealBlock]) -> list[dict[str, object]]:
+    """Blocks as the rows of a file."""
     return [
         {
             "id": block.name,
@@ -113,7 +114,7 @@ def _rows(made: list[RealBlock]) -> list[dict[str, object]]:
 
 def test_the_same_seed_gives_the_same_style_and_arrange_takes_it(tmp_path: Path) -> None:
     data, out = tmp_path / "blocks.json", tmp_path / "style.npz"
-    data.write_text(json.dumps(_rows(blocks(24))))
+    data.write_text(json.dumps(rows_of(blocks(24))))
     words = ["learn", "village", str(data), "-o", str(out), "--epochs", "1", "-q"]
     assert run(words) == 0
     first = out.read_bytes()
@@ -128,7 +129,7 @@ def test_the_same_seed_gives_the_same_style_and_arrange_takes_it(tmp_path: Path)
 
 def test_a_budget_ends_the_training_and_the_style_is_written(tmp_path: Path) -> None:
     data, out = tmp_path / "blocks.json", tmp_path / "style.npz"
-    data.write_text(json.dumps(_rows(blocks(24))))
+    data.write_text(json.dumps(rows_of(blocks(24))))
     words = ["learn", "village", str(data), "-o", str(out), "--epochs", "50", "--budget", "0.001"]
     assert run([*words, "-q"]) == 0
     assert read_style(out).card["rounds"] == 1

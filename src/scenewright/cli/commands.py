@@ -167,6 +167,7 @@ def arrange(
     memory: cli_batch.MemoryOption = None,
     limit: cli_batch.LimitOption = None,
     trace: TraceOption = None,
+    nets: Annotated[str, typer.Option(metavar="FILE", help="Of learn village --paper.")] = "",
     as_json: JsonOption = False,
     quiet: QuietOption = False,
 ) -> int:
@@ -187,10 +188,13 @@ def arrange(
         layouts=layouts,
         map_options=map_options_of(crs, origin, layers, site),
         trace=trace,
+        nets=nets,
     )
     terms = cli_batch.BatchTerms(formats, jobs, memory, limit)
     if trace is not None and (many or alternatives > 1):
         raise InputError("--trace is of one run", "leave --batch and --alternatives out")
+    if many and nets:
+        raise InputError("--nets is of one run", 'name them as "nets" in the briefs of a batch')
     if many:
         return cli_batch.run(sources, request, terms, as_json, quiet)
     cli_batch.check_single(sources, terms)

@@ -1,4 +1,5 @@
-"""The verb ``learn``: a style of villages from real blocks, a file that ``--style`` takes."""
+"""The verb ``learn``: from real blocks, a style of villages, a file that ``--style`` takes, or the
+networks of a paper, which ``--nets`` takes."""
 
 from __future__ import annotations
 
@@ -9,15 +10,24 @@ import typer
 
 from scenewright.cli import tables, terminal
 from scenewright.cli.progress import watching
+from scenewright.core.errors import InputError
 
 
 def learn(
     domain: Annotated[str, typer.Argument(metavar="KIND", help="village.")],
     sources: Annotated[
         list[Path],
-        typer.Argument(metavar="DATA...", help="Blocks with their houses: a .json list or a map."),
+        typer.Argument(metavar="DATA...", help="Blocks with houses: .json lists, maps, folders."),
     ],
-    output: Annotated[Path, typer.Option("-o", "--output", metavar="STYLE.npz")],
+    output: Annotated[Path, typer.Option("-o", "--output", metavar="OUT.npz")],
+    paper: Annotated[
+        bool, typer.Option("--paper", help="Networks of Zhu, Jiang and Li (2022) instead.")
+    ] = False,
+    size: Annotated[str | None, typer.Option(help="Of these: printed (default) or small.")] = None,
+    device: Annotated[str | None, typer.Option(help="Of these: cpu (default) or cuda.")] = None,
+    jobs: Annotated[
+        int | None, typer.Option(min=0, help="Of these: processes that make views.")
+    ] = None,
     hold_out: Annotated[
         list[str] | None,
         typer.Option("--hold-out", metavar="PLACE", help="Not to learn from; may be repeated."),
@@ -25,31 +35,37 @@ def learn(
     kind: Annotated[
         list[str] | None, typer.Option(metavar="KIND", help="Kinds of places to learn from.")
     ] = None,
-    epochs: Annotated[int, typer.Option(min=1, max=1000, help="How often blocks are seen.")] = 6,
+    epochs: Annotated[
+        int | None, typer.Option(min=1, max=1000, help="How often blocks are seen.")
+    ] = None,
     budget: Annotated[
         float | None, typer.Option(min=0, help="Processor seconds of training, at most.")
     ] = None,
-    look: Annotated[str, typer.Option(help="Look of houses built in the style.")] = "rural",
+    look: Annotated[str | None, typer.Option(help="Look of houses built in the style.")] = None,
     licence: Annotated[str, typer.Option(help="Licence of the data, for the card.")] = "",
     seed: Annotated[int, typer.Option(min=0, help="Same seed, same style.")] = 0,
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON document only.")] = False,
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="Print nothing but errors.")] = False,
 ) -> int:
     """Learn a style from real blocks. A run that was stopped goes on where it was."""
-    from scenewright.domains import learn_style
+    from scenewright.domains import learn_from
     from scenewright.formats import read_planned
 
+    own = {"size": size, "device": device, "jobs": jobs} if paper else {"look": look}
+    if not paper and (size, device, jobs) != (None, None, None):
+        raise InputError("--size, --device and --jobs are of the networks", "add --paper")
+    if paper and look is not None:
+        raise InputError("--look is of a style", "leave it or --paper out")
+    given = {"epochs": epochs, "budget": budget, "licence": licence, **own}
     options = {
         "seed": seed,
         "held": tuple(hold_out or ()),
         "kinds": tuple(kind or ()),
-        "epochs": epochs,
-        "budget": budget,
-        "look": look,
-        "licence": licence,
+        **{key: value for key, value in given.items() if value is not None},
     }
     with watching(terminal.console(stderr=True, quiet=quiet or as_json), quiet) as watch:
-        learned = learn_style(
+        learned = learn_from(
+            "nets" if paper else "style",
             domain,
             sources,
             output,
@@ -63,7 +79,7 @@ def learn(
     elif not quiet:
         console = tables.output_console()
         rows = [{"figure": key, "value": _text(value)} for key, value in learned.card.items()]
-        tables.table(console, rows, title="style")
+        tables.table(console, rows, title="networks" if paper else "style")
         done = f"wrote {output}" if learned.written else "stopped; the same command goes on"
         tables.print_line(console, f"{learned.seconds:.0f} s of training; {done}", "dim")
     return 0 if learned.written else 130

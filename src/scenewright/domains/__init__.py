@@ -50,8 +50,8 @@ __all__ = [
     "draw_plan",
     "explain",
     "features_of",
+    "learn_from",
     "learn_groups",
-    "learn_style",
     "matrix_breeder_of",
     "plan_of",
     "plan_valid",
@@ -319,7 +319,8 @@ def learn_groups(homes: Mapping[str, Brief], output: Path) -> LearnedGroups:
     return found
 
 
-def learn_style(
+def learn_from(
+    what: str,
     domain: str,
     sources: Sequence[Path],
     output: Path,
@@ -328,9 +329,9 @@ def learn_style(
     tell: Callable[[float, str], None],
     cancel: Callable[[], bool],
 ) -> Any:
-    """Learn how things of a domain stand from real ones and write it as a style that briefs name.
-    ``options`` are the domain's; a domain that cannot learn is refused."""
-    verb = domain_of(domain).verb("learn_style")
+    """Learn ``what`` ("style" or "nets") from real scenes of a domain and write it as a file that
+    briefs name. ``options`` are the domain's; a domain that cannot learn is refused."""
+    verb = domain_of(domain).verb(f"learn_{what}")
     return verb(sources, output, options, read_plan, tell, cancel)
 
 

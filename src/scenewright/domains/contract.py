@@ -48,6 +48,8 @@ Verb = Literal[
     "styles",
     "learn",
     "learn_style",
+    "learn_nets",
+    "nets",
     "refuse_style",
     "floors",
     "drawn_scale",

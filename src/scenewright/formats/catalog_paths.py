@@ -12,20 +12,21 @@ Json = dict[str, Any]
 NAMED = ("catalogs", "groups", "sources")
 """Fields of a brief that hold paths."""
 STYLE = ".npz"
-"""How the style of a brief ends where it is a file that was learned."""
+"""How the style or networks of a brief end where they are a file that was learned."""
 
 
 def resolve_paths(document: Json, folder: Path) -> Json:
-    """A brief or solution whose ``catalogs``, ``groups``, ``source_file``, and ``style`` where it
-    is a file, are absolute; what is no text stays.
+    """A brief or solution whose ``catalogs``, ``groups``, ``source_file``, and ``style`` and
+    ``nets`` where they are files, are absolute; what is no text stays.
 
     A plain name that is no file in ``folder`` stays a name: it may be registered.
     """
     if isinstance(document.get("brief"), dict):
         return document | {"brief": resolve_paths(document["brief"], folder)}
-    style = document.get("style")
-    if isinstance(style, str) and style.endswith(STYLE):
-        document = document | {"style": absolute(style, folder)}
+    for key in ("style", "nets"):
+        learned = document.get(key)
+        if isinstance(learned, str) and learned.endswith(STYLE):
+            document = document | {key: absolute(learned, folder)}
     source = document.get("source_file")
     if isinstance(source, dict) and isinstance(source.get("file"), str):
         named = source | {"file": absolute(source["file"], folder)}

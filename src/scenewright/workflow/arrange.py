@@ -107,6 +107,7 @@ def arrange(
     layouts: int | None = None,
     map_options: MapOptions = AS_IT_IS,
     trace: str | os.PathLike[str] | None = None,
+    nets: str = "",
 ) -> Arranged:
     """Read a brief, solve it, judge the solution and write it to all ``outputs`` or none.
 
@@ -135,6 +136,7 @@ def arrange(
         layouts=layouts,
         map_options=map_options,
         trace=None if trace is None else Path(trace),
+        nets=nets,
     )
 
     def pass_on(event: Event) -> None:

@@ -52,6 +52,7 @@ class ArrangeRequest(NamedTuple):
     layouts: int | None = None
     map_options: MapOptions = AS_IT_IS
     trace: Path | None = None
+    nets: str = ""
 
     @property
     def work(self) -> int | None:
@@ -86,6 +87,8 @@ def plan_request(request: ArrangeRequest) -> Planned:
     check_name("preset", request.preset, presets)
     check_name("solver", request.solver, (*solvers, None))
     check_work(request, brief, plan, domain)
+    if request.nets:
+        brief, plan = use_nets(request, brief, plan, domain)
     if request.trace is not None:
         check_targets([*request.outputs, request.trace])
         check_traced(request, domain)
@@ -135,6 +138,18 @@ def make_accessible(brief: Brief, domain: Domain, source: str) -> Brief:
         fault = f"--accessible is for homes, but the brief is of a {domain.name}"
         raise InputError(fault, "leave it out", file=source)
     changed: Brief = domain.verb("accessible")(brief)
+    return changed
+
+
+def use_nets(
+    request: ArrangeRequest, brief: Brief, plan: Plan, domain: Domain
+) -> tuple[Brief, Plan]:
+    """The brief and plan with the networks of a file; InputError for what is no village."""
+    if not domain.has("nets"):
+        fault = f"--nets is for villages, but the brief is of a {domain.name}"
+        raise InputError(fault, "leave it out", file=request.source)
+    solver = request.solver or domain.table("presets")[request.preset].solver
+    changed: tuple[Brief, Plan] = domain.verb("nets")(brief, plan, request.nets, solver)
     return changed
 
 

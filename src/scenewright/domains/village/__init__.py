@@ -30,6 +30,8 @@ DOMAIN = Domain(
         "adjust": ".adjust:adjust",
         "styles": ".library:list_looks",
         "learn_style": ".learning.learn:learn_style",
+        "learn_nets": ".learning.paper.learn:learn_nets",
+        "nets": ".plan:use_nets",
         "locked": ".locks:lock_village",
         "features": ".features:measure_features",
         "sources": ".library:sources_of",

@@ -10,6 +10,7 @@ from scenewright.core.footprint import Footprint
 from scenewright.core.space import Points
 from scenewright.domains.village.house import House
 from scenewright.domains.village.learned.style import VillageStyle
+from scenewright.domains.village.paper.nets_file import PaperNets
 from scenewright.ground.plan import SitePlan, Way
 
 
@@ -46,10 +47,12 @@ class BlockPlan(NamedTuple):
 
 class VillagePlan(NamedTuple):
     """A valid village: its blocks, all lanes, the houses to choose from, the ``look`` of those that
-    are built here, and the style they stand in."""
+    are built here, the style they stand in, and the networks that the paper's solver asks (None:
+    those that ship)."""
 
     blocks: tuple[BlockPlan, ...]
     lanes: tuple[Way, ...]
     houses: tuple[House, ...]
     look: str
     style: VillageStyle
+    nets: PaperNets | None = None

@@ -98,7 +98,8 @@ class VillageBlock(StrictModel):
 class VillagePart(StrictModel):
     """The keys only briefs of villages have. ``region`` is one of those the style knows (left out:
     all together; of ``riviera``, the Riviera): how many houses stand there, how large and how near
-    to each other. ``origin`` is the longitude and latitude of (0, 0), if known."""
+    to each other. ``nets`` is a file of networks for the solver ``paper``; ``origin``
+    is the longitude and latitude of (0, 0), if known."""
 
     blocks: Annotated[list[VillageBlock], Field(min_length=1, max_length=1000)] = Field(
         default=[], validate_default=True
@@ -106,4 +107,5 @@ class VillagePart(StrictModel):
     lanes: Annotated[list[Lane], Field(max_length=5000)] = []
     houses: Annotated[list[LibraryHouse], Field(max_length=2000)] = []
     region: Annotated[str | None, Field(max_length=80, exclude_if=is_left_out)] = None
+    nets: Annotated[str, Field(max_length=500, exclude_if=not_)] = ""
     origin: tuple[Coordinate, Coordinate] | None = None

@@ -45,6 +45,7 @@ def build_problem(
         settings,
         style,
         shapely.union(shapely.Polygon(square), plan.lanes) if square is not None else plan.lanes,
+        village.nets,
     )
 
 

@@ -23,8 +23,9 @@ class House(NamedTuple):
     """A house of the library: ``outline`` (n, 2) counter-clockwise in its own frame, its square
     metres, the ``extent`` (2,) of the least rectangle, class of area (0 small, 1 medium, 2 large)
     and of shape (0 convex, 1 concave), storeys, height in metres, the asset that draws it, how
-    often it is chosen, and whether its model has a front of its own (along +y of the model, which
-    is ``front`` here, in radians)."""
+    often it is chosen, whether its model has a front of its own (along +y of the model, which
+    is ``front`` here, in radians), and, where real ones tell them, where its ``door`` is and the
+    class of its ``material``."""
 
     name: str
     outline: Points
@@ -37,6 +38,8 @@ class House(NamedTuple):
     asset: str
     share: float
     front: float | None = None
+    door: tuple[float, float] | None = None
+    material: int = 0
 
 
 def class_of_area(area: float) -> int:
@@ -74,6 +77,18 @@ def to_own_frame(outline: Points) -> tuple[Points, float]:
     if not shapely.is_ccw(shapely.LinearRing(local)):
         local = local[::-1]
     return local, angle
+
+
+def own_door(outline: Points, door: Points) -> tuple[float, float]:
+    """A door (2,) of a ring in the frame of :func:`to_own_frame`.
+
+    >>> own_door(np.array([[1, 0], [2, 0], [2, 3], [1, 3.0]]), np.array([2.0, 1.5]))
+    (0.0, -0.5)
+    """
+    angle, middle, _ = rectangle_about(outline)
+    cos, sin = np.cos(angle), np.sin(angle)
+    x, y = (np.round((door - middle) @ np.array([[cos, -sin], [sin, cos]]), 9) + 0.0).tolist()
+    return x, y
 
 
 def rectangle_about(outline: Points) -> tuple[float, Points, tuple[float, float]]:

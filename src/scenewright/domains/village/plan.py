@@ -7,6 +7,7 @@ side for each block, a house that fits.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from pathlib import Path
 
 import numpy as np
 import shapely
@@ -29,6 +30,7 @@ from scenewright.domains.village.learned.style import (
     style_named,
 )
 from scenewright.domains.village.library import LOOKS, houses_of
+from scenewright.domains.village.paper.nets_file import PaperNets, read_paper_nets
 from scenewright.ground import outlines as shapes
 from scenewright.ground.names import assign_ids
 from scenewright.ground.plain_buildings import plain_building, style_at
@@ -85,8 +87,23 @@ def plan_village(brief: Brief) -> Plan:
         Space(block.id, block.name, ("village",), LEVEL.id, block.outline, (), SKY)
         for block in blocks
     )
-    detail = VillagePlan(blocks, lanes, houses, look, style)
+    detail = VillagePlan(blocks, lanes, houses, look, style, _nets(brief))
     return Plan((LEVEL,), spaces, {block.id: block.name for block in blocks}, detail)
+
+
+def _nets(brief: Brief) -> PaperNets | None:
+    """The networks a brief names."""
+    return read_paper_nets(Path(brief.part.nets)) if brief.part.nets else None
+
+
+def use_nets(brief: Brief, plan: Plan, file: str, solver: str) -> tuple[Brief, Plan]:
+    """A brief and its plan with the networks of a file for the solver ``paper``; InputError for
+    another solver, and for a file that holds none."""
+    if solver != "paper":
+        raise InputError(f"the solver '{solver}' asks no networks", "add --preset paper")
+    part = brief.part.model_copy(update={"nets": str(Path(file).absolute())})
+    named = brief.model_copy(update={"part": part})
+    return named, plan._replace(detail=plan.detail._replace(nets=_nets(named)))
 
 
 def _look(style: str) -> str:

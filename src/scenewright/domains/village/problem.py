@@ -9,6 +9,7 @@ import shapely
 from scenewright.core.space import Points
 from scenewright.domains.village.house import House
 from scenewright.domains.village.learned.style import VillageStyle
+from scenewright.domains.village.paper.nets_file import PaperNets
 from scenewright.domains.village.settings import VillageSettings
 from scenewright.domains.village.standing import Floats, Indices, StandingHouses
 from scenewright.engine.solve import Found
@@ -18,8 +19,9 @@ class VillageProblem(NamedTuple):
     """One block: its ground, street sides (s, 2, 2), the share of the outline that is street,
     where people may walk, houses that stay, the library, how many houses are asked for
     (``asked``, or the share ``coverage`` of the ground, or neither), shares of classes of area
-    (3,; None: as real blocks like it have), settings, the style its houses stand in, and
-    what is to stay free: squares and lanes."""
+    (3,; None: as real blocks like it have), settings, the style its houses stand in,
+    what is to stay free: squares and lanes; and networks for the paper's solver (None: those that
+    ship)."""
 
     name: str
     floor: shapely.Polygon
@@ -34,6 +36,7 @@ class VillageProblem(NamedTuple):
     settings: VillageSettings
     style: VillageStyle
     kept_free: shapely.Geometry
+    nets: PaperNets | None = None
 
 
 class VillageLayout(NamedTuple):

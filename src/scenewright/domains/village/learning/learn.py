@@ -93,8 +93,8 @@ def learn_style(
     that has run out ends the training, and the style is written as it is by then.
     """
     options = LearnOptions(**given)
-    _check(output, options)
-    blocks = [block for path in sources for block in _blocks(path, options.kinds, read_plan)]
+    check_learning(output, options.look)
+    blocks = read_sources(sources, options.kinds, read_plan)
     train, test = split_by_place(blocks, options.held, options.seed)
     tell(0.0, f"{len(train)} blocks to learn from, {len(test)} held out")
     bare = bare_style(learn_manner(train))
@@ -119,14 +119,15 @@ def tell_blocks(style: VillageStyle, train: Sequence[RealBlock], seed: int) -> V
     return style._replace(more=learn_more(train, style, seed))
 
 
-def _check(output: Path, options: LearnOptions) -> None:
+def check_learning(output: Path, look: str = LOOKS[0]) -> None:
+    """InputError unless what is learned can be written, and PyTorch is there."""
     if not is_file(str(output)):
         raise InputError(
             f"styles are not written as '{output.suffix}'", f"use {SUFFIX}", file=str(output)
         )
     check_targets([output])
-    if options.look not in LOOKS:
-        raise InputError(f"unknown look '{options.look[:40]}'", f"use one of: {', '.join(LOOKS)}")
+    if look not in LOOKS:
+        raise InputError(f"unknown look '{look[:40]}'", f"use one of: {', '.join(LOOKS)}")
     try:
         import torch  # noqa: F401
     except ImportError:
@@ -134,6 +135,19 @@ def _check(output: Path, options: LearnOptions) -> None:
             "learning needs the package torch, which is not installed",
             "install it with: pip install 'scenewright[learn]'",
         ) from None
+
+
+def read_sources(
+    sources: Sequence[Path], kinds: Sequence[str], read_plan: Callable[[Path], Plan]
+) -> list[RealBlock]:
+    """The blocks of files, and of all in folders that may hold some."""
+    files = [
+        file
+        for path in sources
+        for file in (sorted(path.iterdir()) if path.is_dir() else [path])
+        if not path.is_dir() or file.suffix in (".json", ".geojson", ".gpkg")
+    ]
+    return [block for path in files for block in _blocks(path, kinds, read_plan)]
 
 
 def _blocks(

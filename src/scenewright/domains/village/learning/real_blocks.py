@@ -21,7 +21,7 @@ from scenewright.catalog.models.files import check_json
 from scenewright.core.errors import InputError
 from scenewright.core.plan import Plan
 from scenewright.core.stored_file import MEBIBYTE, read_plain, report_damage
-from scenewright.domains.village.house import House, to_own_frame
+from scenewright.domains.village.house import House, own_door, to_own_frame
 from scenewright.domains.village.learning.tables import RealBlock
 from scenewright.domains.village.library import classify_house
 
@@ -33,6 +33,8 @@ OUTSIDE = 0.02
 """The share of a house that may lie outside the rebuilt outline."""
 CORNERS, LONGEST = 60, 80
 """Corners of a footprint and letters of the name of a region, at most."""
+MATERIALS = ("brick", "other", "mixed")
+"""Words for the three classes of material."""
 LARGEST_FILE = 256 * MEBIBYTE
 REMEDY = "give a list of blocks: place, outline, outline_on_street, houses with polygon"
 
@@ -40,8 +42,9 @@ REMEDY = "give a list of blocks: place, outline, outline_on_street, houses with 
 def read_blocks(path: Path, kinds: Sequence[str] = ()) -> tuple[RealBlock, ...]:
     """The blocks of a file that are left after cleaning; ``kinds`` are kinds of places (empty:
     all). A file is a JSON list of blocks: ``id``, ``place``, ``outline`` in metres,
-    ``outline_on_street`` (a flag for each corner), ``houses`` with their ``polygon``, if known the
-    ``region`` (or ``source``) it is of. InputError for another one."""
+    ``outline_on_street`` (a flag for each corner), ``houses`` with their ``polygon``, if known its
+    ``door`` and ``material`` (:data:`MATERIALS`), and the ``region`` (or ``source``) it is of.
+    InputError for another one."""
     with report_damage(path, "JSON of blocks", REMEDY):
         content = read_plain(path, LARGEST_FILE)
         check_json(content)
@@ -84,16 +87,31 @@ def rebuild(row: dict[str, Any]) -> RealBlock | None:
     if not street.any():
         return None
     floor = grow_outline(corners, sides, street, crc32(str(row["id"]).encode()))
-    houses = [ring for ring in map(_ring, row["houses"]) if ring is not None]
-    kept = tuple(
-        ring
-        for ring in houses
+    houses = [(ring, told) for told in row["houses"] if (ring := _ring(told)) is not None]
+    kept = [
+        (ring, told)
+        for ring, told in houses
         if shapely.Polygon(ring).difference(floor).area <= OUTSIDE * shapely.Polygon(ring).area
-    )
+    ]
     if len(kept) < FEWEST:
         return None
     region = str(row.get("region") or row.get("source") or "")[:LONGEST]
-    return RealBlock(str(row["id"]), str(row["place"]), floor, sides[street], kept, region)
+    rings, rows = tuple(ring for ring, _ in kept), [told for _, told in kept]
+    doors, materials = _doors(rows), _materials(rows)
+    name, place = str(row["id"]), str(row["place"])
+    return RealBlock(name, place, floor, sides[street], rings, region, doors, materials)
+
+
+def _doors(houses: Sequence[dict[str, Any]]) -> tuple[np.ndarray, ...]:
+    """The doors of houses, if all are known."""
+    known = all("door" in told for told in houses)
+    return tuple(np.array(told["door"], float).reshape(2) for told in houses if known)
+
+
+def _materials(houses: Sequence[dict[str, Any]]) -> tuple[int, ...]:
+    """The classes of the materials of houses, if all are known."""
+    known = all("material" in told for told in houses)
+    return tuple(MATERIALS.index(told["material"]) for told in houses if known)
 
 
 def grow_outline(
@@ -131,5 +149,8 @@ def library_of(blocks: Sequence[RealBlock]) -> tuple[House, ...]:
     for block in blocks:
         for number, ring in enumerate(block.houses):
             local = to_own_frame(ring)[0]
-            found.append(classify_house(f"{block.name}/{number}", local, 2, 7.0, "", 1.0))
+            house = classify_house(f"{block.name}/{number}", local, 2, 7.0, "", 1.0)
+            door = own_door(ring, block.doors[number]) if block.doors else None
+            material = block.materials[number] if block.materials else 0
+            found.append(house._replace(door=door, material=material))
     return tuple(found)

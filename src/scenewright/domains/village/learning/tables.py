@@ -29,8 +29,8 @@ that has a manner of its own."""
 
 
 class RealBlock(NamedTuple):
-    """A real block: its ground, street sides (s, 2, 2), the footprints (n, 2) of its houses, and
-    the region it lies in."""
+    """A real block: its ground, street sides (s, 2, 2), the footprints (n, 2) of its houses, the
+    region it lies in, and, if known, of each house its door (2,) and the class of its material."""
 
     name: str
     place: str
@@ -38,6 +38,8 @@ class RealBlock(NamedTuple):
     streets: Points
     houses: tuple[Points, ...]
     region: str = ""
+    doors: tuple[Floats, ...] = ()
+    materials: tuple[int, ...] = ()
 
     @property
     def street_share(self) -> float:

@@ -12,10 +12,8 @@ import numpy as np
 import shapely
 
 from scenewright.domains.village.house import House, class_of_shape
+from scenewright.domains.village.paper.nets_file import PaperNets
 from scenewright.domains.village.paper.passes import (
-    HIDDEN,
-    PIXELS,
-    PaperWeights,
     draw_cosine,
     odds_of_another,
     odds_of_classes,
@@ -59,7 +57,7 @@ class _Candidate(NamedTuple):
 
 
 def fill_as_paper(
-    nets: PaperWeights,
+    nets: PaperNets,
     problem: VillageProblem,
     rng: np.random.Generator,
     goes_on: Callable[[PaperFilling], bool] | None = None,
@@ -68,12 +66,14 @@ def fill_as_paper(
     """The houses put on a block until *continue* says stop, at most as many as are asked for;
     ``goes_on`` gets the houses so far and may end it, ``hear`` every step (*continue*'s odds, the
     classes drawn, what was retrieved)."""
-    frame, free = frame_of(problem.floor, PIXELS), problem.floor.difference(problem.kept_free)
+    frame = frame_of(problem.floor, nets.sizes.pixels)
+    free = problem.floor.difference(problem.kept_free)
     shapely.prepare(free)
     candidates = list_candidates(problem.houses)
     houses = tell_standing(problem.fixed, problem.streets)
     found, ended = PaperFilling((), ()), f"{MOST} houses stand"
-    tell(hear, "begin", 0, pixels=PIXELS, candidates=len(candidates), standing=len(houses.bases))
+    facts = {"pixels": frame.size, "candidates": len(candidates), "standing": len(houses.bases)}
+    tell(hear, "begin", 0, **facts)
     while len(found.houses) < MOST:
         if goes_on is not None and not goes_on(found):
             ended = "cancelled"
@@ -106,7 +106,7 @@ def _is_enough(problem: VillageProblem, houses: PaperHouses) -> bool:
 
 
 def list_candidates(houses: Sequence[House]) -> list[_Candidate]:
-    """Every house of a library with each side that may have its door; materials are of one kind."""
+    """Every house of a library with its door, or each side that may have it."""
     found = []
     for number, house in enumerate(houses):
         ring = house.outline
@@ -116,8 +116,9 @@ def list_candidates(houses: Sequence[House]) -> list[_Candidate]:
         if house.front is not None:
             ahead = middle @ (np.cos(house.front), np.sin(house.front))
             wide = np.array([int(np.argmax(np.round(ahead, 6)))])
-        classes = (0, house.shape, house.size)
-        found += [_Candidate(number, RetrievedHouse(ring, middle[k], classes)) for k in wide]
+        doors = [np.array(house.door)] if house.door is not None else [middle[k] for k in wide]
+        classes = (house.material, house.shape, house.size)
+        found += [_Candidate(number, RetrievedHouse(ring, door, classes)) for door in doors]
     return found
 
 
@@ -137,7 +138,7 @@ def tell_standing(standing: StandingHouses, streets: Floats) -> PaperHouses:
 
 
 def _place(
-    nets: PaperWeights,
+    nets: PaperNets,
     floor: shapely.Polygon,
     free: shapely.Geometry,
     frame: ViewFrame,
@@ -162,7 +163,9 @@ def _place(
         base = frame.metres(at)[0]
         near = paint(centre_view(frame, base), floor, houses)
         shape = np.eye(SHAPES, dtype=np.float32)[classes[1]]
-        cosine = draw_cosine(nets, near, shape, rng.normal(size=HIDDEN).astype(np.float32))
+        cosine = draw_cosine(
+            nets, near, shape, rng.normal(size=nets.sizes.hidden).astype(np.float32)
+        )
         angle = float(np.arccos(np.clip(cosine, -1, 1)))
         found = retrieve(looked, classes, base, angle, floor, free, houses.footprints)
         if found is not None:

@@ -1,4 +1,4 @@
-"""The method of Zhu, Jiang and Li (2022) in its small form, as a solver of villages."""
+"""The method of Zhu, Jiang and Li (2022) as a solver of villages."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import numpy as np
 
 from scenewright.domains.village.grow import layout_of
 from scenewright.domains.village.paper.filling import MOST, PaperFilling, fill_as_paper
-from scenewright.domains.village.paper.passes import PaperWeights, read_paper_nets
+from scenewright.domains.village.paper.nets_file import PaperNets, shipped_nets
 from scenewright.domains.village.problem import VillageFound, VillageLayout, VillageProblem
 from scenewright.domains.village.solvers.growing import grow_several
 from scenewright.engine.growing import OnGrowth
@@ -25,13 +25,13 @@ def fill_by_paper(
 ) -> VillageFound:
     """Houses by *continue*, *category*, *location*, *orientation* and retrieval, one by one; those
     that no way leads to are taken away. One step is one layout."""
-    make = partial(_fill, problem, read_paper_nets(), budget.hear)
+    make = partial(_fill, problem, problem.nets or shipped_nets(), budget.hear)
     return grow_several(problem, make, budget, seed, progress, cancel)
 
 
 def _fill(
     problem: VillageProblem,
-    nets: PaperWeights,
+    nets: PaperNets,
     hear: Hear | None,
     rng: np.random.Generator,
     on_growth: OnGrowth,

@@ -9,30 +9,17 @@ of the door angle, with 40 hidden values.
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from collections.abc import Mapping
+from typing import Any
 
-from scenewright.domains.village.paper.views import AREAS, CHANNELS, COUNTED, MATERIALS, SHAPES
+import numpy as np
 
-CLASSES = {"material": MATERIALS, "shape": SHAPES, "area": AREAS}
-
-
-class NetSizes(NamedTuple):
-    """Sizes: pixels of a view, channels and blocks of each stage of *continue*, channels of the
-    CNNs, of the MLPs, and hidden values of *orientation*."""
-
-    pixels: int
-    stages: tuple[tuple[int, int], ...]
-    channels: tuple[int, ...]
-    mlp: int
-    hidden: int
-
-
-PRINTED = NetSizes(256, ((64, 3), (128, 4), (256, 6), (512, 3)), (32, 64, 128, 256), 128, 40)
-SMALL = NetSizes(64, ((16, 1), (32, 1), (64, 1)), (16, 32, 64), 64, 16)
+from scenewright.domains.village.paper.nets_file import CLASSES, NetSizes, blocks_of, widths_up
+from scenewright.domains.village.paper.views import CHANNELS, COUNTED, SHAPES
 
 
 def make_nets(torch: Any, sizes: NetSizes) -> dict[str, Any]:
-    """All networks by name (:data:`ASKED`)."""
+    """All networks by name."""
     found = {"continue": continue_net(torch, sizes), "location": location_net(torch, sizes)}
     for name, count in CLASSES.items():
         found[name] = category_net(torch, sizes, count)
@@ -49,10 +36,9 @@ def continue_net(torch: Any, sizes: NetSizes) -> Any:
         nn.ReLU(),
         nn.MaxPool2d(3, 2, 1),
     ]
-    for number, (width, blocks) in enumerate(sizes.stages):
-        for k in range(blocks):
-            parts.append(_residual(torch, before, width, 2 if number and not k else 1))
-            before = width
+    for _, width, stride in blocks_of(sizes):
+        parts.append(_residual(torch, before, width, stride))
+        before = width
     head = [nn.Linear(before, sizes.mlp), nn.ReLU(), nn.Linear(sizes.mlp, 1)]
     return nn.Sequential(*parts, nn.AdaptiveAvgPool2d(1), nn.Flatten(), *head)
 
@@ -123,7 +109,7 @@ def location_net(torch: Any, sizes: NetSizes) -> Any:
         down += [nn.Conv2d(before, width, 3, 2, 1), nn.BatchNorm2d(width), nn.ReLU()]
         before = width
     up: list[Any] = []
-    for width in (*sizes.channels[-2::-1], sizes.channels[0]):
+    for width in widths_up(sizes):
         up += [nn.Upsample(scale_factor=2, mode="nearest")]
         up += [nn.Conv2d(before, width, 3, 1, 1), nn.BatchNorm2d(width), nn.ReLU()]
         before = width
@@ -139,8 +125,8 @@ def _drop_channel(torch: Any) -> Any:
 
 
 def orientation_net(torch: Any, sizes: NetSizes) -> Any:
-    """A conditional VAE: ``forward(view, shape, cosine)`` -> cosine again, mean and log variance of
-    the hidden values; ``draw(view, shape, hidden)`` -> cosine (b,)."""
+    """A conditional VAE: ``forward(view, shape, cosine, noise)`` -> cosine again, mean and log
+    variance of the hidden values; ``draw(view, shape, hidden)`` -> cosine (b,)."""
     nn = torch.nn
 
     class Orientation(nn.Module):  # type: ignore[name-defined]
@@ -159,12 +145,22 @@ def orientation_net(torch: Any, sizes: NetSizes) -> Any:
             known = torch.cat([self.seen(view), shape, hidden], 1)
             return torch.tanh(self.outer(known))[:, 0]
 
-        def forward(self, view: Any, shape: Any, cosine: Any) -> Any:
+        def forward(self, view: Any, shape: Any, cosine: Any, noise: Any) -> Any:
             known = torch.cat([self.seen(view), shape], 1)
             inner = self.inner(torch.cat([known, cosine[:, None]], 1))
             mean, spread = self.mean(inner), self.spread(inner)
-            hidden = mean + torch.randn_like(mean) * torch.exp(spread / 2)
+            hidden = mean + noise * torch.exp(spread / 2)
             again = torch.tanh(self.outer(torch.cat([known, hidden], 1)))[:, 0]
             return again, mean, spread
 
     return Orientation()
+
+
+def weights_of(nets: Mapping[str, Any]) -> dict[str, np.ndarray]:
+    """The arrays of networks by ``network/layer``."""
+    return {
+        f"{name}/{layer}": value.detach().cpu().numpy()
+        for name, net in nets.items()
+        for layer, value in net.state_dict().items()
+        if not layer.endswith("num_batches_tracked")
+    }

@@ -67,7 +67,7 @@ def tell_block(block: RealBlock, size: int) -> PaperBlock:
 
 
 def _rows(pixels: Indices, size: int) -> Indices:
-    return np.column_stack(np.divmod(pixels, size))
+    return np.column_stack(np.divmod(pixels, size)).astype(np.int16)
 
 
 def paint_told(block: PaperBlock, kept: Indices, shift: tuple[int, int]) -> NDArray[np.float32]:
@@ -129,9 +129,9 @@ def pixel_of(frame: ViewFrame, point: Floats) -> int:
 
 
 def paper_houses(block: RealBlock) -> PaperHouses:
-    """The houses of a real block, their doors assumed."""
+    """The houses of a real block, their doors assumed where they are not known."""
     rings = list(block.houses)
-    doors = door_points(rings, block.streets)
+    doors = list(block.doors) or door_points(rings, block.streets)
     ends = [base_and_door(ring, door) for ring, door in zip(rings, doors, strict=True)]
     shapes = np.empty(len(rings), object)
     shapes[:] = [shapely.Polygon(ring) for ring in rings]
@@ -140,7 +140,7 @@ def paper_houses(block: RealBlock) -> PaperHouses:
         shapes,
         np.array([base for base, _ in ends]).reshape(-1, 2),
         np.array([angle for _, angle in ends]),
-        np.zeros(len(rings), np.int64),
+        np.array(block.materials or [0] * len(rings), np.int64),
         np.array([class_of_shape(ring) for ring in rings], np.int64),
         np.array([class_of_area(float(area)) for area in areas], np.int64),
     )

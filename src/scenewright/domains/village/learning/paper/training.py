@@ -1,112 +1,121 @@
-"""Training the networks of Zhu, Jiang and Li (2022): printed schedules and brief ones.
+"""Training the networks of Zhu, Jiang and Li (2022) in PyTorch, by steps that can be kept.
 
-Printed: *continue* cross entropy, 8 a step, 120 epochs, rate 0.001; *category* and *location* 16 a
-step, 300 epochs, Adam; *orientation* 4 a step, 400 epochs, KL and the loss of the cosine. The rate
-of the last three is not printed: 0.001 is taken. An epoch is one sample of every house.
+Printed: cross entropy of *continue*, *category* and *location*, KL and the loss of the cosine added
+up for *orientation* (of the cosine: its square, not printed); the rate 0.001; Adam for *category*
+and *location*, here for all.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator
+from pathlib import Path
 from typing import Any, NamedTuple
 
-import numpy as np
-
-from scenewright.domains.village.learning.paper.nets import CLASSES, NetSizes, make_nets
-from scenewright.domains.village.learning.paper.samples import PaperSample, sample_of, tell_block
-from scenewright.domains.village.learning.tables import RealBlock
-from scenewright.domains.village.paper.views import SHAPES, class_planes
+from scenewright.core.atomic_file import atomic_write
+from scenewright.domains.village.learning.paper.batches import (
+    Feed,
+    PaperBatch,
+    PaperStep,
+    feed_batches,
+    steps_left,
+)
+from scenewright.domains.village.learning.paper.nets import make_nets
+from scenewright.domains.village.paper.nets_file import CLASSES
 
 RATE = 1e-3
-HIDDEN_LOSS = 0.05
-"""What KL counts against the square of the cosine's error; the paper prints no weight."""
 
 
-class PaperSchedule(NamedTuple):
-    """Samples of a step and epochs of each network."""
+class NetsTraining(NamedTuple):
+    """Networks and their optimizers in PyTorch, by name, steps ``done`` of each, and the processor
+    ``seconds`` they took until the state was read. They are changed in place."""
 
-    batch: dict[str, int]
-    epochs: dict[str, int]
-
-
-PRINTED = PaperSchedule(
-    {"continue": 8, "material": 16, "shape": 16, "area": 16, "location": 16, "orientation": 4},
-    {
-        "continue": 120,
-        "material": 300,
-        "shape": 300,
-        "area": 300,
-        "location": 300,
-        "orientation": 400,
-    },
-)
-BRIEF = PaperSchedule(
-    dict.fromkeys(PRINTED.batch, 16),
-    {"continue": 4, "material": 1, "shape": 2, "area": 2, "location": 6, "orientation": 3},
-)
-"""What the shipped small form had: six minutes of one core."""
+    nets: dict[str, Any]
+    wheels: dict[str, Any]
+    done: dict[str, int]
+    seconds: float
 
 
-def train_paper(
-    blocks: Sequence[RealBlock],
-    sizes: NetSizes,
-    schedule: PaperSchedule,
-    seed: int,
-    tell: Callable[[str, int, float], None] = lambda _name, _step, _loss: None,
-    names: Sequence[str] = tuple(PRINTED.batch),
-    device: str = "cpu",
-) -> dict[str, Any]:
-    """Networks trained on real blocks, one after another; ``tell`` gets every step's loss."""
-    import torch
-
-    torch.manual_seed(seed)
-    nets = {name: net.to(device) for name, net in make_nets(torch, sizes).items() if name in names}
-    prepared = [tell_block(block, sizes.pixels) for block in blocks]
-    owner = np.repeat(np.arange(len(prepared)), [len(one.houses.footprints) for one in prepared])
-    for number, (name, net) in enumerate(nets.items()):
-        rng = np.random.default_rng([seed, number])
-        wheel = torch.optim.Adam(net.parameters(), lr=RATE)
-        net.train()
-        size, step = schedule.batch[name], 0
-        for _ in range(schedule.epochs[name]):
-            for rows in np.array_split(rng.permutation(owner), -(-len(owner) // size)):
-                samples = [sample_of(prepared[k], rng, name) for k in rows.tolist()]
-                loss = loss_of_net(torch, name, net, samples, device)
-                wheel.zero_grad()
-                loss.backward()
-                wheel.step()
-                step += 1
-                tell(name, step, loss.item())
-        net.eval()
-    return nets
+def start_nets(torch: Any, feed: Feed, device: str) -> NetsTraining:
+    """Networks of a schedule as they are before the first step, by the seed."""
+    torch.manual_seed(feed.seed)
+    made = make_nets(torch, feed.sizes)
+    nets = {name: made[name].to(device).train() for name in feed.schedule.epochs}
+    wheels = {name: torch.optim.Adam(net.parameters(), lr=RATE) for name, net in nets.items()}
+    return NetsTraining(nets, wheels, dict.fromkeys(nets, 0), 0.0)
 
 
-def loss_of_net(
-    torch: Any, name: str, net: Any, samples: Sequence[PaperSample], device: str = "cpu"
-) -> Any:
-    """The loss of one network on some samples."""
+def train_nets(
+    torch: Any,
+    state: NetsTraining,
+    feed: Feed,
+    device: str,
+    workers: int,
+    done: Callable[[PaperStep, float], bool],
+) -> bool:
+    """Go through the steps that are left; ``done`` gets each with its loss and may end it (the
+    answer is False then)."""
+    steps: Iterator[PaperStep] = steps_left(feed, dict(state.done))
+    batches = feed_batches(feed, dict(state.done), workers)
+    try:
+        for step, batch in zip(steps, batches, strict=True):
+            loss = loss_of_net(torch, step.name, state.nets[step.name], batch, device)
+            state.wheels[step.name].zero_grad()
+            loss.backward()
+            state.wheels[step.name].step()
+            state.done[step.name] += 1
+            if done(step, loss.item()):
+                return False
+    finally:
+        batches.close()  # type: ignore[attr-defined]
+    return True
+
+
+def loss_of_net(torch: Any, name: str, net: Any, batch: PaperBatch, device: str = "cpu") -> Any:
+    """The loss of one network on a batch."""
     functional = torch.nn.functional
-
-    def tensor(values: Any) -> Any:
-        return torch.from_numpy(np.asarray(values, np.float32)).to(device)
-
+    on = {
+        key: torch.from_numpy(value).to(device, non_blocking=True)
+        for key, value in batch._asdict().items()
+    }
     if name == "continue":
-        found = net(tensor([one.view for one in samples]))[:, 0]
-        return functional.binary_cross_entropy_with_logits(
-            found, tensor([one.more for one in samples])
-        )
+        found = net(on["planes"])[:, 0]
+        return functional.binary_cross_entropy_with_logits(found, on["more"])
     if name in CLASSES:
-        column = list(CLASSES).index(name)
-        found = net(tensor([s.view for s in samples]), tensor([s.counts for s in samples]))
-        wanted = torch.tensor([one.classes[column] for one in samples], device=device)
-        return functional.cross_entropy(found, wanted)
+        wanted = on["classes"][:, list(CLASSES).index(name)]
+        return functional.cross_entropy(net(on["planes"], on["counts"]), wanted)
     if name == "location":
-        size = samples[0].view.shape[-1]
-        rows = [np.concatenate([s.view, class_planes(s.classes, size)]) for s in samples]
-        wanted = torch.tensor([one.pixel for one in samples], device=device)
-        return functional.cross_entropy(net(tensor(rows)).flatten(1), wanted)
-    cosine = tensor([one.cosine for one in samples])
-    shape = tensor([np.eye(SHAPES)[one.classes[1]] for one in samples])
-    again, mean, spread = net(tensor([one.view for one in samples]), shape, cosine)
+        return functional.cross_entropy(net(on["planes"]).flatten(1), on["pixels"])
+    again, mean, spread = net(on["planes"], on["shapes"], on["cosines"], on["noise"])
     hidden = -0.5 * (1 + spread - mean**2 - spread.exp()).sum(1).mean()
-    return ((again - cosine) ** 2).mean() + HIDDEN_LOSS * hidden
+    return ((again - on["cosines"]) ** 2).mean() + hidden
+
+
+def keep_nets(torch: Any, path: Path, key: str, state: NetsTraining, seconds: float) -> None:
+    """Keep a state in a file: ``key`` says of which training it is, ``seconds`` what it took."""
+    document = {
+        "key": key,
+        "done": state.done,
+        "seconds": seconds,
+        "nets": {name: net.state_dict() for name, net in state.nets.items()},
+        "wheels": {name: wheel.state_dict() for name, wheel in state.wheels.items()},
+    }
+    with atomic_write(path) as partial:
+        torch.save(document, partial)
+
+
+def resume_nets(
+    torch: Any, path: Path, key: str, fresh: Callable[[], NetsTraining], device: str
+) -> NetsTraining:
+    """The state kept of this very training; else, or where the file is damaged, a fresh one."""
+    state = fresh()
+    try:
+        kept = torch.load(path, map_location=device, weights_only=True)
+        if kept["key"] != key:
+            return state
+        for name, net in state.nets.items():
+            net.load_state_dict(kept["nets"][name])
+            state.wheels[name].load_state_dict(kept["wheels"][name])
+        done = {name: int(kept["done"][name]) for name in state.nets}
+        return state._replace(done=done, seconds=float(kept["seconds"]))
+    except Exception:  # whatever was kept and is damaged is trained again
+        return fresh()
