@@ -11,7 +11,8 @@ import scenewright
 from scenewright.core.brief import Brief
 from scenewright.core.solution import Solution
 from scenewright.domains.hall.patterns import CHAIN
-from scenewright.domains.hall.retouch.outer_rows import AISLE, WORTH, measure_slots, propose_lines
+from scenewright.domains.hall.retouch.weigh_rows import HallRows, look_rows, measure_rows
+from scenewright.domains.hall.rules.exhibits import BEFORE_WALL
 from scenewright.domains.hall.solvers.outcome import StartedHall
 from scenewright.domains.hall.solving import problems
 
@@ -42,21 +43,26 @@ def stacks(*at: float) -> np.ndarray:
     return np.array([(5.5 + k, y, np.pi / 2, 1.0, 0.6) for y in at for k in range(5)])
 
 
-def test_what_aisles_before_walls_lack_counts(started: StartedHall) -> None:
+@pytest.fixture(scope="module")
+def seen(started: StartedHall) -> HallRows:
+    return look_rows(("slot_before_rows", "slot_behind_rows"), started.problem)
+
+
+def test_what_aisles_before_walls_lack_counts(started: StartedHall, seen: HallRows) -> None:
     slots = stacks(0.7, 2.6, 5.0, DEEP - 1.0)
-    lacking = (AISLE - 0.4) + (AISLE - 0.7)
-    assert measure_slots(started.problem, started.start, slots) == pytest.approx(WORTH * lacking)
-    even = stacks(1.5, 3.2, 4.9, 6.5)
-    assert measure_slots(started.problem, started.start, even) == 0.0
-    assert not list(propose_lines(started.problem, started.start, even))
+    lacking = (BEFORE_WALL - 0.4) + (BEFORE_WALL - 0.7)
+    assert measure_rows(seen, started.start, slots) == pytest.approx(3.0 * lacking)
+    assert measure_rows(seen, started.start, stacks(1.5, 3.2, 4.9, 6.5)) == 0.0
 
 
-def test_rows_turned_to_the_walls_and_rings_are_left_alone(started: StartedHall) -> None:
+def test_rows_turned_to_the_walls_and_rings_are_left_alone(
+    started: StartedHall, seen: HallRows
+) -> None:
     pose, rows = started.start.pose.copy(), started.start.rows.copy()
     pose[:, 2], rows[:] = 0.4, (CHAIN, 1)
     slots = stacks(0.7, 2.6, 5.0, DEEP - 1.0)
-    assert measure_slots(started.problem, started.start._replace(pose=pose), slots) == 0.0
-    assert measure_slots(started.problem, started.start._replace(rows=rows), slots) == 0.0
+    assert measure_rows(seen, started.start._replace(pose=pose), slots) == 0.0
+    assert measure_rows(seen, started.start._replace(rows=rows), slots) == 0.0
 
 
 def least_aisle(solution: Solution) -> float:

@@ -12,9 +12,10 @@ import shapely
 from benchmarks.hall_instances import example_hall
 
 from scenewright.domains.hall.energy import capacity, make_state, prepare
+from scenewright.domains.hall.measures import AISLE
 from scenewright.domains.hall.patterns import ACROSS, ALONG, CHAIN, CODE, NUMBER, PART, PATTERNS
 from scenewright.domains.hall.patterns.expand import expand, seed, stretch
-from scenewright.domains.hall.patterns.fan import AISLE, BLOCK
+from scenewright.domains.hall.patterns.fan import BLOCK
 from scenewright.domains.hall.problem import Floats
 from scenewright.domains.hall.solvers.moves import reseed, scatter
 from scenewright.domains.hall.solvers.start import copy_frames

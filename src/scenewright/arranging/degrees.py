@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.arranging.rows import BACK, PANES, TURNS
+from scenewright.arranging.rows import BACK, TURNS
 from scenewright.geometry.boxes import Frame, distance_to_segment, make_frame
 from scenewright.geometry.compiled import inlined
 
@@ -91,20 +91,33 @@ def _measure_side(
 
 
 @inlined
-def measure_darkness(x: float, y: float, boxes: Floats, bright: float, dark: float) -> float:
-    """How far a place is from the glass of the nearest window: 0 up to ``bright`` metres, 1 from
-    ``dark`` on; 0 without windows."""
+def measure_distance(things: Floats, i: int, boxes: Floats, parts: int) -> float:
+    """Metres from the middle of a thing to the nearest box of some parts of a room, as far as it is
+    ahead or aside of that; 0 without any."""
     nearest = math.inf
     for b in range(boxes.shape[0]):
-        if int(boxes[b, PART]) == PANES:
-            u, v = x - boxes[b, X], y - boxes[b, Y]
+        if int(boxes[b, PART]) & parts:
+            u, v = things[i, X] - boxes[b, X], things[i, Y] - boxes[b, Y]
             c, s = math.cos(boxes[b, HEADING]), math.sin(boxes[b, HEADING])
             along = max(abs(u * s - v * c) - boxes[b, WIDTH] / 2, 0.0)
             ahead = max(u * c + v * s + boxes[b, DEPTH] / 2, 0.0)
             nearest = min(nearest, math.sqrt(along * along + ahead * ahead))
-    if nearest == math.inf:
-        return 0.0
-    return min(max(nearest - bright, 0.0) / (dark - bright), 1.0)
+    return nearest if nearest < math.inf else 0.0
+
+
+@inlined
+def measure_away(things: Floats, i: int, boxes: Floats, parts: int) -> float:
+    """The cosine between the back of a thing and the way to the nearest box of some parts of a
+    room, at least 0; 0 without any."""
+    nearest, found = math.inf, 0.0
+    for b in range(boxes.shape[0]):
+        if int(boxes[b, PART]) & parts:
+            u, v = boxes[b, X] - things[i, X], boxes[b, Y] - things[i, Y]
+            far = max(math.sqrt(u * u + v * v), 1e-9)
+            if far < nearest:
+                c, s = math.cos(things[i, HEADING]), math.sin(things[i, HEADING])
+                nearest, found = far, max(-(u * c + v * s) / far, 0.0)
+    return found
 
 
 @inlined

@@ -17,9 +17,9 @@ RELATION, SIDE, METRES, COST, PER, GRADE, UNSEEN, EACH, WITHIN, WIDE, INSET, STA
 TURNED, FULL, PARTS, AREA, TIGHT, FIXED, JOINED, OF_BELOW, OF_FLOOR = range(12, 21)
 TO_BELOW, TO_FLOOR, TO_PIECES, COLUMNS = range(21, 25)
 """The columns of a row."""
-ZONE, ANGLE, WALL, LIGHT, SIDE_BY_SIDE = range(5)
+ZONE, ANGLE, WALL, FAR, SIDE_BY_SIDE, AWAY = range(6)
 """Relations as the kernel knows them."""
-CODES = {"square_to": ANGLE, "against": WALL, "lit": LIGHT, "beside": SIDE_BY_SIDE}
+CODES = {"square_to": ANGLE, "against": WALL, "near": FAR, "beside": SIDE_BY_SIDE, "faces": AWAY}
 NOT, IS, HUNG = -1, 1, 2
 """What a kind or a group is to a row: left out, meant, or meant at any height."""
 

@@ -22,9 +22,12 @@ FLOOR, STRIP, SQUARE, ALONG, METRES = range(5)
 """What the area that is taken is divided by: the floor of the row; a strip as wide as the row and
 as long as the shortest side of either piece; a square metre; the depth of the part of the room; the
 metres of the row."""
-WALLS, DOORS, WAYS, WINDOWS, OPENINGS, TURNS, PANES = (1 << k for k in range(7))
+WALLS, DOORS, WAYS, WINDOWS, OPENINGS, TURNS, PANES, ENTRANCES, EXITS, COLUMNS, WAY_IN = (
+    1 << k for k in range(11)
+)
 """Parts of a room: what is beyond its walls, where doors swing, the ways from door to door, the
-floor before windows and before wide doors, the directions of its walls, the glass."""
+floor before windows and before wide doors, the directions of its walls, the glass; of a hall where
+people come in and leave, its columns, and the way in that stays free."""
 
 
 class Class(NamedTuple):
@@ -121,18 +124,19 @@ def clear(
     wide: float = 0.0,
     inset: float = 0.0,
     start: float = inf,
+    grade: int = HALF,
 ) -> Relation:
     """Floor as deep as the metres of the row on a side of a piece is free, up to an ``unseen``
     share: of others one by one, or of all together. It is as wide as the piece, less an
     ``inset`` at both ends, or so ``wide``; before a deep piece it may ``start`` so far from its
     back."""
-    return Relation("clear", side, FLOOR, HALF, unseen, each, within, wide, inset, start)
+    return Relation("clear", side, FLOOR, grade, unseen, each, within, wide, inset, start)
 
 
-def apart(unseen: float = 0.03) -> Relation:
+def apart(unseen: float = 0.03, grade: int = HALF) -> Relation:
     """Each other piece keeps off all round a piece; the degree is the share of a strip as long as
     the shortest side of either."""
-    return Relation("apart", ROUND, STRIP, HALF, unseen, True)
+    return Relation("apart", ROUND, STRIP, grade, unseen, True)
 
 
 def keep_off(unseen: float, grade: int = HALF, *, each: bool = False) -> Relation:
@@ -164,10 +168,16 @@ def against(side: int, full: float = 0.0) -> Relation:
     return Relation("against", side, grade=HALF if full else FLAT, full=full or 1.0)
 
 
-def lit(full: float) -> Relation:
-    """A piece is no farther from the glass of some window than the metres of the row; the degree
-    rises to 1 ``full`` metres from it."""
-    return Relation("lit", grade=WHOLE, full=full)
+def near(full: float) -> Relation:
+    """A piece is no farther from the nearest of some parts of the room, as it looks out of them,
+    than the metres of the row; the degree rises to 1 ``full`` metres from it."""
+    return Relation("near", grade=WHOLE, full=full)
+
+
+def faces(away: float = 0.0, grade: int = WHOLE) -> Relation:
+    """A piece does not turn its back to the nearest of some parts of the room: the degree is the
+    cosine between its back and the way to that, where it is more than ``away``."""
+    return Relation("faces", grade=grade, unseen=away)
 
 
 def beside(ahead: float, alike: float) -> Relation:

@@ -18,9 +18,8 @@ from scenewright.arranging.degrees import (
     OF_GROUP,
     PART,
     RoomParts,
-    X,
-    Y,
-    measure_darkness,
+    measure_away,
+    measure_distance,
     measure_gap,
     measure_turn,
     read_part,
@@ -30,15 +29,16 @@ from scenewright.arranging.degrees import (
 from scenewright.arranging.row_arrays import (
     ANGLE,
     AREA,
+    AWAY,
     COST,
     EACH,
+    FAR,
     FIXED,
     FULL,
     GRADE,
     HUNG,
     INSET,
     JOINED,
-    LIGHT,
     METRES,
     OF_BELOW,
     OF_FLOOR,
@@ -198,8 +198,11 @@ def _measure(things: Floats, i: int, table: Arrays, r: int, room: RoomParts) -> 
     if relation == WALL:
         gap = measure_gap(things, i, int(rows[r, SIDE]), room.walls)
         return gap / rows[r, FULL] if gap > metres else 0.0
-    if relation == LIGHT:
-        return measure_darkness(things[i, X], things[i, Y], boxes, metres, rows[r, FULL])
+    if relation == FAR:
+        far = measure_distance(things, i, boxes, int(rows[r, PARTS])) - metres
+        return min(max(far, 0.0) / (rows[r, FULL] - metres), 1.0)
+    if relation == AWAY:
+        return measure_away(things, i, boxes, int(rows[r, PARTS]))
     if relation != ZONE:
         return _measure_alone(things, i, table, r)
     floor = _make_floor(read_thing(things, i), rows, r)

@@ -8,12 +8,11 @@ from __future__ import annotations
 
 import math
 
+from scenewright.domains.hall.measures import AISLE
 from scenewright.domains.hall.patterns import ACROSS, ALONG, CODE, FAN, NUMBER, PART
 from scenewright.geometry.boxes import Floats
 from scenewright.geometry.compiled import inlined
 
-AISLE = 1.2
-"""Width of an aisle through the arcs, in metres."""
 STAGE = 2.5
 """Least distance from the apex of a fan to its first row, in metres."""
 ROW = 0.61

@@ -33,19 +33,18 @@ from scenewright.domains.hall.retouch.gates import (
     gates_adrift,
     propose_gates,
 )
-from scenewright.domains.hall.retouch.gazes import measure_gazes, propose_views
 from scenewright.domains.hall.retouch.loop import list_runs, mend_layout
 from scenewright.domains.hall.retouch.mending import Retouch, SeenTouch
-from scenewright.domains.hall.retouch.nearness import (
-    find_company,
-    measure_nearness,
-    propose_distances,
-)
-from scenewright.domains.hall.retouch.outer_rows import measure_slots, propose_lines
 from scenewright.domains.hall.retouch.queues import measure_queues, propose_queues
 from scenewright.domains.hall.retouch.ropes import propose_ropes, ropes_adrift
+from scenewright.domains.hall.retouch.row_moves import (
+    fill_free,
+    hold_rows,
+    nudge_or_slide,
+    set_among_columns,
+    turn_round,
+)
 from scenewright.domains.hall.retouch.spread import measure_spread, propose_spread
-from scenewright.domains.hall.retouch.stands import measure_backs, propose_turns
 from scenewright.domains.hall.retouch.tills import find_tills, propose_tills, tills_adrift
 from scenewright.domains.hall.retouch.waiting import forgive_backs, measure_waiting, propose_waiting
 from scenewright.domains.hall.solvers.chains import begin_chain, layout_of
@@ -94,7 +93,7 @@ RETOUCHES: tuple[Pass[Retouch], ...] = (
     Pass(
         "stands",
         "exhibits",
-        Retouch(_whole, measure_backs, propose_turns),
+        hold_rows("stand_away", moves=(turn_round,)),
         "stands turn their fronts to the entrance",
     ),
     Pass(
@@ -142,7 +141,7 @@ RETOUCHES: tuple[Pass[Retouch], ...] = (
     Pass(
         "gazes",
         "seating",
-        Retouch(_whole, measure_gazes, propose_views),
+        hold_rows("seats_look_at_wall", moves=(turn_round,)),
         "lounge seats look into the hall, not at a wall close before",
     ),
     Pass(
@@ -160,13 +159,18 @@ RETOUCHES: tuple[Pass[Retouch], ...] = (
     Pass(
         "outer rows",
         "rows",
-        Retouch(_whole, measure_slots, propose_lines, make_room=False),
+        hold_rows("slot_before_rows", "slot_behind_rows", moves=(fill_free,), make_room=False),
         "an aisle lies between outer rows and the wall",
     ),
     Pass(
         "nearness",
         "exhibits",
-        Retouch(find_company, measure_nearness, propose_distances, make_room=False),
+        hold_rows(
+            "exhibit_at_column",
+            "seat_crowded",
+            moves=(nudge_or_slide, set_among_columns),
+            make_room=False,
+        ),
         "exhibits and seats keep clear of columns and other groups",
     ),
 )

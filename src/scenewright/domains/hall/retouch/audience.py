@@ -10,9 +10,9 @@ from typing import NamedTuple
 import numpy as np
 
 from scenewright.core.layout import corners
+from scenewright.domains.hall.measures import AISLE
 from scenewright.domains.hall.patterns import ACROSS, ALONG, CHAIN, CODE, FAN, GRID, NUMBER
 from scenewright.domains.hall.patterns.chain import BLOCK
-from scenewright.domains.hall.patterns.fan import AISLE
 from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.retouch.lines import count_objects, find_layers
 from scenewright.domains.hall.retouch.stages import AT_WALL, measure_stage, propose_stages

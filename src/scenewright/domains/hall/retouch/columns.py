@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from scenewright.domains.hall.energy import capacity
+from scenewright.domains.hall.measures import AISLE, KEPT_OFF
 from scenewright.domains.hall.patterns import CHAIN, GRID
 from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.retouch.lines import count_objects, find_layers, set_rows
@@ -22,14 +23,12 @@ from scenewright.domains.hall.terms.visitors import ALOOF
 LARGEST = 1.2
 OFF_LINE = 0.2
 """What a metre counts by which a column stands off the line of the row it is in."""
-AISLE, IN_AISLE, IN_SIGHT = 1.2, 6.0, 0.5
-"""The clear width an aisle with a column in it keeps, what such a column counts however wide the
-aisle, and what a seat counts whose view it crosses; metres."""
+IN_AISLE, IN_SIGHT = 6.0, 0.5
+"""What a column in an aisle counts however wide that is, and what a seat counts whose view it
+crosses; metres."""
 SPREAD, AROUND, TOUCH = 2.2, 0.1, 0.05
 """Widest gap of a pitch that follows columns, the least gap round a column, and what two axes may
 differ by; metres."""
-CLEAR = 0.5
-"""Metres round a column that stay free of exhibits, tables and lounge seats."""
 ROWS = 8
 
 
@@ -183,7 +182,7 @@ def _forms(problem: HallProblem, unit: int, lattice: Lattice) -> list[RowForm]:
     wide, deep = problem.units.sizes[first:last].max(0)
     close = problem.units.clear[first:last, 1::2].sum() == 0.0
     front, back = problem.units.clear[first:last, 0].max(), problem.units.clear[first:last, 2].max()
-    around = CLEAR if keeps_off(problem, unit) else AROUND
+    around = KEPT_OFF if keeps_off(problem, unit) else AROUND
     gap = max(float(lattice.halves[:, 0].max()) * 2 + 2 * around, 0.6)
     along = [wide] if close else _divide(lattice.pitch[0], wide + gap, wide + gap + SPREAD)
     ways = max(front + back, 0.6)

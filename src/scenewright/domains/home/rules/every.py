@@ -14,7 +14,7 @@ from scenewright.arranging.rows import (
     Place,
     Row,
     clear,
-    lit,
+    near,
     off,
     square_to,
 )
@@ -90,7 +90,7 @@ EVERY = (
         "{of} is within {metres} m of {to}", FLATS, area=ROOMY,
     ),
     Row(
-        "dark", stand("a desk", *DESKS), lit(DAYLIT), BY_GLASS, BRIGHT, "dark",
+        "dark", stand("a desk", *DESKS), near(DAYLIT), BY_GLASS, BRIGHT, "dark",
         "{of} is more than {metres} m from {to}", DAYLIGHT,
     ),
     Row(

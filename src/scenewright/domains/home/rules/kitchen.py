@@ -14,7 +14,7 @@ from scenewright.arranging.rows import (
     beside,
     clear,
     keep_off,
-    lit,
+    near,
 )
 from scenewright.catalog.classes import BEDS, EATING_TABLES, RUN
 from scenewright.domains.home.groups.classes import TABLES
@@ -76,7 +76,7 @@ KITCHEN = (
         FLATS, only=MERE_KITCHEN, moves=False,
     ),
     Row(
-        "dim_table", Class("a table", EATING_TABLES), lit(DAYLIT), BY_GLASS, BRIGHT, "dim_table",
+        "dim_table", Class("a table", EATING_TABLES), near(DAYLIT), BY_GLASS, BRIGHT, "dim_table",
         "{of} is more than {metres} m from {to}", DAYLIGHT, only=MERE_KITCHEN, moves=False,
     ),
     Row(

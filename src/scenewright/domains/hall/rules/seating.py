@@ -1,0 +1,34 @@
+"""Rows of what people sit on."""
+
+from __future__ import annotations
+
+from scenewright.arranging.rows import FRONT, WHOLE, Example, Place, Row, apart, clear
+from scenewright.domains.hall.measures import KEPT_OFF
+from scenewright.domains.hall.rules.classes import BY_WALLS, LOUNGE_ROW, LOUNGE_SEAT, OTHERS
+
+CLOSE = 2.0  # metres to a wall at which nobody wants to look
+UNSEEN = 0.02  # the share of that which columns and corners may take
+_SEEN = "seen at first glance in halls laid out, 2026"
+_SEAT = Place("lounge seat", 1.0, 2.0, 0.0, 0.8, 0.8)
+
+SEATING = (
+    Row(
+        "seat_crowded", LOUNGE_SEAT, apart(0.0, WHOLE), OTHERS, KEPT_OFF, 8.0,
+        "{of} is within {metres} m of {to}", _SEEN,
+        example=Example(
+            broken=(_SEAT, Place("panel", 1.0, 1.3, 0.0, 0.3, 0.3)),
+            held=(_SEAT, Place("panel", 1.0, 0.8, 0.0, 0.3, 0.3)),
+            mended=(_SEAT, Place("panel", 3.0, 1.3, 0.0, 0.3, 0.3)),
+        ),
+    ),
+    Row(
+        "seats_look_at_wall", LOUNGE_ROW, clear(FRONT, UNSEEN, grade=WHOLE), BY_WALLS, CLOSE, 3.0,
+        "{of} looks at {to} within {metres} m", _SEEN,
+        example=Example(
+            broken=(Place("row of lounge seats", 2.5, 3.0, 90.0, 3.0, 0.8),),
+            held=(Place("row of lounge seats", 2.5, 3.0, -90.0, 3.0, 0.8),),
+            mended=(Place("row of lounge seats", 2.5, 3.5, -90.0, 3.0, 0.8),),
+        ),
+    ),
+)  # fmt: skip
+"""The rows; costs in metres of fault."""
