@@ -30,7 +30,7 @@ from scenewright.core.errors import InputError
 
 NAME = ".batch.jsonl"
 PARTS = re.compile(r"\.scenewright-parts-[0-9a-f]{16}")
-"""What the folders are called in which results lie before they are whole."""
+"""Name of the folders in which results lie before they are whole."""
 FIRST = json.dumps({"format": "scenewright/batch", "version": 2}).encode()
 """The first line of a ledger."""
 LONGEST = 4 * 2**20

@@ -22,7 +22,7 @@ CSV, JSON = "summary.csv", "summary.json"
 
 
 class ResultRow(NamedTuple):
-    """What became of one file.
+    """The result of one file.
 
     ``status`` is ``complete`` (all that is essential or asked for stands, and valid), ``left out``
     (valid, but something of that or of the file is not there), ``not valid`` (a rule is broken) or

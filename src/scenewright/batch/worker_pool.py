@@ -125,7 +125,7 @@ def _keep_interrupts_off() -> None:
 
 
 def _said(process: subprocess.Popen[bytes], words: dict[str, Any]) -> Any:
-    """What a worker answers; ``None`` if it is dead."""
+    """The answer of a worker; ``None`` if it is dead."""
     if process.stdin is None or process.stdout is None:
         return None
     try:

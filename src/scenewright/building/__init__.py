@@ -1,1 +1,1 @@
-"""What buildings are made of: walls with their openings cut, gables, joinery, stairs."""
+"""Parts of buildings: walls with their openings cut, gables, joinery, stairs."""

@@ -39,7 +39,7 @@ SURFACES: dict[str, Material] = {
     "carpet_sage": Material("carpet, sage", (0.50, 0.53, 0.48), roughness=1.0),
     "marking": Material("road marking", (0.93, 0.93, 0.91), roughness=0.9),
 }
-"""What lies on the ground or on the floor of a hall, by kind."""
+"""Finishes of the ground and of floors of halls, by kind."""
 
 FLOORS: dict[str, Material] = {
     "kitchen": STONE_FLOOR,

@@ -67,7 +67,7 @@ def under_roofs(prisms: Sequence[Prism], roofs: Sequence[Roof]) -> list[Prism]:
 
 
 def cut_off(solid: Prism, height: float) -> list[Prism]:
-    """What is left of a tilted prism below a height."""
+    """The part of a tilted prism below a height."""
     if solid.tilt is None or solid.top <= height:
         return [solid]
     shape, over = Polygon(solid.outline, solid.holes), solid.tilt - np.array([height, 0.0, 0.0])

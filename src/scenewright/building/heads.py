@@ -64,7 +64,7 @@ def _cut_to(over: float, sill: float, head: float) -> float:
 
 
 def _check_cut(wish: Door | Window, sill: float, head: float) -> None:
-    """What a slope leaves of an opening must be of use."""
+    """InputError if a slope leaves too little of an opening."""
     if isinstance(wish, Door) and head < min(SHOULDERS, wish.height):
         raise InputError(
             f"the slope over it is only {head:.2f} m high", "put it where the ceiling is higher"

@@ -154,7 +154,7 @@ def _partitions(floors: list[Polygon]) -> BaseGeometry:
 
 
 def _partition(first: Polygon, second: Polygon) -> BaseGeometry:
-    """What both rooms reach when grown by half the thickness (and half the gap)."""
+    """The floor both rooms cover when grown by half the thickness (and half the gap)."""
     by = (PARTITION + first.distance(second)) / 2
     grown = shapely.buffer([first, second], by, join_style="mitre", mitre_limit=MITRE)
     return grown[0].intersection(grown[1])

@@ -1,4 +1,4 @@
-"""What rooms are called, in fifteen languages, by what they are for.
+"""Names of rooms in fifteen languages, by function.
 
 Phrases in small letters without accents; a language more is more of them in each row. ``FIRST``
 are those of languages that name the thing first ("placard chambre": Romance ones and Polish),

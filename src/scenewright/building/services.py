@@ -19,7 +19,7 @@ from scenewright.core.space import Opening, Outlet, Radiator, Space
 PLATE = 0.08
 """Width of what an outlet takes of its wall, in metres."""
 LEVEL = 1e-6
-"""What is higher by no more is as high, in metres."""
+"""Metres up to which two heights count as the same."""
 
 
 def add_services(brief: Brief, room: Room, space: Space, place: str) -> Space:

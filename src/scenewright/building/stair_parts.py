@@ -34,7 +34,7 @@ AT_WALL = 0.12
 
 
 def well_of(stairs: Stairs) -> shapely.Geometry:
-    """What is open in the upper floor."""
+    """The opening in the upper floor."""
     if stairs.shape == "spiral":
         return shapely.union_all([shapely.Polygon(t.outline).buffer(0.01) for t in stairs.treads])
     boxes = [shapely.Polygon(corners(np.array([box]))[0]) for box in stairs.open]
@@ -42,7 +42,7 @@ def well_of(stairs: Stairs) -> shapely.Geometry:
 
 
 def wells(stairs: Iterable[Stairs], level: str) -> shapely.Geometry:
-    """What is open in the floor of a level."""
+    """The openings in the floor of a level."""
     return shapely.union_all([well_of(one) for one in stairs if one.upper == level])
 
 

@@ -1,4 +1,4 @@
-"""What already stands in a room: fixed items of a brief as pieces and back, in every domain."""
+"""Fixed items of a brief as pieces and back, in every domain."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ to 0.3 m, so that warm air rises and is not shut in."""
 
 
 def fixed_pieces(room: Room, space: Space, catalog: Catalog) -> list[Piece]:
-    """What already stands in a room, as pieces; a locked group stays one."""
+    """The fixed items of a room as pieces; a locked group stays one."""
     found = [_radiator(radiator, space, catalog) for radiator in space.radiators]
     known = {item.id for item in room.fixed if item.id}
     for number, item in enumerate(room.fixed, 1):
@@ -56,7 +56,7 @@ def fixed_pieces(room: Room, space: Space, catalog: Catalog) -> list[Piece]:
 
 
 def given_pieces(brief: Brief, plan: Plan, catalog: Catalog) -> tuple[Piece, ...]:
-    """What stands in all rooms of a brief before anything is placed."""
+    """The fixed pieces of all rooms of a brief."""
     each = zip(brief.rooms, plan.spaces, strict=True)
     return tuple(piece for room, space in each for piece in fixed_pieces(room, space, catalog))
 

@@ -22,7 +22,7 @@ Shapes = Any  # an array of shapely geometries
 Shape = Any  # one shapely geometry
 
 TOLERANCE = 0.01
-"""What may overlap or stick out unseen, in metres."""
+"""Metres of overlap, or beyond the room, that are tolerated."""
 
 WALL_GAP = 0.05
 """Greatest gap between the back of a piece at a wall and the wall, in metres."""
@@ -31,7 +31,7 @@ PARTITION = "partition"
 """The category of walls that were laid out with the pieces."""
 
 HEAD_HEIGHT = 2.0
-"""What begins above this height is in nobody's way, in metres."""
+"""Height of an underside, in metres, from which a piece is in nobody's way."""
 
 _FLATTEST = 0.05
 _CURTAINS = ("curtain", "blind")
@@ -141,7 +141,7 @@ def _stack(
 
 
 def footprints_of(pieces: Sequence[Piece], corners: Floats) -> Shapes:
-    """What pieces cover: the polygon a piece states, else its box by ``corners`` (n, 4, 2)."""
+    """Footprints of pieces: the stated polygon, else the box by ``corners`` (n, 4, 2)."""
     found = shapely.polygons(corners) if len(pieces) else np.empty(0, object)
     for row in (k for k, piece in enumerate(pieces) if piece.footprint):
         back_right, front_right, _, back_left = corners[row]

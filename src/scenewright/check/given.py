@@ -1,4 +1,4 @@
-"""What stands before anything is placed: the brief says it, never the solution that is judged.
+"""Fixed pieces, as the brief states them, never as the solution that is judged does.
 
 Whether a piece is given, and where it then stands, follows from the brief alone, by id. A piece is
 not given because a solution marks it as fixed: what a person locked there is judged as any other
@@ -19,7 +19,7 @@ from scenewright.core.report import Finding
 from scenewright.core.scene import Piece
 
 MOVED = 0.01
-"""What a given piece may be moved, turned at its corners or resized by unseen, in metres."""
+"""Tolerance for a fixed piece that was moved, turned (at its corners) or resized, in metres."""
 
 
 class Restored(NamedTuple):

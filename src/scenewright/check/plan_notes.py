@@ -23,7 +23,7 @@ VAST = 1000.0
 
 
 def note_reading(brief: Brief) -> list[Note]:
-    """What was left out or assumed on reading."""
+    """Features left out or assumed on reading."""
     return [Note("", "plan", "", text) for text in brief.notes]
 
 

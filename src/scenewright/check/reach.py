@@ -276,7 +276,7 @@ def _suspects(walk: Walk, shapes: Shapes) -> NDArray[np.int64]:
 
 
 def _why(walk: Walk, target: Target) -> str:
-    """What to say when no piece can be blamed."""
+    """The message when no piece can be blamed."""
     stood_at = target.piece >= 0 or target.group
     if stood_at and not shapely.intersects(walk.bare, target.shape):
         return ": there is no room to stand before it"

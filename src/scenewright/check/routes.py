@@ -254,7 +254,7 @@ def _select_connected(free: Shape, start: Shape) -> Shape:
 
 
 def walk_without(walk: Walk, away: NDArray[np.int64]) -> Shape:
-    """What would be reached if these of the blocking pieces (indices) were not there.
+    """The targets reached if these blocking pieces (indices) were not there.
 
     ``away`` (k,) rows of ``walk``'s pieces.
     """

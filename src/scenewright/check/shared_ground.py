@@ -1,4 +1,4 @@
-"""What two footprints share, also where they touch within a rounding error."""
+"""The overlap of two footprints, also where they touch within a rounding error."""
 
 from __future__ import annotations
 

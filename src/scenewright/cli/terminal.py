@@ -38,7 +38,7 @@ class _Harmless(RenderHook):
     """Wraps what is printed."""
 
     def process_renderables(self, renderables: list[ConsoleRenderable]) -> list[ConsoleRenderable]:
-        """What is printed instead."""
+        """The text printed instead."""
         return [_Wrapped(inner) for inner in renderables]
 
 

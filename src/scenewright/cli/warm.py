@@ -28,14 +28,14 @@ SAMPLES = {
     "village": ("village-hamlet",),
     "extend": ("extend-terrace",),
 }
-"""What is solved to compile a kind of scene."""
+"""The briefs solved to compile a kind of scene."""
 STEPS = {"village": 2, "extend": 2}
 """How long, in steps (else 200): where one makes a whole layout."""
 OUTPUTS = ("scene.glb", "plan.svg", "picture.png", "solution.json")
 
 
 PLURALS = {"extend": "extensions"}
-"""What a kind of scene is called in the plural, where that is not its name with an s."""
+"""The plural of a kind of scene, where that is not its name with an s."""
 
 
 class Warmed(NamedTuple):

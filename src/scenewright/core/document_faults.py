@@ -1,4 +1,4 @@
-"""What is wrong with a document, in our words: one line out of all that the models found."""
+"""The fault of a document in one line, out of all that the models report."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ LENGTHS = frozenset(
 MEANT = {"count": ("quantity", "number", "amount", "qty", "how_many")}
 """Keys, and what else they are called by sense, not by spelling."""
 BROKEN = ("holds half of a surrogate pair, which is not a character", "whole Unicode characters")
-"""What is wrong with a text that UTF-8 cannot hold, and what is wanted."""
+"""The fault of a text that UTF-8 cannot hold, and the remedy."""
 KINDS = {
     "string_type": "a text in quotes",
     "string_unicode": BROKEN[1],
@@ -63,7 +63,7 @@ KINDS = {
     "model_attributes_type": "an object: {...}",
     "finite_number": "a finite number",
 }
-"""What is wanted in place of a value of the wrong kind."""
+"""The kind of value wanted in place of a wrong one."""
 FILL = "it should be a share of the floor, from 0.05 to 0.8: half of it is 0.5"
 PLAINLY = {
     "less than or equal to": "at most",
@@ -216,7 +216,7 @@ def _length_fault(kind: str, loc: tuple[int | str, ...], limits: Any) -> tuple[s
 def _describe_expected(
     kind: str, loc: tuple[int | str, ...], given: Any, limits: Any, error: Any
 ) -> str:
-    """What to write instead."""
+    """The remedy: what to write instead."""
     if limits.get("le") == tau or limits.get("ge") == -tau:
         return RADIANS
     if loc[-1:] == ("pitch",) and limits:

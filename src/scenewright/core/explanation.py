@@ -90,7 +90,7 @@ class Explanation(NamedTuple):
 
 
 def describe_advice(advice: Advice) -> str:
-    """What was not placed in one line.
+    """The things not placed, in one line.
 
     >>> describe_advice(Advice("Bath", "washing machine", 1, "no wall", "free a wall", True))
     'not placed: washing machine (Bath): no wall; what helps: free a wall'

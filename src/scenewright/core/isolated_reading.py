@@ -32,7 +32,7 @@ FAULTS = (
     RuntimeError,
     OSError,
 )
-"""What parsers raise over damaged files."""
+"""Exceptions that parsers raise over damaged files."""
 
 
 SMALLER = "save it again from its program, only the plan of a storey"
@@ -79,7 +79,7 @@ def read_apart(
 
 
 class Ended(NamedTuple):
-    """What a process said on its standard output, and its exit code."""
+    """The standard output of a process, and its exit code."""
 
     said: bytes
     code: int

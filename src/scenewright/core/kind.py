@@ -119,7 +119,7 @@ class Kind:
 
     @property
     def name(self) -> str:
-        """What people call it.
+        """The name people use for it.
 
         >>> Kind("office_chair").name, Kind("tv", label="television").name
         ('office chair', 'television')

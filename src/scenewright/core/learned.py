@@ -1,4 +1,4 @@
-"""What a domain learned from scenes that people furnished."""
+"""Habits a domain learned from scenes that people furnished."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What pieces cover in the plan: their boxes, or the footprints of those that are none."""
+"""Outlines of pieces in plan: their boxes, or their footprints where they are no boxes."""
 
 from __future__ import annotations
 
@@ -83,7 +83,7 @@ def _upright(shape: shapely.Geometry) -> bool:
 
 
 def polygons_of(pieces: Sequence[Piece]) -> NDArray[np.object_]:
-    """What pieces cover in the plan, as polygons ``(n,)``."""
+    """Outlines of pieces in plan, as polygons ``(n,)``."""
     boxes = [[p.pose.x, p.pose.y, p.pose.heading, *p.size[:2]] for p in pieces]
     found = np.asarray(shapely.polygons(corners(np.array(boxes, float).reshape(-1, 5))))
     for number, piece in enumerate(pieces):

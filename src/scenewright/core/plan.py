@@ -9,7 +9,7 @@ from scenewright.core.space import Level, Space
 
 
 class Plan(NamedTuple):
-    """What is to be filled, checked once and handed along.
+    """The spaces to be filled, checked once and handed along.
 
     ``levels`` in the order listed, ``spaces`` one a room, hall or site, ``names`` what people call
     each by its id, and ``detail`` what only the domain knows (a site's roads and blocks).

@@ -27,11 +27,11 @@ GROUP = "scenewright.domains"
 
 
 JUDGED = ("reasons", "things not placed")
-"""What only a saved solution holds: why things stand where they do, and what does not."""
+"""Contents of saved solutions alone: why things stand where they do, and what does not."""
 SEEN = ("names", "measures", *JUDGED)
-"""What pictures lack."""
+"""Contents that pictures cannot hold."""
 MAPPED = ("trees and street furniture", "colours", *JUDGED)
-"""What maps and city models lack."""
+"""Contents that maps and city models cannot hold."""
 
 
 class Format(NamedTuple):

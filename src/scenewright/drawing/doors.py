@@ -114,7 +114,7 @@ def _foot(view: PaperView, door: Opening) -> Vector:
 
 
 def triangle_places(view: PaperView, openings: Sequence[Opening]) -> list[Polygon]:
-    """What the triangles of doors to the outside cover, in plan metres."""
+    """The area of the triangles of doors to the outside, in plan metres."""
     doors = [o for o in openings if o.kind != "window" and len(o.spaces) < 2]
     return [Point(_foot(view, door)).buffer(0.7 * LONG / view.scale) for door in doors]
 

@@ -44,7 +44,7 @@ COARSE, SMALL = 7.5, 2.0
 are drawn with the thin pen."""
 
 Key = tuple[str, str, tuple[float, ...], bool, Footprint]
-"""What two pieces must share to be drawn alike."""
+"""The key that two pieces share if they are drawn alike."""
 
 
 class Symbols(NamedTuple):

@@ -122,7 +122,7 @@ class Overlay(NamedTuple):
 
 
 class Paper(NamedTuple):
-    """What all storeys are drawn with."""
+    """The settings all storeys are drawn with."""
 
     catalog: Catalog
     sheet: sheets.PaperSheet
@@ -189,7 +189,7 @@ def _of_level(scene: Scene, level: Level, several: bool) -> Scene:
 
 
 def _storey(scene: Scene, level: Level) -> Storey | None:
-    """What belongs to a level; ``None`` if nothing does."""
+    """The drawing of a level; ``None`` if it is empty."""
     spaces = tuple(space for space in scene.spaces if space.level == level.id)
     walls = tuple(wall for wall in scene.walls if wall.level == level.id)
     ids = {space.id for space in spaces}
@@ -268,7 +268,7 @@ def _labels(view: PaperView, storey: Storey, paper: Paper) -> Mark:
 
 
 def _list_footprints(pieces: Sequence[Piece], catalog: Catalog) -> list[Geometry]:
-    """What stands on the floor, and the edges of rugs."""
+    """The pieces on the floor, and the edges of rugs."""
     here = [piece for piece in pieces if not hangs(piece)]
     shapes = [(piece, Polygon(footprint(piece))) for piece in here]
     return [

@@ -69,7 +69,7 @@ def cut_walls(walls: Sequence[Wall]) -> Geometry:
 
 
 def low_walls(walls: Sequence[Wall]) -> Geometry:
-    """What stands below the cut: parapets and the wall under windows."""
+    """Walls below the cut: parapets and the wall under windows."""
     low = [p for wall in walls for p in wall.prisms if p.top <= CUT_HEIGHT and p.tilt is None]
     return union_all([_polygon(prism) for prism in low])
 

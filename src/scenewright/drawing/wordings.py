@@ -24,13 +24,13 @@ SCALES = ((1.0, 0.0), (0.8, 0.25), (READABLE / NAME, 0.5))
 """How large the words are, and what we mind; a small room starts with the second."""
 
 USUAL = 0.06
-"""What we mind about usual letters where larger ones are wanted."""
+"""Cost of usual letters where larger ones are wanted."""
 
 CLOSET, LONGEST, MOST_LINES = 1.5, 60, 4
 """Square metres up to which a room is named in small type; letters and lines of a name."""
 
 TURNED, BROKEN, SHORT_COST = 1.0, 0.1, 0.55
-"""What we mind about a turned label, each further line of a name, and a short form."""
+"""Costs of a turned label, of each further line of a name, and of a short form."""
 
 SHORT = {"bathroom": "bath", "storage": "ST", "toilet": "WC", "washroom": "wash"}
 """Usual short forms of rooms that are named by what they are for; capital where the name is."""
@@ -74,7 +74,7 @@ def wordings(space: Space, square_metres: float, enlarge: float = 1.0) -> list[L
 def _rests(
     space: Space, square_metres: float, scale: float, named: bool
 ) -> list[tuple[tuple[str, ...], float]]:
-    """What stands below a name: area and inner dimensions, the area, nothing."""
+    """Lines below a name: area and inner dimensions, the area, nothing."""
     area, size = area_words(square_metres), inner_dimensions(space)
     rests: list[tuple[tuple[str, ...], float]] = [((area,), 0.12), ((), 0.45)]
     return ([((area, size), 0.0)] if size and scale >= 1.0 else []) + rests[: 1 + named]

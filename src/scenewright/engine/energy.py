@@ -1,4 +1,4 @@
-"""What every energy is made of: parts, and their sum."""
+"""Energies: their parts, and the sum of these."""
 
 from __future__ import annotations
 

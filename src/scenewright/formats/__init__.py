@@ -223,7 +223,7 @@ def _parse(
 
 
 def _check_brief(found: Any, row: Format) -> Brief:
-    """What a format has read, if it is a brief."""
+    """The brief a format has read, if it is one."""
     from scenewright.core.brief import Brief
 
     if not isinstance(found, Brief):

@@ -161,7 +161,7 @@ def _spaces(brief: Brief, plan: Plan) -> str:
 
 
 def _left_out(explanation: Explanation) -> str:
-    """What was not placed: why, and what helps."""
+    """The things not placed: why, and what helps."""
     rows = [
         (advice.space, advice.what, advice.reason, advice.remedy) for advice in explanation.left_out
     ]

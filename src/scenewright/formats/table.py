@@ -26,7 +26,7 @@ SWEET_HOME = (".sh3d", ".xml")
 
 FLAT = ("heights of rooms", "3D shapes", *JUDGED)
 DRAWN = ("hanging lamps", *FLAT)
-"""What is missing in plans."""
+"""Contents that plans cannot hold."""
 
 FORMATS = (
     Format(

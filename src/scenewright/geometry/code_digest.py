@@ -92,7 +92,7 @@ def _describe_code(code: CodeType, words: str | None = None) -> Iterator[str]:
 
 
 def _named_values(function: FunctionType) -> Iterator[tuple[str, Any]]:
-    """What a function's code names: of its closure, globals, and taken from modules."""
+    """The objects a function's code names: of its closure, globals, and taken from modules."""
     for cell in function.__closure__ or ():
         yield "cell", cell.cell_contents
     names = _names(function.__code__)

@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 STAR = 1.0
-"""What a star costs; anything between 0 and 2 folds the paper's example as printed."""
+"""Cost of a star; anything between 0 and 2 folds the paper's example as printed."""
 MOST = 2000
 """Symbols that are folded at most."""
 
@@ -55,7 +55,7 @@ def fold(symbols: Sequence[str], star: float = STAR) -> Folded:
 
 
 def cost_of(folded: Folded, star: float = STAR) -> float:
-    """What an expression costs: its symbols, and ``star`` for each repeat.
+    """The cost of an expression: its symbols, and ``star`` for each repeat.
 
     >>> cost_of(fold("ABABABC"))
     4.0

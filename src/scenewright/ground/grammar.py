@@ -115,7 +115,7 @@ def _feature(symbols: Sequence[str]) -> UnitFeature:
 def _bounds(
     frames: BuiltFrames, letters: Sequence[str]
 ) -> tuple[tuple[str, ...], tuple[str, ...], tuple[str, ...]]:
-    """What stands at the front, along the border and at the back."""
+    """The features at the front, along the border and at the back."""
     usual = float(np.angle(np.exp(4j * frames.boxes[:, 2]).mean())) / 4
     frame = np.array([*frames.boxes[:, :2].mean(0), usual, 1.0, 1.0])
     local = to_frames(frames.boxes[:, :2], frame)

@@ -19,7 +19,7 @@ class Named(Protocol):
 
     @property
     def name(self) -> str:
-        """What people call it."""
+        """The name people use for it."""
 
 
 def assign_ids(rows: Sequence[Named], word: str, key: str, place: str = "") -> tuple[str, ...]:

@@ -130,7 +130,7 @@ def grow(floor: shapely.Polygon, far: float) -> shapely.Geometry:
 
 
 def kept_free(areas: Iterable[shapely.Geometry], distance: float) -> shapely.Geometry:
-    """What lies within ``distance`` of some areas."""
+    """The floor within ``distance`` of some areas."""
     shapes = np.array(list(areas), object)
     if not len(shapes):
         return shapely.Polygon()

@@ -20,7 +20,7 @@ Floats = NDArray[np.float64]
 Ints = NDArray[np.int32]
 
 PAVED, LEAST = 0.45, 2
-"""What a metre costs that other ways use, of what it costs otherwise; rows and columns that a
+"""Cost of a metre that other ways use, as a share of the usual cost; rows and columns that a
 stretch must cross to be aslant."""
 
 
@@ -114,7 +114,7 @@ def square_off(path: Ints, slow: Floats) -> Ints:
 
 
 def _time_of_legs(slow: Floats, row: int, start: int, corner: int, end: int) -> float:
-    """What the cells along a row, then from its ``corner`` along that column, cost."""
+    """The cost of the cells along a row, then from its ``corner`` along that column."""
     first = slow[row, min(start, corner) : max(start, corner) + 1]
     second = slow[min(row, end) : max(row, end) + 1, corner]
     return float(first.sum() + second.sum())

@@ -1,4 +1,4 @@
-"""What is left of a thing below the height a picture cuts it at."""
+"""The part of a thing below the height a picture cuts it at."""
 
 from __future__ import annotations
 

@@ -238,7 +238,7 @@ def _floor(space: Space, well: shapely.Geometry, lid: float, slept_in: bool) -> 
 
 
 def _surface(surface: GroundSurface, level: str) -> RenderItem:
-    """What lies on the ground, one mesh a kind."""
+    """The surfaces of the ground, one mesh a kind."""
     meshes = [prism(outline, surface.base, surface.top, holes) for outline, holes in surface.areas]
     part = Part(SURFACES[surface.kind], *merge(meshes))
     extras: dict[str, str | float] = {"category": "surface", "function": surface.kind}
@@ -378,7 +378,7 @@ def _mesh_asset(asset: Asset | None, size: Size) -> tuple[Part, ...]:
 def _mesh_outline(
     piece: Piece, size: Size, asset: Asset | None, parts: tuple[Part, ...]
 ) -> tuple[Part, ...]:
-    """What a piece looks like over a footprint that is not its model's."""
+    """The mesh of a piece over a footprint that is not its model's."""
     if asset is not None and (found := _shape_outline(asset, size, piece.footprint)):
         return found
     w, d = size.width / 2, size.depth / 2

@@ -26,7 +26,7 @@ KERB, RAIL = 0.3, 0.9
 THICK = 0.6
 """A wall is as thick as this at most, metres."""
 COLUMN = 1.2
-"""What is built inside a room and no longer than this is a column, metres."""
+"""Greatest length of a column, metres: longer masonry inside a room is a wall."""
 LEFT = 0.6
 """Of a piece on a lowered wall at least this share stands below its top, or none is drawn: of
 curtains only their hems would show."""

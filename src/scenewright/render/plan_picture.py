@@ -50,7 +50,7 @@ USES: tuple[tuple[tuple[str, ...], Colour], ...] = (
     (("bath", "shower", "toilet", "basin", "washer"), (190, 222, 222)),
     (("desk", "vanity"), (206, 224, 186)),
 )
-"""What furniture groups are tinted by, so that plans can be told apart at a glance."""
+"""Tints of furniture groups, so that plans can be told apart at a glance."""
 OTHER: tuple[Colour, ...] = (
     (226, 214, 200),
     (198, 212, 226),
@@ -152,7 +152,7 @@ def _fill(
 
 
 def _draw_surface(page: PlanPage, surface: GroundSurface, level: str) -> None:
-    """What lies on the ground; holes are ground again."""
+    """The surfaces on the ground; holes are ground again."""
     colour = SURFACES.get(surface.kind, SURFACES["pavement"])
     for outline, holes in surface.areas:
         _fill(page, level, outline, colour)

@@ -21,11 +21,11 @@ Floats = NDArray[np.float64]
 TALL, WIDE = 1.2, 0.6
 """Height and width, metres, from which on a piece seen from behind is a blank board."""
 QUARTER = 0.12
-"""What a quarter turn costs; half a turn twice as much."""
+"""Cost of a quarter turn; half a turn costs twice that."""
 UPRIGHT = 0.95
 """Height by width from which on a scene comes out narrower than high, walls included."""
 NARROW = 10.0
-"""What a picture costs that is narrower than high by its own width."""
+"""Cost of a picture twice as high as wide."""
 
 
 def choose_turn(scene: Scene, towards: tuple[float, float, float], shape: float) -> float:

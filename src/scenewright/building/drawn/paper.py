@@ -187,7 +187,7 @@ def _without_letters(area: shapely.Geometry, paper: Paper) -> shapely.Geometry:
 
 
 def _filled(shape: Shape) -> shapely.Geometry:
-    """What a shape covers, holes by the even-odd rule."""
+    """The area of a shape, holes by the even-odd rule."""
     rings = [np.vstack([run.points for run in subpath]) for subpath in shape.subpaths if subpath]
     rings = [ring for ring in rings if len(ring) >= 3 and is_near(*ring.ravel().tolist())]
     faces = [shapely.make_valid(shapely.Polygon(ring)) for ring in rings]

@@ -197,7 +197,7 @@ class WallBrief(StrictModel):
 
 
 class Brief(StrictModel):
-    """What there is and how it is to be judged, for every domain.
+    """The space, what is fixed in it and how it is judged, for every domain.
 
     Homes and halls have ``rooms`` on ``levels``, and ``stairs`` between these. Keys that only one
     domain knows (the ``sites`` of sites) are its ``part``; in the file they stand among the others.
@@ -346,7 +346,7 @@ def _kind(info: ValidationInfo) -> Any:
 
 
 def _defaults(domain: Any, document: Mapping[str, Any]) -> dict[str, Any]:
-    """What a brief of a domain leaves out."""
+    """Defaults of a brief of a domain."""
     given = dict(domain.defaults) if domain.rooms else {"rooms": [], **domain.defaults}
     if document.get("accessible") is True:
         given["route_width"] = max(ACCESSIBLE_ROUTE, given.get("route_width", 0.0))

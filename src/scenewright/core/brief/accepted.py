@@ -1,4 +1,4 @@
-"""What the referee finds and the user accepts."""
+"""Findings of the referee that the user accepts."""
 
 from __future__ import annotations
 

@@ -26,7 +26,7 @@ NOUNS = {
     "stairs": "stairs",
     "accepted": "accepted finding",
 }
-"""What one entry of a list is called; of other keys their singular."""
+"""The name of one entry of a list; of other keys their singular."""
 DRAWN = {
     *("room", "door", "window", "wall", "stairs", "fixed item"),
     *("zone", "slope", "outlet", "radiator"),

@@ -12,13 +12,13 @@ from scenewright.core.brief.fields import Number, StrictModel, Switch
 Name = Annotated[str, Field(min_length=1, max_length=80)]
 
 OPENINGS = ("window", "door")
-"""What one may face or keep away from beside groups and kinds."""
+"""Targets to face or keep away from, besides groups and kinds."""
 NEAR, AWAY = 1.0, 2.0
 """Metres that ``near`` and ``away_from`` mean unless said."""
 NEAREST = {"window": 1.2, "door": 1.2, "wall": 0.3, "corner": 0.3}
-"""What is nearer than this stands ``by`` a window, a door or a wall, or in a corner; metres."""
+"""Metres within which a piece is ``by`` a window, a door or a wall, or in a corner."""
 SIGHT = radians(30.0)
-"""What lies within this angle of straight ahead is faced."""
+"""Angle off straight ahead within which a target is faced."""
 
 
 class WishBrief(StrictModel):

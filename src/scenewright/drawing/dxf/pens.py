@@ -52,7 +52,7 @@ def stroke_of(style: Style) -> str:
 
 
 def fill_of(style: Style) -> str:
-    """What fills a mark; black where it does not say, as in SVG."""
+    """The fill of a mark; black where it states none, as in SVG."""
     return str(style.get("fill", "#000000"))
 
 

@@ -24,7 +24,7 @@ PACKED = (("fontpkg_noto_sans", "NotoSans[[]*.ttf"), ("noto_cjk_sans_jp_regular"
 """Packages of fonts and the file of each, in the order they are tried."""
 MOST_FILES = 400
 MISSING = "?"
-"""What stands for letters that no font has."""
+"""The substitute for letters that no font has."""
 
 
 class Run(NamedTuple):

@@ -1,4 +1,4 @@
-"""What a DXF file draws: lines, arcs and words by layer, blocks taken apart."""
+"""The contents of a DXF file: lines, arcs and words by layer, blocks taken apart."""
 
 from __future__ import annotations
 

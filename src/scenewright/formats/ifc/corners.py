@@ -26,7 +26,7 @@ FLAT = frozenset(
         "IfcCartesianPoint",
     )
 )
-"""What a body of flat faces is made of, besides the lists of IFC4."""
+"""Entities that make up a body of flat faces, besides the lists of IFC4."""
 LISTED = ("IfcTriangulatedFaceSet", "IfcPolygonalFaceSet")
 Known = dict[int, np.ndarray | None]
 

@@ -41,14 +41,14 @@ SHAPED = (
 )
 """Entities whose shape in plan is read, with their subtypes."""
 STANDING = ("IfcFurnishingElement", "IfcFlowTerminal", "IfcEnergyConversionDevice")
-"""What stands in rooms: read by its convex outline, and only where it is to stay."""
+"""Classes of products in rooms: read by their convex outline, and only where they stay."""
 MOVABLE = (
     "IfcFurnishingElement",
     "IfcLightFixture",
     "IfcElectricAppliance",
     "IfcAudioVisualAppliance",
 )
-"""What is planned anew unless it is kept."""
+"""Classes that are planned anew unless kept."""
 TINY = 1e-7
 MERGE = 0.002
 """Gap in metres between faces of one product that counts as none."""
@@ -190,7 +190,7 @@ def _operation(product: Any) -> str:
 
 
 def _uses(product: Any, element: Any) -> list[str]:
-    """What property sets and classes say a space is for."""
+    """The function of a space by its property sets and classes."""
     if not product.is_a("IfcSpace"):
         return []
     sets = element.get_psets(product, psets_only=True).values()

@@ -23,7 +23,7 @@ OPENINGS = {
     "IfcOpeningElement": "opening",
     "IfcOpeningStandardCase": "opening",
 }
-"""What people call entities that pierce walls; openings are those that nothing fills."""
+"""Plain names of entities that pierce walls; openings are those that nothing fills."""
 STEP = 0.3
 """Height of an opening's lower edge up to which one walks through it, in metres."""
 

@@ -1,4 +1,4 @@
-"""What stands in the rooms of a building model, as fixed items of a brief."""
+"""Pieces in the rooms of a building model, as fixed items of a brief."""
 
 from __future__ import annotations
 

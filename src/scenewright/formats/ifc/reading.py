@@ -102,7 +102,7 @@ def brief_of(document: Row, path: Path, keep: bool = False) -> Brief:
 
 
 def _offset(products: Sequence[Row]) -> np.ndarray:
-    """What is taken off all coordinates: nothing, unless they lie far from the origin."""
+    """The offset taken off all coordinates: 0, unless they lie far from the origin."""
     corners = [row["rings"][0] for row in products if row["rings"]]
     if not corners:
         return np.zeros(2)
@@ -153,7 +153,7 @@ def _standing(
     move: np.ndarray,
     keep: bool,
 ) -> list[Fate]:
-    """What stands in rooms: built in or kept, else planned anew."""
+    """The pieces in rooms: built in or kept, else planned anew."""
     fates, taken = [], set[str]()
     for row in products:
         kind = row["kind"]
@@ -210,7 +210,7 @@ def _others(products: Sequence[Row], *, has_spaces: bool) -> list[Fate]:
 
 
 def _word(kind: str) -> str:
-    """What people call an entity.
+    """The plain name of an entity.
 
     >>> _word("IfcFlowTerminal"), _word("IfcWallStandardCase")
     ('flow terminal', 'wall')

@@ -41,7 +41,7 @@ class DrawnRoom(NamedTuple):
 
 
 def floor_of(row: Row, move: np.ndarray) -> shapely.Polygon:
-    """What a product covers in plan."""
+    """The outline of a product in plan."""
     if not row["rings"]:
         return shapely.Polygon()
     outline, *holes = (np.asarray(ring) - move for ring in row["rings"])

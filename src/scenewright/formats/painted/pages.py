@@ -27,11 +27,11 @@ NO_PLAN = re.compile(
     r"ansicht(?:en)?|schnitte?|lageplan|dachaufsicht|coupes?|alzados?|secciones|seccion|prospett[io]|"
     r"sezion[ei]|gevels?|doorsnede|fachadas?|cortes?)\b"
 )
-"""What titles call drawings that are no plans of storeys."""
+"""Words in titles of drawings that are no plans of storeys."""
 HEIGHT = re.compile(r"^([+±-])\s?(\d{1,3}[.,]\d{2})(?:\s?m)?$")
 """The height of a storey's floor, such as +2.90."""
 PLAN_WORDS = re.compile(r"\b(?:plan|grundri(?:ss|ß)|plattegrond)\b", re.IGNORECASE)
-"""What titles call plans, beside the name of a level."""
+"""Words in titles of plans, besides the name of a level."""
 
 
 class Storey(NamedTuple):

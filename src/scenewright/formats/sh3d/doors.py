@@ -19,7 +19,7 @@ NAMES = re.compile(
     r"门|門|ドア|扉|문$|window|fenetre|fenster|ventana|finestra|janela|raam\b|okno|окно|窗|窓|창|"
     r"pencere|passage|opening|ouverture|baie vitree"
 )
-"""What doors and windows are called, in plain letters."""
+"""Words for doors and windows, in plain letters."""
 THICKEST = 0.6
 """Depth of what still is a door or window in a wall, metres."""
 OFF = 0.05

@@ -15,7 +15,7 @@ from scenewright.formats.sh3d.slopes import is_sloping
 from scenewright.formats.sh3d.xml import Home, HomeLevel, HomePiece, HomeWall
 
 ROOF = 0.05
-"""What begins less below the ceiling than this is left out, metres."""
+"""Metres below the ceiling within which a piece that begins there is left out."""
 WHOLE = "part of a group that stays whole"
 CUT = 0.05
 """Share of a room's floor lost to walls and other rooms from which on it is reported."""

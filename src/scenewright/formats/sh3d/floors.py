@@ -16,9 +16,9 @@ from scenewright.formats.sh3d.xml import Home, HomeRoom, HomeWall, middle_line
 LEAST_ROOM = 0.6
 """A room that is drawn is one from here on, m²; less is a shaft or a slip of the pen."""
 LEAST_ENCLOSED = 1.0
-"""What walls enclose is a room from here on where none is drawn, m²."""
+"""Area in m² from which walls enclose a room where none is drawn."""
 LEAST_UNDRAWN = 2.0
-"""What walls enclose beside drawn rooms is a room from here on, m²: less is a shaft."""
+"""Area in m² from which walls enclose a room beside drawn ones: less is a shaft."""
 LEAST_WIDTH = 0.3
 FINEST = 0.002
 GAP = 0.15
@@ -69,7 +69,7 @@ def drawn_area(home: Home, level: str) -> float:
 def _undrawn(
     home: Home, level: str, solid: BaseGeometry, drawn: list[BaseGeometry], widest: float = PASSAGE
 ) -> list[shapely.Polygon]:
-    """What walls enclose, across gaps no wider than ``widest``, and no room covers."""
+    """The floor that walls enclose, across gaps up to ``widest``, and no room covers."""
     walls = [wall for wall in home.walls if wall.level == level]
     bands = [gap.band() for gap in find_gaps(walls, widest)]
     rooms = shapely.union_all(drawn)
@@ -120,7 +120,7 @@ def grow_shape(
 
 
 def _find_enclosed(solid: BaseGeometry) -> list[shapely.Polygon]:
-    """What the walls go around, in reading order (from the north-west).
+    """The areas the walls go around, in reading order (from the north-west).
 
     Walls that miss each other by less than GAP are taken as joined.
     """

@@ -31,7 +31,7 @@ OTHERS = {
     "property": ("setting", "a setting of Sweet Home 3D"),
     "furnitureVisibleProperty": ("setting", "a setting of Sweet Home 3D"),
 }
-"""What is not read: its kind and why."""
+"""Features that are not read: kind and reason."""
 PIECE_KINDS = {"light": "lamp", "shelfUnit": "shelf unit", "furnitureGroup": "group of furniture"}
 HIDDEN = "hidden in Sweet Home 3D"
 HIDDEN_LEVEL = "its level is hidden in Sweet Home 3D; add --hidden-levels to include it"
@@ -61,7 +61,7 @@ def every_piece(pieces: Iterable[HomePiece], level: str = "") -> Iterator[HomePi
 
 
 def kind_in_words(feature: HomeLevel | Feature) -> str:
-    """What a user calls a feature."""
+    """The name a user knows a feature by."""
     if isinstance(feature, HomePiece):
         if feature.kind == "doorOrWindow":
             return "door" if is_door(feature) else "window"

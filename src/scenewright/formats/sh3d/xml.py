@@ -278,7 +278,7 @@ def _place(e: Element) -> str:
 
 
 def place_of(feature: HomeLevel | HomeWall | HomeRoom | HomePiece) -> str:
-    """What a feature is called in its file: its name, else its id."""
+    """The name of a feature in its file, else its id."""
     return (getattr(feature, "name", "") or getattr(feature, "id", ""))[:80]
 
 

@@ -37,7 +37,7 @@ KINDS = (
 )
 PACKED = (".osm.gz", ".osm.bz2", ".kmz", ".zip")
 BESIDE = (".shx", ".dbf", ".prj", ".cpg")
-"""What lies beside a shapefile under the same name."""
+"""Files that lie beside a shapefile under the same name."""
 
 
 def kind_by_suffix(name: str) -> MapKind | None:

@@ -59,7 +59,7 @@ def _roads(city: City) -> Iterator[BuiltRoad]:
 
 
 def _area(city: City, key: str) -> shapely.Geometry:
-    """What an object covers in plan; nothing if its geometry cannot be used."""
+    """The outline of an object in plan; empty if its geometry cannot be used."""
     try:
         return plan_of_parts(parts_at(city, key))
     except InputError:

@@ -47,7 +47,7 @@ def saved_scene(document: dict[str, Any]) -> BuiltScene:
 
 
 def grown_scenes(document: Any) -> tuple[BuiltScene, BuiltScene]:
-    """What stood before and what was grown, of the document of a saved extension."""
+    """The old buildings and the grown ones of the document of a saved extension."""
     pieces = document.get("pieces") if isinstance(document, dict) else None
     rows = (
         [piece for piece in pieces if isinstance(piece, dict)] if isinstance(pieces, list) else []

@@ -28,7 +28,7 @@ from scenewright.workflow.evolution.population import BredLayout
 
 
 class MethodRun(NamedTuple):
-    """What an evolution by a method is run by."""
+    """A run of an evolution by a paper's method: the method, the matrix it breeds, the seed."""
 
     method: InteractiveMethod
     matrix: MatrixBreeder

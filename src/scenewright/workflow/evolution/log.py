@@ -71,7 +71,7 @@ class EvolutionLog:
             )
 
     def about(self) -> dict[str, str]:
-        """What the evolution is of: brief, seed, source."""
+        """The subject of the evolution: brief, seed, source."""
         with self._report_faults():
             return dict(self._base.execute("SELECT name, value FROM about").fetchall())
 

@@ -58,7 +58,7 @@ class Nursery:
         self.batch: Batch | None = None
 
     def ground(self, epoch: str) -> BreedingGround:
-        """What an epoch's candidates are bred on."""
+        """The values an epoch's candidates are bred on."""
         if epoch not in self._grounds:
             brief = self._locked(epoch) if epoch else self._brief
             plan = domains.plan_of(brief) if epoch else self._plan
@@ -81,7 +81,7 @@ class Nursery:
         return self.batch is not None and self.batch[:2] == (epoch, screen)
 
     def peek(self) -> list[tuple[int, Developed]]:
-        """What is bred so far of the batch, each with its place in it."""
+        """The candidates of the batch bred so far, each with its place in it."""
         found, parts = [], self.batch.parts if self.batch else ()
         done = [k for k, part in enumerate(parts) if part.done() and not part.cancelled()]
         for k in done:

@@ -164,7 +164,7 @@ class Evolution:
 
     @property
     def taste(self) -> PersonTaste:
-        """What was learned so far."""
+        """The taste learned so far."""
         return self._learn(self.events)
 
     def ready(self) -> bool:
