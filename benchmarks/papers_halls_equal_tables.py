@@ -27,16 +27,11 @@ def markdown_lines(told: Sequence[Row]) -> Iterator[str]:
 
 
 def page_lines(told: Sequence[Row]) -> Iterator[str]:
-    """The same for a page: all picks of the paper's presets at equal time, the referee's of the
-    others, and of the printed preset at equal layouts."""
-    shown = ("equal seconds, referee", "paper, equal layouts, referee")
-
-    def wanted(key: str) -> bool:
-        method, *rest = key.split(", ")
-        best = method in PAPER[:2] and rest[:1] == ["equal seconds"]
-        return key == OURS or best or ", ".join(rest) == shown[0] or key == shown[1]
-
-    yield from _lines(told, wanted)
+    """The same for a page: what the referee takes at equal time, and of the paper's presets what
+    their own energy takes, the best, and what is taken at equal layouts."""
+    more = {f"{name}, equal seconds, best" for name in PAPER[:2]}
+    more |= {OURS, "paper, equal seconds, own", "paper, equal layouts, referee"}
+    yield from _lines(told, lambda key: key in more or key.endswith(", equal seconds, referee"))
 
 
 def _lines(told: Sequence[Row], wanted: Any) -> Iterator[str]:
@@ -48,7 +43,7 @@ def _lines(told: Sequence[Row], wanted: Any) -> Iterator[str]:
         for key in filter(wanted, dict.fromkeys(row["baseline_name"] for row in mine)):
             rows = {row["metric"]: row for row in mine if row["baseline_name"] == key}
             cells = [f"{rows[name]['baseline']:{form}}" for name, (_, form) in HEADS.items()]
-            name = "**ours**" if key == OURS else key
+            name = "**ours**" if key == OURS else key.replace(", equal", " ·").replace(",", " ·")
             yield f"| {hall}: {name} | {' | '.join(cells)} |"
     yield ""
     yield "| verdict on ours | | |"

@@ -27,7 +27,7 @@ import numpy as np
 
 from benchmarks.comparison import ratio
 from benchmarks.kept import open_runs
-from benchmarks.papers_raters_tables import markdown_lines
+from benchmarks.papers_raters_tables import markdown_lines, page_lines
 from benchmarks.papers_raters_worlds import RatedWorld, Rater, plots_world, site_world
 from benchmarks.spread import Progress
 from scenewright.core.breeding import Genome, MatrixBreeder
@@ -36,7 +36,7 @@ from scenewright.engine.preference.interactive.crowd import CrowdRun, begin_crow
 from scenewright.engine.preference.interactive.methods import InteractiveMethod, method_named
 from scenewright.engine.preference.taste import judge, learn_taste
 
-__all__ = ["markdown_lines", "records"]
+__all__ = ["markdown_lines", "page_lines", "records"]
 
 Record = dict[str, Any]
 RATERS, QUICK, USUAL = 10, 2, 150

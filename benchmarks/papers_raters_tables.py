@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 Record = dict[str, Any]
@@ -13,7 +13,26 @@ NOTE = (
 )
 
 
-def markdown_lines(records: Sequence[Record]) -> Iterator[str]:
+SHORT = {
+    "ratings to the common level": "ratings, common level",
+    "generations to the common level": "generations",
+    "ratings to the usual method's end": "ratings, its end",
+    "reached the usual method's end": "reached",
+    "liked in the end": "liked",
+    "generations rated by the network": "by the network",
+}
+"""Columns of a table in a page."""
+
+
+def page_lines(records: Sequence[Record]) -> Iterator[str]:
+    """The same for a page, with fewer columns."""
+    kept = [row for row in records if row["metric"].split(", ", 1)[0] in SHORT]
+    yield from markdown_lines(kept, SHORT)
+
+
+def markdown_lines(
+    records: Sequence[Record], heads: Mapping[str, str] | None = None
+) -> Iterator[str]:
     """A table a case: a row a method, a column a figure."""
     yield NOTE
     for case in dict.fromkeys(row["case"] for row in records):
@@ -21,7 +40,8 @@ def markdown_lines(records: Sequence[Record]) -> Iterator[str]:
         pairs = [(*row["metric"].split(", ", 1), row) for row in rows]
         metrics = list(dict.fromkeys(metric for metric, _, _ in pairs))
         yield ""
-        yield f"| {case}, {rows[0]['runs']} | {' | '.join(metrics)} |"
+        told = [(heads or {}).get(metric, metric) for metric in metrics]
+        yield f"| {case}, {rows[0]['runs']} | {' | '.join(told)} |"
         yield "|---" * (len(metrics) + 1) + "|"
         for name in dict.fromkeys(name for _, name, _ in pairs):
             cells = [show_cell(row) for _, other, row in pairs if other == name]

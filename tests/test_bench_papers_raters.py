@@ -13,7 +13,7 @@ from benchmarks.papers_raters import (
     run_method,
     starts_of,
 )
-from benchmarks.papers_raters_tables import markdown_lines
+from benchmarks.papers_raters_tables import markdown_lines, page_lines
 from benchmarks.papers_raters_worlds import RatedWorld, plots_world, site_world
 
 
@@ -69,3 +69,4 @@ def test_levels_are_common_and_what_is_not_reached_counts_whole() -> None:
     text = "\n".join(markdown_lines(rows))
     assert "| `poor` | ≈ 2.0 ± 0.0 |" in text
     assert "| 0 of 2 |" in text
+    assert "| ratings, its end | reached | liked |" in "\n".join(page_lines(rows))
