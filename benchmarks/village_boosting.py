@@ -28,7 +28,7 @@ from scenewright.domains.village.standing import Floats
 
 Record = dict[str, Any]
 SEEDS, HOUSES, FULL_HOUSES = (3, 4, 5), 20, 70
-QUICK_SEEDS, QUICK_HOUSES, QUICK_BLOCKS = (3, 4), 4, 40
+QUICK_HOUSES, QUICK_BLOCKS = 8, 40
 FAR, DRAWS = 30.0, 2000
 """Metres that count at most, and draws of the bootstrap."""
 NET, BOOSTING, NOTHING = "net", "boosting", "proposals"
@@ -85,15 +85,14 @@ def records(
     quick: bool = False, progress: Progress | None = None, full: bool = False
 ) -> Iterator[Record]:
     """Records of each seed over the splits, then of all; houses once done are kept."""
-    seeds = QUICK_SEEDS if quick else SEEDS
     houses = QUICK_HOUSES if quick else FULL_HOUSES if full else HOUSES
     names = list(SPLITS)[:1] if quick else list(SPLITS)
     every: list[dict[str, Floats]] = []
-    for number, seed in enumerate(seeds):
+    for number, seed in enumerate(SEEDS):
         rows = []
         for k, name in enumerate(names):
             if progress:
-                progress((number + k / len(names)) / len(seeds), f"split {name}, seed {seed}")
+                progress((number + k / len(names)) / len(SEEDS), f"split {name}, seed {seed}")
             rows.append(measure_split(name, seed, houses, quick))
         every += rows
         yield from compare_methods(f"seed {seed}", rows)
