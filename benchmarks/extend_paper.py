@@ -70,3 +70,10 @@ def _record(case: str, metric: str, ours: float, base: float | None, by: str, ru
         "ratio": None if not base else round(ours / base, 3),
         "runs": runs,
     }
+
+
+def page_lines(told: list[Record]) -> Iterator[str]:
+    """A line a search."""
+    yield f"| {told[0]['case']} | |"
+    yield "|---|---|"
+    yield from (f"| {row['metric']} | {row['ours']:.3f} |" for row in told)

@@ -104,7 +104,7 @@ def tell_making(name: str, command: str, records: Sequence[Record]) -> str:
 
 
 def find_commit(root: Path = ROOT) -> str:
-    """The commit of the checkout, and whether its code has been changed since."""
+    """The commit that last changed the code, and whether it has been changed since."""
 
     def ask(*words: str) -> str:
         return subprocess.run(
@@ -112,7 +112,8 @@ def find_commit(root: Path = ROOT) -> str:
         ).stdout.strip()
 
     changed = " with changes" if ask("status", "--porcelain", "src", "benchmarks") else ""
-    return (ask("rev-parse", "--short=8", "HEAD") or "unknown") + changed
+    code = ask("log", "-1", "--format=%h", "--abbrev=8", "--", "src", "benchmarks")
+    return (code or "unknown") + changed
 
 
 def tell_machine() -> str:

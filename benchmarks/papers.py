@@ -28,6 +28,7 @@ class PaperPart(NamedTuple):
 
 PARTS = (
     PaperPart("Cao, Cheng, Zhang 2024", "papers_halls"),
+    PaperPart("Cao, Cheng, Zhang 2024, at equal budgets", "papers_halls_equal"),
     PaperPart("Liu, Jiang, Mao, Wang 2017", "papers_home"),
     PaperPart("Zhang, Yang 2023", "papers_site"),
     PaperPart("Zhang, Yang 2023; Zhang, Fei 2017", "papers_raters"),
