@@ -77,6 +77,8 @@ def run(
     interrupted."""
     from scenewright.batch import MEMORY, TIME, batch
 
+    if request.nets:
+        raise InputError("--nets is of one run", 'name them as "nets" in the briefs of a batch')
     if len(request.outputs) != 1 or _is_name_of_file(request.outputs[0]):
         raise InputError("a batch writes into one folder", "give it with -o FOLDER")
     if request.alternatives > 1:

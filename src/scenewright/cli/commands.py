@@ -193,8 +193,6 @@ def arrange(
     terms = cli_batch.BatchTerms(formats, jobs, memory, limit)
     if trace is not None and (many or alternatives > 1):
         raise InputError("--trace is of one run", "leave --batch and --alternatives out")
-    if many and nets:
-        raise InputError("--nets is of one run", 'name them as "nets" in the briefs of a batch')
     if many:
         return cli_batch.run(sources, request, terms, as_json, quiet)
     cli_batch.check_single(sources, terms)
@@ -372,13 +370,7 @@ def view(
 
     request = cli_view.ViewRequest(tuple(models), output, measure, ImportOptions(up, front))
     viewed = cli_view.view(request, terminal.console(stderr=True, quiet=quiet))
-    if as_json:
-        tables.print_json(cli_view.document(request, viewed))
-    elif not quiet:
-        console = tables.output_console()
-        tables.table(console, cli_view.select_columns(viewed), title="models", whole=("name",))
-        for line in [*cli_view.list_skipped(viewed), f"wrote {output}"]:
-            tables.print_line(console, line, "dim")
+    cli_view.tell_viewed(request, viewed, as_json, quiet)
     return 1 if viewed.skipped else 0
 
 

@@ -4,7 +4,7 @@ networks of a paper, which ``--nets`` takes."""
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
@@ -51,25 +51,16 @@ def learn(
     from scenewright.domains import learn_from
     from scenewright.formats import read_planned
 
-    own = {"size": size, "device": device, "jobs": jobs} if paper else {"look": look}
-    if not paper and (size, device, jobs) != (None, None, None):
-        raise InputError("--size, --device and --jobs are of the networks", "add --paper")
-    if paper and look is not None:
-        raise InputError("--look is of a style", "leave it or --paper out")
-    given = {"epochs": epochs, "budget": budget, "licence": licence, **own}
-    options = {
-        "seed": seed,
-        "held": tuple(hold_out or ()),
-        "kinds": tuple(kind or ()),
-        **{key: value for key, value in given.items() if value is not None},
-    }
+    options: dict[str, Any] = {"held": tuple(hold_out or ()), "kinds": tuple(kind or ())}
+    options |= {"seed": seed, "epochs": epochs, "budget": budget, "licence": licence}
+    options |= _own_options(paper, {"size": size, "device": device, "jobs": jobs}, look)
     with watching(terminal.console(stderr=True, quiet=quiet or as_json), quiet) as watch:
         learned = learn_from(
             "nets" if paper else "style",
             domain,
             sources,
             output,
-            options,
+            {key: value for key, value in options.items() if value is not None},
             lambda path: read_planned(path)[1],
             watch.progress,
             watch.cancelled,
@@ -83,6 +74,15 @@ def learn(
         done = f"wrote {output}" if learned.written else "stopped; the same command goes on"
         tables.print_line(console, f"{learned.seconds:.0f} s of training; {done}", "dim")
     return 0 if learned.written else 130
+
+
+def _own_options(paper: bool, own: dict[str, Any], look: str | None) -> dict[str, Any]:
+    """The options of networks or of a style; InputError for those of the other."""
+    if not paper and any(value is not None for value in own.values()):
+        raise InputError("--size, --device and --jobs are of the networks", "add --paper")
+    if paper and look is not None:
+        raise InputError("--look is of a style", "leave it or --paper out")
+    return own if paper else {"look": look}
 
 
 def _text(value: object) -> str:

@@ -10,6 +10,7 @@ from rich.console import Console
 
 from scenewright.catalog.models import report
 from scenewright.catalog.models.model import ImportOptions, SkippedModel
+from scenewright.cli import tables
 from scenewright.cli.progress import SolverWatch, watching
 from scenewright.core.atomic_file import check_targets
 from scenewright.core.catalog import Part
@@ -169,3 +170,14 @@ def rows(viewed: Viewed) -> list[dict[str, Any]]:
         }
         for sitter, one, share in zip(viewed.sitters, viewed.portraits, shares, strict=True)
     ]
+
+
+def tell_viewed(request: ViewRequest, viewed: Viewed, as_json: bool, quiet: bool) -> None:
+    """Print what was drawn, as a table or as one JSON document."""
+    if as_json:
+        tables.print_json(document(request, viewed))
+    elif not quiet:
+        console = tables.output_console()
+        tables.table(console, select_columns(viewed), title="models", whole=("name",))
+        for line in [*list_skipped(viewed), f"wrote {request.output}"]:
+            tables.print_line(console, line, "dim")

@@ -118,15 +118,11 @@ def arrange(
     >>> arrange("sample:home-room", steps=200).report.valid
     True
     """
-    request = ArrangeRequest(
-        os.fspath(source),
-        tuple(Path(path) for path in outputs),
-        preset,
-        solver,
-        seconds,
-        steps,
-        seed,
-        keep,
+    asked = ArrangeRequest(os.fspath(source), tuple(map(Path, outputs)), preset, solver, seconds)
+    request = asked._replace(
+        steps=steps,
+        seed=seed,
+        keep=keep,
         catalogs=tuple(catalogs),
         groups=tuple(groups),
         accessible=accessible,

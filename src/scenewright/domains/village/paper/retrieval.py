@@ -17,6 +17,7 @@ import numpy as np
 import shapely
 
 from scenewright.core.space import Points
+from scenewright.domains.village.house import rectangle_about
 from scenewright.domains.village.paper.views import base_and_door
 from scenewright.domains.village.standing import Floats, Shapes
 
@@ -109,8 +110,8 @@ def legality(shapes: Shapes, free: shapely.Geometry, standing: Shapes) -> Floats
 
 
 def door_facing(ring: Points, door: Floats, floor: shapely.Polygon) -> float:
-    """The angle in degrees, 0 to 90, between the way from a house's middle to its door and the side
-    of the block that is nearest to the door.
+    """The angle in degrees, 0 to 90, between the way from a house's middle, that of its least
+    rectangle, to its door and the side of the block that is nearest to the door.
 
     >>> floor, ring = shapely.box(0, 0, 9, 9), np.array([[4.0, 1], [6, 1], [6, 3], [4, 3]])
     >>> round(door_facing(ring, np.array([5.0, 1.0]), floor), 6)
@@ -120,7 +121,7 @@ def door_facing(ring: Points, door: Floats, floor: shapely.Polygon) -> float:
     sides = shapely.linestrings(np.stack([corners[:-1], corners[1:]], 1))
     side = int(shapely.distance(shapely.Point(door), sides).argmin())
     along = corners[side + 1] - corners[side]
-    step = door - shapely.get_coordinates(shapely.Polygon(ring).centroid)[0]
+    step = door - rectangle_about(ring)[1]
     size = np.hypot(*along) * np.hypot(*step)
     if size <= 0:
         return 0.0
