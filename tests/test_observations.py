@@ -215,10 +215,13 @@ HOSTILE = [
     (["--room", "Ballroom"], "there is no room 'Ballroom'"),
     (["--camera", "1,2"], "is no pose"),
     (["--camera", "nan,1,1,0,0"], "plain numbers"),
+    (["--camera", "1e300,1,1,0,0"], "plain numbers"),
+    (["--camera", "2,1,1,0,120"], "a pitch of -90 to 90"),
     (["--camera", "0.5,2.4,0.25,0,0"], "is inside sofa"),
     (["--camera", "5.06,1,1,0,0"], "is inside "),
     (["--camera", "2,2,-0.1,0,0"], "is inside "),
     (["--seed", "-1"], "--seed -1"),
+    (["--steps", "0"], "--steps"),
 ]
 
 
@@ -242,12 +245,14 @@ def test_folders_are_not_taken_from_others(
     sw.write(flat_solution(), tmp_path / "flat.json")
     (tmp_path / "file").write_text("mine")
     line = ["render", str(tmp_path / "flat.json"), "--size", "8x8", "--cameras", "1", "-o"]
+    assert cli.run(["render", str(tmp_path), "-o", str(tmp_path / "x")]) == 2
+    assert "is a folder; give a saved solution" in capfd.readouterr().err
     for folder, words in ((tmp_path / "file", "is not a folder"), (tmp_path, "holds other files")):
         assert cli.run([*line, str(folder)]) == 2
         assert words in capfd.readouterr().err
     assert (tmp_path / "file").read_text() == "mine"
     assert sorted(path.name for path in tmp_path.iterdir()) == ["file", "flat.json"]
-    site = ["render", "sample:site-30", "--steps", "50", "-o", str(tmp_path / "site")]
+    site = ["render", "sample:site-30", "-o", str(tmp_path / "site")]
     assert cli.run(site) == 2
     assert "the brief is of a site" in capfd.readouterr().err
 

@@ -9,6 +9,7 @@ from typing import Annotated, Any
 import typer
 
 from scenewright.cli import completion, tables, terminal
+from scenewright.cli.arguments import check_budget
 from scenewright.core.errors import InputError
 
 SceneArgument = Annotated[
@@ -55,6 +56,7 @@ def render(
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="Print nothing but errors.")] = False,
 ) -> int:
     """Observe a home or hall from inside: colour, depth, masks, normals (all unless some named)."""
+    check_budget(None, {"steps": steps})
     flags = (rgb, depth, instance, semantic, normals)
     options: dict[str, Any] = {
         "cameras": cameras,
@@ -89,7 +91,7 @@ def _observe(
 
     kinds = [kind for kind, wanted in zip(KINDS, flags, strict=True) if wanted] or KINDS
     with watching(terminal.console(stderr=True, quiet=quiet), quiet) as watch:
-        told = {"progress": watch.progress, "cancel": watch.cancelled}
+        told: dict[str, Any] = {"progress": watch.progress, "cancel": watch.cancelled}
         made = observe(source, output, kinds=kinds, **options, **told)
     return document_of(made.taken)
 

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from scenewright._version import __version__
-from scenewright.core.atomic_file import whole_together
+from scenewright.core.atomic_file import TEMPORARY, whole_together
 from scenewright.core.errors import InputError
 from scenewright.core.solution import Solution
 from scenewright.render.observations.views import Lens, Observation, Viewpoint, pose_of
@@ -75,7 +75,7 @@ def check_folder(folder: Path, kinds: Iterable[str], count: int) -> None:
         reason = getattr(error, "strerror", None) or error
         raise InputError(f"cannot be read: {reason}", "choose another", file=str(folder)) from None
     ours = {DOCUMENT, *(n for k in range(count) for n in file_names(k, kinds).values())}
-    if others := sorted(listed - ours):
+    if others := sorted(n for n in listed - ours if not TEMPORARY.fullmatch(n)):
         fault = f"holds other files, such as {others[0][:80]}"
         raise InputError(fault, "give the name of a new folder", file=str(folder))
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 from math import isfinite
 from pathlib import Path
 from typing import NamedTuple
@@ -19,19 +20,22 @@ from scenewright.core.errors import CancelledError, InputError
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Scene
 from scenewright.core.solution import Solution
-from scenewright.formats import solution_json
+from scenewright.core.space import Space
+from scenewright.formats import read_planned, solution_json
 from scenewright.formats.solution_record import FORMAT
 from scenewright.render.observations.floor import walkable_floor
 from scenewright.render.observations.trajectory import walk_through
 from scenewright.render.observations.viewpoints import choose_viewpoints, inside_of
 from scenewright.render.observations.views import KINDS, Lens, Observation, Viewpoint, observe_view
 from scenewright.render.observations.world import VisibleWorld, build_world
-from scenewright.workflow.arrange import arrange
 from scenewright.workflow.observation_files import Taken, check_folder, write_observations
 from scenewright.workflow.request import check_name
 
 USUAL, MOST_CAMERAS = 4, 10_000
 SIDES, MOST_PIXELS = (8, 4096), 4096 * 2160
+FARTHEST = 1e5
+SOLVING = 0.3
+"""The share of the work that arranging a brief is told to be."""
 OPEN = frozenset(("site", "village", "extend"))
 """Kinds of scenes without rooms to stand in."""
 
@@ -128,7 +132,7 @@ def observe(
         if output is not None:
             check_folder(Path(output), request.kinds, count)
         tell(0.0, "reading")
-        solution, plan = _solved(source, seed, steps)
+        solution, plan = _solved(source, seed, steps, tell, cancel)
         made = open_observations(solution, plan, request)
         if output is not None:
             views = _told(made, tell, cancel)
@@ -143,20 +147,34 @@ def _told(
         if cancel is not None and cancel():
             raise CancelledError
         yield view
-        tell(number / len(made.viewpoints), f"camera {number} of {len(made.viewpoints)}")
+        done = number / len(made.viewpoints)
+        tell(SOLVING + (1 - SOLVING) * done, f"camera {number} of {len(made.viewpoints)}")
 
 
 def _solved(
-    source: Solution | str | os.PathLike[str], seed: int, steps: int | None
+    source: Solution | str | os.PathLike[str],
+    seed: int,
+    steps: int | None,
+    tell: Tell,
+    cancel: Callable[[], bool] | None,
 ) -> tuple[Solution, Plan | None]:
-    """A solution as it is, from its file, or of a brief arranged."""
+    """A solution as it is, from its file, or of a brief that is solved."""
     if isinstance(source, Solution):
         return source, None
     path = Path(source)
     if path.suffix.lower() == ".json" and path.is_file() and _holds_solution(path):
         return solution_json.read_planned(path)
-    arranged = arrange(source, seed=seed, steps=steps)
-    return arranged.solution, arranged.plan
+    if path.is_dir():
+        raise InputError("is a folder", "give a saved solution or a plan", file=str(source))
+    brief, plan = read_planned(source)
+    _check_rooms(brief.domain, plan.spaces)
+    solve = domains.solve
+    told = partial(_tell_share, tell)
+    return solve(brief, plan=plan, seed=seed, steps=steps, progress=told, cancel=cancel), plan
+
+
+def _tell_share(tell: Tell, share: float, words: str) -> None:
+    tell(SOLVING * share, words)
 
 
 def _holds_solution(path: Path) -> bool:
@@ -206,7 +224,18 @@ def check_request(request: ObservationRequest) -> None:
         (0.05 <= request.eye <= 10, "--eye", request.eye, "metres above the floor, 0.05 to 10"),
         (0.05 <= request.clearance <= 1.4, "--clearance", request.clearance, "0.05 to 1.4 metres"),
         (request.seed >= 0, "--seed", request.seed, "0 or more"),
-        (all(isfinite(v) for p in request.poses for v in p), "--camera", "", "plain numbers"),
+        (
+            all(isfinite(v) and abs(v) <= FARTHEST for p in request.poses for v in p),
+            "--camera",
+            "",
+            f"plain numbers up to {FARTHEST:,.0f}",
+        ),
+        (
+            all(abs(pose[4]) <= np.pi / 2 + 1e-9 for pose in request.poses),
+            "--camera",
+            "",
+            "a pitch of -90 to 90 degrees",
+        ),
         (bool(request.kinds), "what to observe", "", ", ".join(KINDS)),
     )
     for right, name, value, wanted in checks:
@@ -219,11 +248,7 @@ def open_observations(
 ) -> Observations:
     """The world of a solution with the cameras of a request in it."""
     scene = domains.scene_of(solution, plan)
-    if not scene.spaces or any(OPEN & set(space.functions) for space in scene.spaces):
-        raise InputError(
-            f"cameras stand in rooms, but the brief is of a {solution.brief.domain}",
-            "give a home or a hall",
-        )
+    _check_rooms(solution.brief.domain, scene.spaces)
     rooms = _named_rooms(scene, request.rooms)
     world = build_world(scene, catalog_of(solution.brief.catalogs))
     given = [_by_hand(world, pose) for pose in request.poses]
@@ -240,6 +265,12 @@ def open_observations(
         if along:
             given += walk_through(floors, rooms, along, request.eye, request.clearance, rng)
     return Observations(world, tuple(given), request, solution)
+
+
+def _check_rooms(domain: str, spaces: Sequence[Space]) -> None:
+    if not spaces or any(OPEN & set(space.functions) for space in spaces):
+        fault = f"cameras stand in rooms, but the brief is of a {domain}"
+        raise InputError(fault, "give a home or a hall")
 
 
 def _named_rooms(scene: Scene, names: Sequence[str]) -> frozenset[str]:
