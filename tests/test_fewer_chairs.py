@@ -1,4 +1,5 @@
-"""A chair that cannot be drawn back may leave its table, and is told."""
+"""A chair that cannot be drawn back may leave its table, a chest the wall of a wardrobe; both are
+told."""
 
 from __future__ import annotations
 
@@ -51,3 +52,29 @@ def test_a_chair_less_is_a_loss_where_it_is_not_told():
         assert told.findings["less places"] == 0.0
         assert silent.findings["less places"] == 1.0
         assert not better(silent, before)
+
+
+NARROW = ROOM | {
+    "id": "bed",
+    "function": "bedroom",
+    "outline": [[0, 0], [2.0, 0], [2.0, 2.6], [0, 2.6]],
+    "windows": [],
+}
+
+
+def test_a_chest_makes_room_for_a_whole_wardrobe_and_is_told():
+    task = task_of(NARROW)
+    half = stand(task, "wardrobe", 0.4, 2.6, -NORTH, lambda c: c.width < 0.9)
+    chest = stand(task, "chest", 1.4, 2.6, -NORTH, lambda c: c.width <= 1.2)
+    before = answer_of(half, chest)
+    now = judge_room(task, before, before.placed)
+    assert now.findings["wardrobe"] == 1.0
+    rooms = list(MOVES["spare"](task, before, "wardrobe"))
+    assert any(better(judge_room(task, room, before.placed), now) for room in rooms)
+    for room in rooms:
+        assert [group.name for group in room.placed] == ["wardrobe"]
+        assert [missing.wish.group for missing in room.missing] == ["chest"]
+    required = before._replace(
+        placed=(half, chest._replace(wish=chest.wish._replace(required=True)))
+    )
+    assert not list(MOVES["spare"](task, required, "wardrobe"))

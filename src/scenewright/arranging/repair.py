@@ -35,8 +35,9 @@ class Repaired(NamedTuple, Generic[State]):
 class Repair(NamedTuple, Generic[State]):
     """What the loop works with: the verdict on a state (``judge``), the ``moves`` by name and those
     each row names (``by_row``; a row that is not in it names none), what tells two states apart
-    (``key``), by how much a cost falls at ``least``, and what a better state must hold besides that
-    is too dear to ask of all (``holds``)."""
+    (``key``), by how much a cost falls at ``least``, what a better state must hold besides that
+    is too dear to ask of all (``holds``), and whether a state shows itself to be no better before
+    all of its verdict is known (``worse``)."""
 
     judge: Callable[[State], Verdict]
     moves: Mapping[str, Move[State]]
@@ -44,6 +45,7 @@ class Repair(NamedTuple, Generic[State]):
     key: Callable[[State], Hashable]
     least: float = LEAST
     holds: Callable[[State], bool] | None = None
+    worse: Callable[[State, Verdict], bool] | None = None
 
 
 def repair(
@@ -69,7 +71,10 @@ def repair(
             if (key := by.key(state)) in seen:
                 continue
             seen.add(key)
-            found, weighed = by.judge(state), weighed + 1
+            weighed += 1
+            if by.worse is not None and by.worse(state, verdict):
+                continue
+            found = by.judge(state)
             if better(found, verdict, by.least) and (by.holds is None or by.holds(state)):
                 steps.append(Step(row, move, _gain(verdict, found)))
                 now, verdict = state, found

@@ -5,14 +5,13 @@ Every box is (x, y, heading, width, depth), its front looking into the room.
 
 from __future__ import annotations
 
-from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from scenewright.core.same import Same
+from scenewright.core.same import once
 from scenewright.core.space import Opening, Space, StairEnd
 
 Floats = NDArray[np.float64]
@@ -42,16 +41,12 @@ def edges_of(space: Space) -> Floats:
     return np.concatenate([np.hstack([ring, np.roll(ring, -1, 0)]) for ring in rings])
 
 
+@once(256)
 def gates(space: Space) -> tuple[DoorApproach, ...]:
-    """The openings of a space with the wall face and inward normal they have here."""
-    return _gates(Same(space))
-
-
-@lru_cache(maxsize=256)
-def _gates(same: Same[Space]) -> tuple[DoorApproach, ...]:
-    """The same, of the same space made once."""
-    walls = edges_of(same.value)
-    return tuple(_gate(opening, walls) for opening in same.value.openings)
+    """The openings of a space with the wall face and inward normal they have here; of the same
+    space made once."""
+    walls = edges_of(space)
+    return tuple(_gate(opening, walls) for opening in space.openings)
 
 
 def _gate(opening: Opening, walls: Floats) -> DoorApproach:

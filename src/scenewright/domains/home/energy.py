@@ -10,7 +10,7 @@ import numpy as np
 
 from scenewright.building.ceiling import BENDING, low_floor, strips
 from scenewright.core.layout import Layout
-from scenewright.core.same import Same
+from scenewright.core.same import once
 from scenewright.domains.home.problem import Ground, Items, KnownGround, Problem, known_ground
 from scenewright.domains.home.terms.assemble import Costs, Ints, PreparedHome, measure, measure_next
 from scenewright.domains.home.terms.orientation import inward
@@ -118,14 +118,9 @@ def _prepare_ground(known: KnownGround) -> PreparedGround:
     )
 
 
+@once(64)
 def prepare(problem: Problem) -> PreparedHome:
     """Arrays and weights of a problem, ready for compiled code; of the same value made once."""
-    return _prepare(Same(problem))
-
-
-@lru_cache(maxsize=64)
-def _prepare(same: Same[Problem]) -> PreparedHome:
-    problem = same.value
     ground, items = problem.ground, problem.items
     weights = read_weights(problem.weights, problem.printed)
     fixed = _prepare_ground(known_ground(ground))

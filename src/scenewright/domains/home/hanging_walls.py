@@ -2,23 +2,16 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
-
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.core.same import Same
+from scenewright.core.same import once
 from scenewright.domains.home.problem import Ground
 from scenewright.geometry.arcs import true_walls
 
 
+@once(64)
 def hanging_walls(ground: Ground) -> NDArray[np.float64]:
     """The walls ``(w, 4)`` of a ground that are no chords, or chords of nearly straight curves; of
     the same ground found once."""
-    return _hanging(Same(ground))
-
-
-@lru_cache(maxsize=64)
-def _hanging(same: Same[Ground]) -> NDArray[np.float64]:
-    ground = same.value
     return true_walls(ground.walls, ground.edges)

@@ -7,13 +7,12 @@ Sides are numbered 0 front, 1 left, 2 back, 3 right (quarter turns from the head
 
 from __future__ import annotations
 
-from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.core.same import Same
+from scenewright.core.same import once
 from scenewright.domains.home.settings import HomeSettings
 
 FLUSH = 0.02
@@ -78,14 +77,10 @@ class KnownGround:
         return isinstance(other, KnownGround) and self.key == other.key
 
 
+@once(256)
 def known_ground(ground: Ground) -> KnownGround:
     """The ground with what it is recognized by; of the same value this is made once."""
-    return _know(Same(ground))
-
-
-@lru_cache(maxsize=256)
-def _know(same: Same[Ground]) -> KnownGround:
-    return KnownGround(same.value)
+    return KnownGround(ground)
 
 
 class Items(NamedTuple):

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from scenewright.building.ceiling import lowest
 from scenewright.core.catalog import Catalog, Group
-from scenewright.core.same import Same
+from scenewright.core.same import once
 from scenewright.domains.home.furnishing.furnish import SLACK, needed_of, world
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles
 from scenewright.domains.home.furnishing.whole import list_grounded
@@ -50,14 +50,9 @@ class WallRows(NamedTuple):
     length: float
 
 
+@once(64)
 def read_walls(ground: Ground) -> WallRows:
     """The walls of a ground, of the same one read once."""
-    return _read_walls(Same(ground))
-
-
-@lru_cache(maxsize=64)
-def _read_walls(same: Same[Ground]) -> WallRows:
-    ground = same.value
     start, way = ground.walls[:, :2], ground.walls[:, 2:] - ground.walls[:, :2]
     length = np.hypot(way[:, 0], way[:, 1])
     unit = way / np.maximum(length, TINY)[:, None]

@@ -12,7 +12,7 @@ or made with the furniture of its catalogues.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from functools import cache, lru_cache
+from functools import cache
 from types import MappingProxyType
 from typing import NamedTuple
 
@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.core.catalog import Group
-from scenewright.core.same import Same
+from scenewright.core.same import once
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.learned.habits import NONE, Habits
 
@@ -153,14 +153,13 @@ def find_preferred_case(function: str, area: float, library: Library = SHIPPED) 
     found = cases(function, library)
     if np.isfinite(found.areas).any():
         return found.groups[int(np.nanargmin(np.abs(np.log(found.areas / area))))]
-    order = _order_by_footprint(Same(found))
+    order = _order_by_footprint(found)
     share = min(max((area - small) / (large - small), 0.0), 1.0)
     return found.groups[order[round(share * (len(order) - 1))]]
 
 
-@lru_cache(maxsize=256)
-def _order_by_footprint(known: Same[Cases]) -> list[int]:
+@once(256)
+def _order_by_footprint(found: Cases) -> list[int]:
     """The numbers of cases, the smallest first; of those a user has real models of, if any."""
-    found = known.value
     order = np.argsort(found.sizes.prod(-1), kind="stable")
     return (order[found.real[order]] if found.real.any() else order).tolist()

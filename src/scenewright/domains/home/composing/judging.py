@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import lru_cache
-from math import isnan, nan
 from typing import NamedTuple
 
 import numpy as np
@@ -12,7 +11,7 @@ from numpy.typing import NDArray
 from shapely import Polygon
 
 from scenewright.catalog.classes import BEDS
-from scenewright.core.same import Same
+from scenewright.core.same import Same, once
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, build_task_problem, floor_of
 from scenewright.domains.home.composing.bed_ways import cost_of_bed_ways
 from scenewright.domains.home.composing.kitchen_faults import cost_of_places
@@ -71,17 +70,14 @@ class RoomJudge(NamedTuple):
         """Energies ``(P,)`` of boxes ``(P, n, 5)`` of the groups in their order."""
         return energies_of(self.prepared, self.grid, layouts)[0]
 
-    def cost_of(
-        self, placed: Placed, known: tuple[float, ...] = (), energy: float | None = None
-    ) -> JudgedRoom:
-        """The groups with what they cost: energy, lost pieces, and faults of composition; ``known``
-        is what each group costs alone, NaN where that is to be computed, ``energy`` that of the
-        layout, if it is known."""
+    def cost_of(self, placed: Placed, energy: float | None = None) -> JudgedRoom:
+        """The groups with what they cost: energy (that of the layout, if it is known), lost pieces,
+        and faults of composition."""
         task, rule = self.task, self.task.preset.settings.composing
         if energy is None:
             energy = float(self.energies_of(np.array([[p.dressed.box for p in placed]]))[0])
         lost = task.costs.piece * sum(p.dressed.lost for p in placed)
-        room = lost + sum_faults(task, placed, known) + task.costs.unmet * count_unmet(task, placed)
+        room = lost + sum_faults(task, placed) + task.costs.unmet * count_unmet(task, placed)
         if task.share is not None:
             room += rule.costs.share * abs(share_of(task, placed) - task.share)
         if task.library.habits.clearances:
@@ -94,7 +90,7 @@ class RoomJudge(NamedTuple):
             return []
         layouts = np.array([[p.dressed.box for p in placed] for placed in rooms])
         energies = self.energies_of(layouts).tolist()
-        return [self.cost_of(each, (), e) for each, e in zip(rooms, energies, strict=True)]
+        return [self.cost_of(each, e) for each, e in zip(rooms, energies, strict=True)]
 
 
 def find_run(placed: Placed) -> Placed:
@@ -102,25 +98,19 @@ def find_run(placed: Placed) -> Placed:
     return tuple(p for p in placed if p.wish.group in RUNS)[:1]
 
 
-def cost_each(task: RoomTask, placed: Placed) -> tuple[float, ...]:
-    """The cost of the faults of each group alone."""
-    rule = task.preset.settings.composing
-    return tuple(cost_of_group(p, task.ground, rule) for p in placed)
+def sum_faults(task: RoomTask, placed: Placed) -> float:
+    """What the faults of composition cost of groups as they stand."""
+    return sum(cost_by_row(task, placed).values())
 
 
-def sum_faults(task: RoomTask, placed: Placed, known: tuple[float, ...] = ()) -> float:
-    """What the faults of composition cost of groups as they stand; ``known`` as in
-    :meth:`RoomJudge.cost_of`."""
-    return sum(cost_by_row(task, placed, known).values())
-
-
-def cost_by_row(task: RoomTask, placed: Placed, known: tuple[float, ...] = ()) -> dict[str, float]:
+@once(512)
+def cost_by_row(task: RoomTask, placed: Placed) -> Mapping[str, float]:
     """What each fault of composition costs: of groups by themselves, of groups beside one another
-    by the ids of their rows; only what kinds of pieces there are can bring about is looked at."""
+    by the ids of their rows; only what kinds of pieces there are can bring about is looked at. Of
+    the same groups found once."""
     rule, ground = task.preset.settings.composing, task.ground
     kinds, costs = {p.category for g in placed for p in g.pieces}, rule.costs
-    pairs = zip(placed, known or (nan,) * len(placed), strict=True)
-    rows = {"groups": sum(cost_of_group(p, ground, rule) if isnan(c) else c for p, c in pairs)}
+    rows = {"groups": sum(cost_of_group(p, ground, rule) for p in placed)}
     if is_mere_kitchen(task):
         rows["places"] = cost_of_places(placed, ground, costs.few_places)
     rows["shelves"] = cost_of_shelves(placed, ground, costs.shelves)

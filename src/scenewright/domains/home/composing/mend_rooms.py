@@ -17,7 +17,7 @@ from scenewright.domains.home.composing.homewide.settling import try_in_home
 from scenewright.domains.home.composing.room_moves import MOVES
 from scenewright.domains.home.composing.seats.unseen import leave_out_unseen_screen
 from scenewright.domains.home.composing.spacing.leave_out import leave_out_near
-from scenewright.domains.home.composing.verdict import judge_room
+from scenewright.domains.home.composing.verdict import finds_more, judge_room
 from scenewright.domains.home.remove_blockers import Opened
 
 LEAST = 3.0  # by how much a room is to cost less, where nothing is found less
@@ -29,7 +29,7 @@ MOVES_OF = {
     "window": ("elsewhere", "reorder", "pair", "amid", "remake"),
     "adrift": ("elsewhere", "pair"),
     "door": ("elsewhere", "exchange", "leave out"),
-    "wardrobe": ("elsewhere", "pair", "exchange"),
+    "wardrobe": ("elsewhere", "pair", "exchange", "spare"),
     "seats": ("elsewhere",),
     "unseen": ("elsewhere", "amid"),
     "one_side": ("elsewhere", "pair"),
@@ -72,6 +72,7 @@ def _mend(room: int, task: RoomTask, found: list[RoomAnswer], opened: Opened) ->
         key=_key_of,
         least=LEAST,
         holds=holds,
+        worse=lambda answer, now: finds_more(task, answer, start.placed, now.findings),
     )
     done = repair(by, start, BUDGET, task.cancelled)
     return [done.state if k == room else other for k, other in enumerate(found)]

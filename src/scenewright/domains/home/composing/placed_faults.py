@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import lru_cache
 from math import atan2, cos, hypot, sin
 
 import numpy as np
@@ -11,7 +10,7 @@ from numpy.typing import NDArray
 
 from scenewright.catalog.classes import SOFAS
 from scenewright.core.catalog import Group
-from scenewright.core.same import Same
+from scenewright.core.same import once
 from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import FurnishedGroup
 from scenewright.domains.home.composing.bed_places import place_member
@@ -35,28 +34,20 @@ FARTHEST = 3.1  # most of its widths from which a screen is watched
 DARK = 0.09  # metres of a window that may be covered before its light is taken
 
 
+@once(1024)
 def cost_of_group(group: FurnishedGroup, ground: Ground, rule: ComposingSettings) -> float:
     """What is wrong with one group as it stands, each fault half for being there and half by its
     degree, by the costs of ``rule``; of the same group on the same ground found once."""
-    return _cost_of_group(Same(group), Same(ground), Same(rule))
-
-
-@lru_cache(maxsize=256)
-def _cost_of_group(
-    known: Same[FurnishedGroup], on: Same[Ground], by: Same[ComposingSettings]
-) -> float:
-    """The same."""
-    group, ground, rule = known.value, on.value, by.value
     faults = list_faults(compile_table(LONE, rule.costs), (group,), (), ground)
     standing = sum(fault.cost for fault in faults)
     return standing + cost_of_case(list_standing(group), ground.area, rule)
 
 
-@lru_cache(maxsize=64)
-def _read_strips(same: Same[Ground]) -> list[tuple[list[float], bool, float]]:
+@once(64)
+def _read_strips(ground: Ground) -> list[tuple[list[float], bool, float]]:
     """The floor before openings: each strip, whether it is a window's, and how far its corners are
     from its middle, metres."""
-    return [(s, s[5] == 1.0, hypot(s[3], s[4]) / 2) for s in same.value.strips.tolist()]
+    return [(s, s[5] == 1.0, hypot(s[3], s[4]) / 2) for s in ground.strips.tolist()]
 
 
 def list_standing(group: FurnishedGroup) -> Group:
@@ -79,9 +70,10 @@ def _metres_before(piece: Piece, strip: Sequence[float]) -> float:
     return float(common_area(frame, make_frame(*strip[:5])) / strip[4])
 
 
+@once(1024)
 def measure_before_doors(group: FurnishedGroup, ground: Ground) -> float:
     """Metres of wide doors and passages that a group stands before, each from :data:`SEEN` on."""
-    doors = [strip for strip, window, _ in _read_strips(Same(ground)) if not window]
+    doors = [strip for strip, window, _ in _read_strips(ground) if not window]
     low = [p for p in group.pieces if p.pose.z <= AT_WALL and p.category != "rug"]
     metres = (_metres_before(piece, door) for piece in low for door in doors)
     return sum(found for found in metres if found > SEEN)
@@ -90,7 +82,7 @@ def measure_before_doors(group: FurnishedGroup, ground: Ground) -> float:
 def measure_hung_over_doors(group: FurnishedGroup, ground: Ground) -> float:
     """Metres of wide doors and passages over which what a group hangs at a wall reaches: nothing
     holds it there."""
-    doors = [strip for strip, window, _ in _read_strips(Same(ground)) if not window]
+    doors = [strip for strip, window, _ in _read_strips(ground) if not window]
     hung = [p for p in group.pieces if p.pose.z > AT_WALL and not p.on]
     deep = ((p, door, min(door[4], p.size.depth)) for p in hung for door in doors)
     return sum(_metres_before(piece, door) * door[4] / depth for piece, door, depth in deep)
@@ -177,10 +169,11 @@ def list_adrift(groups: Sequence[FurnishedGroup], ground: Ground) -> list[Piece]
     return [bed for bed, gap in zip(beds, gaps, strict=True) if gap > AT_WALL]
 
 
+@once(1024)
 def measure_before_windows(group: FurnishedGroup, ground: Ground) -> Floats:
     """Metres (w,) of each of the windows in walls before which one piece of a group stands that
     takes its light."""
-    panes = [strip for strip, window, _ in _read_strips(Same(ground)) if window]
+    panes = [strip for strip, window, _ in _read_strips(ground) if window]
     low = [p for p in group.pieces if _takes_light(p.category, p.pose.z)]
     each = [[_metres_before(piece, pane) for pane in panes] for piece in low]
     return np.array(each).reshape(len(low), len(panes)).max(axis=0, initial=0.0)

@@ -214,9 +214,24 @@ def _list_without(task: RoomTask, answer: RoomAnswer, row: str) -> Iterator[Room
     for at in list_subjects(task, answer.placed, row):
         wish = answer.placed[at].wish
         if wish.group == "plant" and wish.rank >= WELCOME and not wish.required:
-            rest = tuple(p for k, p in enumerate(answer.placed) if k != at)
-            lost = Missing(wish, "it would stand before a wide door")
-            yield answer._replace(placed=rest, missing=(*answer.missing, lost))
+            yield _leave_out(answer, at, "it would stand before a wide door")
+
+
+def _list_spared(task: RoomTask, answer: RoomAnswer, row: str) -> Iterator[RoomAnswer]:
+    """The room with its wardrobe, or that and its bed, elsewhere without a chest of drawers that
+    nobody asked for."""
+    for at, group in enumerate(answer.placed):
+        if group.wish.group == CHEST and not group.wish.required:
+            less = _leave_out(answer, at, "it makes room for a whole wardrobe")
+            yield from _list_elsewhere(task, less, row)
+            yield from _list_pairs(task, less, row)
+
+
+def _leave_out(answer: RoomAnswer, at: int, reason: str) -> RoomAnswer:
+    """The room without a group that is told as one that is merely welcome."""
+    lost = Missing(answer.placed[at].wish._replace(rank=WELCOME, core=False), reason)
+    rest = (*answer.placed[:at], *answer.placed[at + 1 :])
+    return answer._replace(placed=rest, missing=(*answer.missing, lost))
 
 
 MOVES: dict[str, Callable[[RoomTask, RoomAnswer, str], Iterator[RoomAnswer]]] = {
@@ -229,4 +244,5 @@ MOVES: dict[str, Callable[[RoomTask, RoomAnswer, str], Iterator[RoomAnswer]]] = 
     "fewer": _list_fewer,
     "exchange": _list_exchanged,
     "leave out": _list_without,
+    "spare": _list_spared,
 }

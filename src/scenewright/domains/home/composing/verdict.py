@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping
 
 import numpy as np
 
-from scenewright.arranging.verdict import Verdict
+from scenewright.arranging.verdict import LEAST, Verdict
 from scenewright.catalog.assets.cooking import UNDER_WORKTOP
 from scenewright.catalog.classes import TABLE_SEATS, WORKTOP
+from scenewright.core.same import once
 from scenewright.core.scene import Piece
-from scenewright.domains.home.attempt import RoomAnswer, RoomTask, penalty
+from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask, penalty
 from scenewright.domains.home.composing.bed_sides import count_closed_beds
 from scenewright.domains.home.composing.case_faults import count_seats, find_case_faults
 from scenewright.domains.home.composing.judging import Placed, cost_by_row, count_unmet, judge_of
@@ -41,6 +43,8 @@ OF_CASES = (
 """Faults of cases that nothing else is worth."""
 LESS = {"worktop": 0.1, "storage": 0.1}
 """By how much less of each is not less, metres."""
+HELD = ("worktop", "storage", "seats", "places", "bed")
+"""What rooms are to hold no less of."""
 FEWER = "a chair less stands at it: it could not be drawn back"
 BED_ENOUGH = {"double_bed": (1.4, 1.9), "single_bed": (0.8, 1.9), "bunk_bed": (0.8, 1.9)}
 """Beds as wide and as long are long and wide enough, metres."""
@@ -57,16 +61,44 @@ def judge_room(task: RoomTask, answer: RoomAnswer, before: Placed = ()) -> Verdi
     return Verdict(
         lost=sum(penalty(m.wish, costs) for m in answer.missing if m.wish.rank < WELCOME)
         + costs.piece * (len(answer.gone) + sum(p.dressed.lost for p in placed)),
-        findings=find_rows(task, placed) | _find_less(answer, before),
-        cost=cost_by_row(task, placed) | {"energy": costs.energy * energy, "nearness": NEAR * near},
+        findings=dict(_list_findings(task, answer, before)),
+        cost={
+            **cost_by_row(task, placed),
+            "energy": costs.energy * energy,
+            "nearness": NEAR * near,
+        },
     )
+
+
+def finds_more(
+    task: RoomTask, answer: RoomAnswer, before: Placed, findings: Mapping[str, float]
+) -> bool:
+    """Whether there is more of something in a room than there is in ``findings``: what a room is
+    refused for, whatever it costs."""
+    return any(
+        found > findings.get(row, 0.0) + LEAST
+        for row, found in _list_findings(task, answer, before)
+    )
+
+
+def _list_findings(
+    task: RoomTask, answer: RoomAnswer, before: Placed
+) -> Iterator[tuple[str, float]]:
+    """What an eye finds in a room, and what its groups hold less than before, by row."""
+    yield from _find_less(answer, before).items()
+    yield from _list_rows(task, answer.placed)
 
 
 def find_rows(task: RoomTask, placed: Placed) -> dict[str, float]:
     """What an eye finds in a room, by row."""
-    found = {name: count(task, placed) for name, count in FINDINGS.items()}
-    cases = [find_case_faults(list_standing(p)) for p in placed]
-    return found | {name: float(sum(name in dict(f) for f in cases)) for name in OF_CASES}
+    return dict(_list_rows(task, placed))
+
+
+def _list_rows(task: RoomTask, placed: Placed) -> Iterator[tuple[str, float]]:
+    """The same, what is told at once first."""
+    cases = Counter(name for p in placed for name, _ in find_case_faults(list_standing(p)))
+    yield from ((name, float(cases[name])) for name in OF_CASES)
+    yield from ((name, count(task, placed)) for name, count in FINDINGS.items())
 
 
 def _count_near(task: RoomTask, placed: Placed) -> float:
@@ -81,7 +113,6 @@ def _count_windows(task: RoomTask, placed: Placed) -> float:
 
 FINDINGS: Mapping[str, Callable[[RoomTask, Placed], float]] = {
     "window": _count_windows,
-    "near": _count_near,
     "adrift": lambda task, placed: float(len(list_adrift(placed, task.ground))),
     "door": lambda task, placed: sum(measure_before_doors(p, task.ground) for p in placed),
     "closed bed": lambda task, placed: float(count_closed_beds(placed, task.ground)),
@@ -90,6 +121,7 @@ FINDINGS: Mapping[str, Callable[[RoomTask, Placed], float]] = {
     "far fridge": lambda _, placed: float(has_far_fridge(placed)),
     "loose cabinet": lambda _, placed: float(len(list_loose(placed))),
     "wish": lambda task, placed: float(count_unmet(task, placed)),
+    "near": _count_near,
 }
 """What an eye finds in a room whatever it costs: how many there are, of doors metres."""
 
@@ -111,14 +143,20 @@ def measure_held(placed: Placed) -> dict[str, float]:
     >>> measure_held(())["seats"]
     0
     """
-    pieces = [p for g in placed for p in g.pieces]
-    return {
-        "worktop": sum(p.size.width for p in pieces if _has_worktop(p)),
-        "storage": sum(p.size.width for p in pieces if p.category in STORING),
-        "seats": sum(count_seats(list_standing(g)) for g in placed),
-        "places": sum(p.category in TABLE_SEATS for p in pieces),
-        "bed": sum(map(_measure_bed, pieces)),
-    }
+    held = [_measure_held(group) for group in placed]
+    return {name: sum(each[k] for each in held) for k, name in enumerate(HELD)}
+
+
+@once(1024)
+def _measure_held(group: FurnishedGroup) -> tuple[float, ...]:
+    """What one group holds, in the order of :data:`HELD`."""
+    return (
+        sum(p.size.width for p in group.pieces if _has_worktop(p)),
+        sum(p.size.width for p in group.pieces if p.category in STORING),
+        count_seats(list_standing(group)),
+        sum(p.category in TABLE_SEATS for p in group.pieces),
+        sum(map(_measure_bed, group.pieces)),
+    )
 
 
 def _measure_bed(piece: Piece) -> float:

@@ -13,7 +13,7 @@ from scenewright.arranging.degrees import HEADING, KIND, NUMBER, THINGS, RoomPar
 from scenewright.arranging.row_arrays import Table, compile_rows
 from scenewright.arranging.rows import DOORS, OPENINGS, PANES, TURNS, WINDOWS, Row, is_lone
 from scenewright.arranging.weighing import Broken, weigh
-from scenewright.core.same import Same
+from scenewright.core.same import once
 from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import FurnishedGroup
 from scenewright.domains.home.problem import Ground
@@ -53,15 +53,11 @@ class Fault(NamedTuple):
     cost: float
 
 
+@once(64)
 def compile_table(rows: tuple[Row, ...], costs: CompositionCosts | None = None) -> Table:
     """The rows compiled with the costs of a preset, of the same rows once; without costs those
     that have a name are 1."""
-    return _compile(Same(rows), costs)
-
-
-@lru_cache(maxsize=64)
-def _compile(known: Same[tuple[Row, ...]], costs: CompositionCosts | None) -> Table:
-    return compile_rows(known.value, {} if costs is None else costs._asdict())
+    return compile_rows(rows, {} if costs is None else costs._asdict())
 
 
 @lru_cache(maxsize=8)
@@ -102,11 +98,11 @@ def list_faults(
 ) -> list[Fault]:
     """The rows of a table that do not hold among groups, what is there already (``fixed``) and the
     parts of a room, in the order of the table."""
-    each = [read_group(Same(group), Same(table)) for group in groups]
+    each = [read_group(group, table) for group in groups]
     sizes = [len(one) for one in each]
-    things = np.concatenate((*each, read_fixed(Same(fixed), Same(table))))
+    things = np.concatenate((*each, read_fixed(fixed, table)))
     things[: sum(sizes), NUMBER] = np.repeat(np.arange(len(groups)), sizes)
-    room = NOWHERE if ground is None else read_room(Same(ground))
+    room = NOWHERE if ground is None else read_room(ground)
     broken = weigh(table, things, room)
     if not broken:
         return []
@@ -120,10 +116,9 @@ def _name(broken: Broken, names: Sequence[tuple[str, str]]) -> str:
     return names[broken.other][0] if broken.other >= 0 else ""
 
 
-@lru_cache(maxsize=512)
-def read_group(known: Same[FurnishedGroup], by: Same[Table]) -> Floats:
+@once(2048)
+def read_group(group: FurnishedGroup, table: Table) -> Floats:
     """The things (n, 10) of a group: its pieces, then its floor as a whole."""
-    group, table = known.value, by.value
     kinds, other = table.kinds, len(table.kinds) + 1
     function = table.groups.get(group.wish.group, other)
     rows = [_read_piece(p, kinds.get(p.category, 0), function) for p in group.pieces]
@@ -132,11 +127,11 @@ def read_group(known: Same[FurnishedGroup], by: Same[Table]) -> Floats:
     return np.array([*rows, [*group.dressed.box.tolist(), 0.0, 0.0, function, 0.0, 1.0]])
 
 
-@lru_cache(maxsize=64)
-def read_fixed(known: Same[Sequence[Piece]], by: Same[Table]) -> Floats:
+@once(64)
+def read_fixed(pieces: Sequence[Piece], table: Table) -> Floats:
     """The things (n, 10) of what is there already."""
-    kinds, other = by.value.kinds, len(by.value.kinds) + 1
-    rows = [_read_piece(p, kinds.get(p.category, 0), other) for p in known.value]
+    kinds, other = table.kinds, len(table.kinds) + 1
+    rows = [_read_piece(p, kinds.get(p.category, 0), other) for p in pieces]
     things = np.array(rows).reshape(len(rows), THINGS)
     things[:, NUMBER] = -1.0
     return things
@@ -147,10 +142,9 @@ def _read_piece(piece: Piece, kind: int, function: int) -> list[float]:
     return [x, y, heading, width, depth, z, kind, function, 0.0, 0.0]
 
 
-@lru_cache(maxsize=64)
-def read_room(known: Same[Ground]) -> RoomParts:
+@once(64)
+def read_room(ground: Ground) -> RoomParts:
     """The parts of a room."""
-    ground = known.value
     panes = ground.windows[:, :5]
     parts = [(ground.keep_free, DOORS), (panes, PANES)]
     for part, window in ((WINDOWS, 1.0), (OPENINGS, 0.0)):

@@ -8,14 +8,13 @@ change stays where the exact ways of the whole home are as open as before.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from functools import lru_cache
 from itertools import islice
 
 import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.core.catalog import Group
-from scenewright.core.same import Same
+from scenewright.core.same import once
 from scenewright.domains.home.attempt import (
     FurnishedGroup,
     Missing,
@@ -123,7 +122,7 @@ def list_sound(
         harm = _measure_harm(task, placed, rest)
         if any(a > b + ROUNDING for a, b in zip(harm, most, strict=True)):
             continue
-        barred = _find_barred(Same(task), Same(before)) if barred is None else barred
+        barred = _find_barred(task, before) if barred is None else barred
         if bars_no_more(with_narrow_ways(task), placed, barred):
             if measure_closeness((added,), (), task.ground) > 0.0:
                 wedged.append(placed)
@@ -132,10 +131,10 @@ def list_sound(
     yield from wedged
 
 
-@lru_cache(maxsize=32)
-def _find_barred(task: Same[RoomTask], before: Same[Placed]) -> frozenset[str]:
+@once(32)
+def _find_barred(task: RoomTask, before: Placed) -> frozenset[str]:
     """What no way reaches in a room as it stands, on a grid with narrower ways."""
-    return frozenset(find_blocked(with_narrow_ways(task.value), before.value))
+    return frozenset(find_blocked(with_narrow_ways(task), before))
 
 
 def _measure_harm(task: RoomTask, placed: Placed, rest: Placed) -> tuple[float, ...]:

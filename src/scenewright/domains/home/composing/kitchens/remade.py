@@ -46,10 +46,11 @@ ACROSS = 1.0
 Faults = tuple[int, ...]
 
 
-def list_remade(task: RoomTask, before: RoomAnswer, _: str) -> Iterator[RoomAnswer]:
+def list_remade(task: RoomTask, before: RoomAnswer, row: str) -> Iterator[RoomAnswer]:
     """The room with other kitchens: the fridge at an end of its run, then kitchens made to
-    measure."""
-    place = take_place(task, before)
+    measure; for a window only where the kitchen itself stands before one."""
+    _, taken, _ = find_faults(task, before.placed)
+    place = take_place(task, before) if taken or row != "window" else None
     if place is not None:
         yield from chain.from_iterable(_list_traded(task, before))
         yield from chain.from_iterable(_list_make_ups(task, place, before))

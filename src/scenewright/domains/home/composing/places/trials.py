@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from heapq import heappop, heappush
 from itertools import islice
-from math import hypot, inf, isnan, nan
+from math import hypot, inf
 from typing import NamedTuple
 
 import numpy as np
@@ -19,7 +19,8 @@ from numpy.typing import NDArray
 from scenewright.core.catalog import Group
 from scenewright.domains.home.attempt import RoomTask, bars_no_more
 from scenewright.domains.home.composing.bed_places import are_adrift
-from scenewright.domains.home.composing.judging import JudgedRoom, Placed, RoomJudge, cost_each
+from scenewright.domains.home.composing.judging import JudgedRoom, Placed, RoomJudge
+from scenewright.domains.home.composing.placed_faults import cost_of_group
 from scenewright.domains.home.composing.places.forms import cost_of_case
 from scenewright.domains.home.composing.places.moving import dress_group, find_places, with_margin
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
@@ -76,15 +77,15 @@ def try_forms(
     others = (*task.fixed, *task.beside, *(q for p in rest for q in p.pieces))
     standing = standing_of(others, flat_kinds(task.catalog))
     places = list(islice(find_places(task, cases, standing, group), forms))
-    known = tuple(nan if i == at else c for i, c in enumerate(cost_each(task, placed)))
 
     def furnish(trial: FormTrial) -> JudgedRoom | None:
         dressed = dress_group(task, group, trial.case, trial.box, standing)
         if dressed is None:
             return None
-        return judge.cost_of((*placed[:at], dressed, *placed[at + 1 :]), known, trial.energy)
+        return judge.cost_of((*placed[:at], dressed, *placed[at + 1 :]), trial.energy)
 
-    faults = sum(c for c in known if not isnan(c))
+    rule = task.preset.settings.composing
+    faults = sum(cost_of_group(p, task.ground, rule) for i, p in enumerate(placed) if i != at)
     trials = _list_trials(judge, placed, at, places, faults) if places else []
     return furnish_by_cost([t for t in trials if t.least <= most + ROUNDING], furnish)
 

@@ -5,13 +5,12 @@ doors whose own leaf, once it is open, leaves no way on.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.core.piece_outlines import boxes_of
-from scenewright.core.same import Same
+from scenewright.core.same import once
 from scenewright.core.scene import Piece
 from scenewright.domains.home.problem import Ground
 from scenewright.domains.home.ways import find_shut_off, walk_floor
@@ -41,24 +40,24 @@ def cost_of_shut_off(pieces: Sequence[Piece], ground: Ground) -> float:
     if not len(ground.leaves) or len(ground.doors) < 2:
         return 0.0
     boxes: Floats = np.array([box for p in pieces for box in boxes_of(p)]).reshape(-1, 5)
-    shut = find_shut_off(ground, boxes, SQUEEZE) & ~_find_shut_empty(Same(ground))
+    shut = find_shut_off(ground, boxes, SQUEEZE) & ~_find_shut_empty(ground)
     return SHUT * int(shut.sum())
 
 
-@lru_cache(maxsize=64)
-def _find_shut_empty(same: Same[Ground]) -> NDArray[np.bool_]:
+@once(64)
+def _find_shut_empty(ground: Ground) -> NDArray[np.bool_]:
     nothing: NDArray[np.float64] = np.zeros((0, 5))
-    return find_shut_off(same.value, nothing, SQUEEZE)
+    return find_shut_off(ground, nothing, SQUEEZE)
 
 
 def measure_cut_off(pieces: Sequence[Piece], ground: Ground) -> float:
     """Square metres of the middles of discs :data:`STAND` wide that stand free in a room and to
     which none :data:`SQUEEZE` wide gets from a door, less what is cut off in the empty room."""
     boxes: Floats = np.array([box for p in pieces for box in boxes_of(p)]).reshape(-1, 5)
-    return max(walk_floor(ground, boxes, SQUEEZE, STAND) - _measure_empty(Same(ground)), 0.0)
+    return max(walk_floor(ground, boxes, SQUEEZE, STAND) - _measure_empty(ground), 0.0)
 
 
-@lru_cache(maxsize=64)
-def _measure_empty(same: Same[Ground]) -> float:
+@once(64)
+def _measure_empty(ground: Ground) -> float:
     nothing: NDArray[np.float64] = np.zeros((0, 5))
-    return walk_floor(same.value, nothing, SQUEEZE, STAND)
+    return walk_floor(ground, nothing, SQUEEZE, STAND)

@@ -9,10 +9,9 @@ weighed late say how much floor is left free; floor that is cut off is found by 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from functools import lru_cache
 from typing import NamedTuple
 
-from scenewright.core.same import Same
+from scenewright.core.same import once
 from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import FurnishedGroup
 from scenewright.domains.home.composing.spacing.cut_off import cost_of_cut_off, cost_of_shut_off
@@ -32,21 +31,13 @@ class Close(NamedTuple):
     cost: float
 
 
+@once(256)
 def list_close(
     groups: Sequence[FurnishedGroup], fixed: Sequence[Piece] = (), ground: Ground | None = None
-) -> list[Close]:
+) -> tuple[Close, ...]:
     """The pairs of groups that stand too near to one another by the rows weighed late
     (:data:`LATE`); and groups that shut the aisle of a bed in, or cut off floor or a door of the
-    ``ground``."""
-    return list(_list_close(Same(groups), Same(fixed), Same(ground)))
-
-
-@lru_cache(maxsize=32)
-def _list_close(
-    known: Same[Sequence[FurnishedGroup]], beside: Same[Sequence[Piece]], on: Same[Ground | None]
-) -> tuple[Close, ...]:
-    """The same, of the same groups found once."""
-    groups, fixed, ground = known.value, beside.value, on.value
+    ``ground``; of the same groups found once."""
     faults = list_faults(compile_table(LATE), groups, fixed, ground)
     found = [Close(fault.group, fault.other, fault.cost) for fault in faults]
     if ground is None:

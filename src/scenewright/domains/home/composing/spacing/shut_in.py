@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from functools import lru_cache
 from math import hypot
 
 from scenewright.core.piece_outlines import boxes_of
-from scenewright.core.same import Same
+from scenewright.core.same import once
 from scenewright.core.scene import Piece
 from scenewright.domains.home.bed_aisles import AISLE, DOUBLE, Box, is_free, list_aisles
 from scenewright.domains.home.problem import Ground
@@ -22,7 +21,7 @@ def list_shut_in(
 ) -> Iterator[tuple[str, float]]:
     """The group that stands across the end of an otherwise free aisle of a bed, the
     floor beyond its foot within the room, and what that costs; ``others`` with their groups."""
-    aisles = _list_within(Same(bed), Same(ground)) if bed.category == DOUBLE else ()
+    aisles = _list_within(bed, ground) if bed.category == DOUBLE else ()
     if not aisles:
         return
     near = [(name, p) for name, p in others if p is not bed and _is_near(bed, p)]
@@ -33,12 +32,11 @@ def list_shut_in(
             yield from ((name, COST) for name in list(across)[:1])
 
 
-@lru_cache(maxsize=256)
-def _list_within(known: Same[Piece], on: Same[Ground]) -> tuple[tuple[Box, Box], ...]:
+@once(256)
+def _list_within(bed: Piece, ground: Ground) -> tuple[tuple[Box, Box], ...]:
     """The aisles of a bed, each to its foot and beyond, that lie on the floor of the room."""
-    bed, edges = known.value, on.value.edges
     pairs = zip(list_aisles(bed, further=0.0), list_aisles(bed), strict=True)
-    return tuple(pair for pair in pairs if is_free(pair[1], (), edges))
+    return tuple(pair for pair in pairs if is_free(pair[1], (), ground.edges))
 
 
 def _is_near(bed: Piece, other: Piece) -> bool:
