@@ -8,6 +8,7 @@ near-road values and the real number of houses; ours draws its own number. Time 
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
@@ -26,12 +27,17 @@ from scenewright.domains.village.choosing import choose_houses
 from scenewright.domains.village.grow import layout_of
 from scenewright.domains.village.learned.style import SHIPPED, VillageStyle, read_style
 from scenewright.domains.village.learning.examples import problem_of_block
-from scenewright.domains.village.learning.paper.training import BRIEF, PRINTED
+from scenewright.domains.village.learning.paper.batches import PRINTED
 from scenewright.domains.village.learning.real_blocks import library_of
 from scenewright.domains.village.learning.tables import RealBlock
 from scenewright.domains.village.paper.filling import fill_as_paper
+from scenewright.domains.village.paper.nets_file import PRINTED as PRINTED_SIZES
 from scenewright.domains.village.paper.nets_file import SHIPPED as PAPER
-from scenewright.domains.village.paper.nets_file import read_paper_nets
+from scenewright.domains.village.paper.nets_file import (
+    read_paper_nets,
+    shapes_of_nets,
+    shipped_nets,
+)
 from scenewright.domains.village.settings import VillageSettings
 from scenewright.domains.village.solvers import VILLAGE_SOLVERS
 from scenewright.domains.village.solvers.growing import standing_of
@@ -47,8 +53,6 @@ USUAL = {"paper": 24, "tables": 40, "proposals": 40, "annealing": 6, "brief anne
 seconds."""
 HOUSES = 70
 """Houses of a split whose places are foretold."""
-PRINTED_WEIGHTS = 24_600_000
-"""Weights of all networks of the paper at their printed sizes."""
 QUICK, QUICK_HOUSES, QUICK_MOVES = 6, 10, 1000
 ROOT = Path(__file__).parent.parent
 STYLES = Path(__file__).parent / "styles"
@@ -285,12 +289,16 @@ def tell_share() -> str:
     """How much of what is printed the shipped networks of the paper had.
 
     >>> tell_share()
-    '1/74 of the weights, 0.3–3.3 % of the epochs'
+    '1/73 of the weights, 0.3–3.3 % of the epochs'
     """
-    shares = [100 * BRIEF.epochs[name] / PRINTED.epochs[name] for name in BRIEF.epochs]
-    weights = sum(values.size for values in read_paper_nets().values())
+    nets = shipped_nets()
+    shares = [100 * epochs / PRINTED.epochs[name] for name, epochs in nets.card["epochs"].items()]
+    whole, own = (
+        sum(math.prod(shape) for _, shape in shapes_of_nets(sizes))
+        for sizes in (PRINTED_SIZES, nets.sizes)
+    )
     most = f"{min(shares):.1f}–{max(shares):.1f} % of the epochs"
-    return f"1/{PRINTED_WEIGHTS / weights:.0f} of the weights, {most}"
+    return f"1/{whole / own:.0f} of the weights, {most}"
 
 
 def _mean_cell(values: Sequence[float]) -> str:
