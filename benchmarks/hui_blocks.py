@@ -159,7 +159,7 @@ def brief_of_block(row: Row) -> Row:
             {
                 "id": f"house-{number}",
                 "at": middle.tolist(),
-                "heading": float(angle),
+                "heading": float(angle + np.pi / 2),
                 "size": [longer, shorter, tall],
                 "footprint": local.round(4).tolist(),
             }

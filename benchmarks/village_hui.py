@@ -76,7 +76,8 @@ def tell_block(block: RealBlock) -> ToldBlock:
 
 
 def _train(rows: Sequence[Record], folder: Path, epochs: int) -> PaperNets:
-    """The networks after so many epochs: the training that is kept goes on."""
+    """The networks after so many epochs: the training that is kept goes on. (A run does not write
+    over a file that it has read, so each is moved.)"""
     data, output = folder / "blocks.json", folder / "nets.npz"
     data.write_text(json.dumps(rows), encoding="utf-8")
     given = {"held": HELD, "size": "small", "epochs": epochs, "jobs": 0}
@@ -85,7 +86,7 @@ def _train(rows: Sequence[Record], folder: Path, epochs: int) -> PaperNets:
         raise ValueError(path)
 
     learn_nets([data], output, given, no_plan, lambda _share, _text: None, lambda: False)
-    return read_paper_nets(output)
+    return read_paper_nets(output.rename(folder / f"{epochs}.npz"))
 
 
 def _by_paper(nets: PaperNets) -> Callable[[RealBlock, Sequence[House], int], ToldBlock]:

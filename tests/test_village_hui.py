@@ -99,9 +99,10 @@ def test_a_block_is_drawn_in_the_hui_style(tmp_path: Path) -> None:
     path = tmp_path / "hui.json"
     row = make_hui_blocks(1, 3)[0]
     path.write_text(json.dumps(brief_of_block(row)))
-    solution = sw.arrange(path).solution
-    houses = [piece for piece in solution.pieces if "hui" in piece.asset]
+    made = sw.arrange(path)
+    houses = [piece for piece in made.solution.pieces if "hui" in piece.asset]
     assert len(houses) == len(row["houses"])
+    assert [one for one in made.report.findings if one.kind == "collision"] == []
 
 
 def test_the_table_has_a_row_a_method() -> None:
