@@ -59,9 +59,7 @@ def flight_parts(stairs: Stairs, above: float = 0.0, upto: float = inf) -> tuple
         low = max(above - stairs.rise, 0.0)
         top = min(stairs.rises * stairs.rise, upto) + RAIL
         white.append(rod((*post, low), (*post, top), EYE, sides=12))
-    edges = [
-        _wall(t.outline[0], t.outline[1], t.height - PLATE, t.height + HAIR, NOSING) for t in treads
-    ]
+    edges = [_nosing(tread) for tread in treads]
     rails, bars = _rails(stairs, treads)
     return (
         Part(OAK, *merge([*plates, *rails])),
@@ -92,6 +90,16 @@ def _wall(start: Floats, end: Floats, low: float, high: float, deep: float = BOA
     along = (end - start) / max(float(np.hypot(*(end - start))), 1e-9)
     inward = deep * np.array([-along[1], along[0]])
     return prism(np.array([start, end, end + inward, start + inward]), low, high)
+
+
+def _nosing(tread: Tread) -> Mesh:
+    """The dark edge of a tread, a hair out of it on all sides that are seen."""
+    start, end = np.asarray(tread.outline[0]), np.asarray(tread.outline[1])
+    along = (end - start) / max(float(np.hypot(*(end - start))), 1e-9)
+    out = HAIR * np.array([along[1], -along[0]])
+    low, high = tread.height - PLATE - HAIR, tread.height + HAIR
+    wide = HAIR * along
+    return _wall(start - wide + out, end + wide + out, low, high, NOSING)
 
 
 def _rails(stairs: Stairs, treads: Sequence[Tread]) -> tuple[list[Mesh], list[Mesh]]:
