@@ -14,3 +14,13 @@ AISLE = 1.2
 """The clear width of an aisle (International Building Code 2021, 1030.9.1: 1.12 m)."""
 KEPT_OFF = 0.5
 """What exhibits, tables and lounge seats keep off columns, and lounge seats off other groups."""
+NEAR_ENTRANCE = 3.0
+"""How far from the entrance a desk is at hand."""
+QUEUE_TRIED = 1.5
+"""Depth of the floor before a desk that stays off the way in."""
+STAFF_ROOM = 0.7
+"""Depth of the floor behind a desk on which those stand who serve, at least."""
+WAY_LENGTH, WAY_WIDTH = 6.0, 2.4
+"""The way in from the entrance that stays free."""
+UNSEEN = 0.02
+"""The share of a floor that is to be free which columns and corners may take."""

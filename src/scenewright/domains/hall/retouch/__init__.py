@@ -13,13 +13,8 @@ from scenewright.domains.hall.retouch.bands import measure_bands, propose_bands
 from scenewright.domains.hall.retouch.banquets import measure_banquets, propose_banquets
 from scenewright.domains.hall.retouch.bare import find_floor, measure_bare, propose_moves
 from scenewright.domains.hall.retouch.columns import find_columns, propose_pitches, stand_in_aisles
-from scenewright.domains.hall.retouch.desks import (
-    desks_adrift,
-    find_desks,
-    first_desks,
-    other_desks,
-    propose_desks,
-)
+from scenewright.domains.hall.retouch.desk_groups import find_desks, first_desks, other_desks
+from scenewright.domains.hall.retouch.desks import desks_adrift, propose_desks
 from scenewright.domains.hall.retouch.exhibit import (
     charge_hiding,
     find_exhibit,

@@ -12,7 +12,7 @@ import numpy as np
 from scenewright.domains.hall.patterns import CHAIN, SINGLE, WALL
 from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.retouch.arrivals import box_round, find_met
-from scenewright.domains.hall.retouch.desks import BACK
+from scenewright.domains.hall.retouch.desk_groups import BACK
 from scenewright.domains.hall.retouch.lines import count_objects, find_layers, line_up
 from scenewright.domains.hall.terms.state import Kept
 from scenewright.domains.hall.terms.visitors import FIRST, GUIDE, LANE, MAIN, TILL

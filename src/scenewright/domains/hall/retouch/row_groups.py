@@ -9,12 +9,15 @@ from numpy.typing import NDArray
 
 from scenewright.domains.hall.patterns import ALONG, CHAIN, GRID, SINGLE, WALL
 from scenewright.domains.hall.problem import HallProblem, Ints
+from scenewright.domains.hall.retouch.arrivals import find_met
+from scenewright.domains.hall.retouch.desk_groups import find_desks, first_desks, other_desks
 from scenewright.domains.hall.retouch.lines import find_layers
 from scenewright.domains.hall.terms.state import Kept
 from scenewright.domains.hall.terms.visitors import (
     ALOOF,
     FIRST,
     GUIDE,
+    LANE,
     LOUNGE,
     LOW,
     MAIN,
@@ -27,6 +30,7 @@ Bools = NDArray[np.bool_]
 CLOSED = 2.0  # metres free before a stand with a closed back, none behind or beside it
 SOLE = 1.0  # a gap between neighbours of a row up to which they stand as one, metres
 STRAIGHT = 0.02  # by how much rows may be turned to the axes of their zone, radians
+MOST_TILLS = 24  # tills of one group at most
 FEWEST = 2  # rows that have an aisle between them and a wall on both sides
 BEFORE, BEHIND = 0, 2
 """The columns of ``clear`` that say how much free floor is before and behind an object."""
@@ -81,6 +85,29 @@ def _is_close(problem: HallProblem, kept: Kept, unit: int) -> bool:
     return bool(kept.layers[find_layers(problem, unit)[0], ALONG] < SOLE)
 
 
+def _mask(kept: Kept, units: list[int]) -> Bools:
+    return np.isin(np.arange(len(kept.pose)), units)
+
+
+def _come_first(problem: HallProblem, kept: Kept) -> Bools:
+    return _mask(kept, find_desks(first_desks(problem), kept))
+
+
+def _take_money(problem: HallProblem, kept: Kept) -> Bools:
+    others = _mask(kept, find_desks(other_desks(problem), kept))
+    return others & (read_roles(problem) & TILL > 0)
+
+
+def _serve(problem: HallProblem, kept: Kept) -> Bools:
+    others = _mask(kept, find_desks(other_desks(problem), kept))
+    return others & (read_roles(problem) & TILL == 0)
+
+
+def _have_lanes(problem: HallProblem, kept: Kept) -> Bools:
+    lanes = find_met(problem, kept, LANE, MOST_TILLS) if len(problem.visitors.exits) else []
+    return _mask(kept, lanes)
+
+
 GROUPS: Mapping[str, Callable[[HallProblem, Kept], Bools]] = {
     "exhibit": _stand_free,
     "lounge seat": _seat_people,
@@ -88,5 +115,9 @@ GROUPS: Mapping[str, Callable[[HallProblem, Kept], Bools]] = {
     "row of lounge seats": _look_round,
     "stand": _show_front,
     "rows with two faces": _have_two_faces,
+    "first desk": _come_first,
+    "desk to pay at": _take_money,
+    "other desk": _serve,
+    "tills with lanes": _have_lanes,
 }
 """Which groups (g,) each name means, in a layout."""

@@ -9,7 +9,8 @@ import numpy as np
 from scenewright.domains.hall.patterns import SINGLE, WALL
 from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.retouch.arrivals import box_round
-from scenewright.domains.hall.retouch.desks import BACK, far_from
+from scenewright.domains.hall.retouch.desk_groups import BACK
+from scenewright.domains.hall.retouch.desks import far_from
 from scenewright.domains.hall.retouch.lines import forgive_space
 from scenewright.domains.hall.retouch.places import CLOSE, all_over, along_walls, at_walls, stand_at
 from scenewright.domains.hall.terms.state import Kept, PreparedHall, State

@@ -9,9 +9,10 @@ import numpy as np
 
 from scenewright.arranging.degrees import IS_FLOOR, KIND, NUMBER, OF_GROUP, PART, THINGS, RoomParts
 from scenewright.arranging.row_arrays import Table, compile_rows
-from scenewright.arranging.rows import COLUMNS, ENTRANCES, Class, Row
-from scenewright.arranging.weighing import Broken, weigh
+from scenewright.arranging.rows import COLUMNS, ENTRANCES, EXITS, WAY_IN, Class, Row
+from scenewright.arranging.weighing import MOST, Broken, weigh, weigh_rows
 from scenewright.core.same import Same
+from scenewright.domains.hall.measures import WAY_LENGTH, WAY_WIDTH
 from scenewright.domains.hall.problem import Floats, HallProblem, Ints
 from scenewright.domains.hall.retouch.arrivals import box_round
 from scenewright.domains.hall.retouch.columns import find_columns
@@ -29,7 +30,13 @@ class HallRows(NamedTuple):
 
 
 def look_rows(ids: tuple[str, ...], problem: HallProblem) -> HallRows:
-    """What the rows with some ids have to know of a problem."""
+    """What the rows with some ids have to know of a problem, once for all."""
+    return _look_rows(ids, Same(problem))
+
+
+@lru_cache(maxsize=64)
+def _look_rows(ids: tuple[str, ...], known: Same[HallProblem]) -> HallRows:
+    problem = known.value
     return HallRows(tuple(row for row in ROWS if row.id in ids), read_parts(problem), problem)
 
 
@@ -40,9 +47,26 @@ def read_parts(problem: HallProblem) -> RoomParts:
     sides = np.ptp(rings, axis=1) if len(rings) else np.zeros((0, 2))
     middles = 0.5 * (rings.max(1) + rings.min(1)) if len(rings) else np.zeros((0, 2))
     columns = np.column_stack([middles, np.zeros(len(rings)), sides, np.full(len(rings), COLUMNS)])
-    doors = [[*door, 0.0, 0.0, 0.0, ENTRANCES] for door in problem.visitors.entrances[:1]]
-    boxes = np.concatenate([columns, np.reshape(doors, (-1, PART + 1))])
+    boxes = np.concatenate([columns, _read_doors(problem)])
     return RoomParts(edges, np.zeros((0, 4)), edges, boxes, float(problem.ground.zone_areas.sum()))
+
+
+def _read_doors(problem: HallProblem) -> Floats:
+    """Boxes (k, 6) of the main entrance, the way in from it, and where visitors leave."""
+    visitors, found = problem.visitors, list[list[float]]()
+    for door, inward in zip(visitors.entrances[:1], visitors.inward, strict=False):
+        ahead, middle = float(np.arctan2(inward[1], inward[0])), door + 0.5 * WAY_LENGTH * inward
+        found.append([*door, ahead, 0.0, 0.0, ENTRANCES])
+        found.append([*middle, ahead, WAY_WIDTH, WAY_LENGTH, WAY_IN])
+    found += [[*door, ahead, 0.0, 0.0, EXITS] for *door, ahead in find_ways_out(problem).tolist()]
+    return np.reshape(found, (-1, PART + 1)).astype(np.float64)
+
+
+def find_ways_out(problem: HallProblem) -> Floats:
+    """Where visitors leave (k, 3): a point and the direction in from there."""
+    doors, points = problem.ground.doors, problem.visitors.exits
+    near = [int(np.hypot(*(doors[:, :2] - point).T).argmin()) for point in points]
+    return np.column_stack([points.reshape(-1, 2), doors[near, 2]])
 
 
 def list_faults(seen: HallRows, kept: Kept, boxes: Floats) -> list[tuple[int, Broken]]:
@@ -58,6 +82,21 @@ def list_faults(seen: HallRows, kept: Kept, boxes: Floats) -> list[tuple[int, Br
 def measure_rows(seen: HallRows, kept: Kept, boxes: Floats) -> float:
     """What the rows cost that do not hold among boxes (n, 5) of a layout, in metres."""
     return sum(broken.cost for _, broken in list_faults(seen, kept, boxes))
+
+
+def measure_places(seen: HallRows, kept: Kept, boxes: Floats, unit: int, places: Floats) -> Floats:
+    """What the rows cost (k,) that do not hold of a unit as a whole at places (k, 5), the others
+    where they are among boxes (n, 5), in metres."""
+    marks = _mark_groups(seen, kept)
+    table = _compile(Same(seen.rows), tuple(np.unique(marks).tolist()))
+    things = read_things(table, seen.problem, marks, boxes)
+    things = things[(things[:, IS_FLOOR] == 0.0) | (things[:, NUMBER] == unit)]
+    costs, found, last = np.zeros(len(places)), np.empty((MOST, 5)), len(things) - 1
+    for k, place in enumerate(places):
+        things[last, :5] = place
+        count = min(weigh_rows(things, table.arrays, seen.room, found), MOST)
+        costs[k] = found[:count][found[:count, 1] == last, 4].sum()
+    return costs
 
 
 def read_things(table: Table, problem: HallProblem, marks: Ints, boxes: Floats) -> Floats:

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from scenewright.arranging.rows import FRONT, WHOLE, Example, Place, Row, apart, clear
-from scenewright.domains.hall.measures import KEPT_OFF
+from scenewright.domains.hall.measures import KEPT_OFF, UNSEEN
 from scenewright.domains.hall.rules.classes import BY_WALLS, LOUNGE_ROW, LOUNGE_SEAT, OTHERS
 
 CLOSE = 2.0  # metres to a wall at which nobody wants to look
-UNSEEN = 0.02  # the share of that which columns and corners may take
 _SEEN = "seen at first glance in halls laid out, 2026"
 _SEAT = Place("lounge seat", 1.0, 2.0, 0.0, 0.8, 0.8)
 
