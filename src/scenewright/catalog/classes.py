@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 SOFAS = frozenset(("sofa", "loveseat", "corner_sofa"))
-"""What several sit on side by side."""
+"""Seats for several side by side."""
 SOFT_SEATS = SOFAS | {"armchair"}
 """What one sits in to rest."""
 TABLE_SEATS = frozenset(("dining_chair", "stool"))

@@ -69,7 +69,7 @@ def _list_remarks(
 def _remark(
     alike: Sequence[TermValue], row: Compromise, names: Mapping[str, str], labels: Mapping[str, str]
 ) -> Remark:
-    """What one term says of the items of one space, the worst first."""
+    """The cost of one term for the items of one space, the worst first."""
     first = alike[0]
     return Remark(
         names.get(first.space, first.space),

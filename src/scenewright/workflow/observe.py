@@ -48,7 +48,7 @@ class ObservationRequest(NamedTuple):
     for), their height ``eye`` above the floor and ``clearance`` to walls and pieces in metres; the
     ``size`` of pictures in pixels and the width of the view ``fov`` in radians; the
     ``kinds`` observed; ``rooms`` by name or id (empty: all); ``poses`` set by hand, x, y, z in the
-    world in metres, yaw and pitch in radians; so many poses of a ``trajectory``."""
+    world in metres, yaw and pitch in radians; poses of a ``trajectory``, a number."""
 
     cameras: int | None = None
     size: tuple[int, int] = (640, 480)

@@ -108,7 +108,7 @@ def hall_use(category: str) -> HallUse:
 
 
 def services_of(category: str) -> tuple[Service, ...]:
-    """What a kind is connected to; nothing for what is no kind.
+    """The services of a kind; empty for an unknown category.
 
     >>> [service.outlet for service in services_of("dishwasher")]
     ['power', 'water']
@@ -117,7 +117,7 @@ def services_of(category: str) -> tuple[Service, ...]:
 
 
 def name_of(category: str) -> str:
-    """What people call a kind.
+    """The plain name of a kind.
 
     >>> name_of("tv_stand"), name_of("office_chair"), name_of("garden_gnome")
     ('TV stand', 'office chair', 'garden gnome')

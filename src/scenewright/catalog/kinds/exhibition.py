@@ -1,4 +1,4 @@
-"""What exhibitions show things in and on."""
+"""Furniture of exhibitions: things are shown in and on it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is part of a building or stands for something unknown."""
+"""Parts of buildings, and stand-ins for unknown things."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What stands or lies outside buildings, and buildings."""
+"""Things outside buildings, and buildings."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What an extension's brief says stands already, as pieces: its sources, and what stays."""
+"""Fixed buildings of an extension's brief, as pieces: its sources, and those that stay."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What draws a building: the model it names, else a plain one of ours."""
+"""The model that draws a building: the one it names, else a plain one of ours."""
 
 from __future__ import annotations
 

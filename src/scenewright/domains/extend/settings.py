@@ -1,4 +1,4 @@
-"""What steers how areas are filled, beside weights."""
+"""Settings of filling areas, besides weights."""
 
 from __future__ import annotations
 

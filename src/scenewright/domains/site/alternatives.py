@@ -125,7 +125,7 @@ def compare(one: Solution, other: Solution, plan: Plan | None = None) -> float:
 
 
 def _look_at(solution: Solution, plan: Plan) -> list[SiteLook]:
-    """What layouts are compared by, site by site."""
+    """The figures layouts are compared by, site by site."""
     return [
         SiteLook(
             _built(solution, site),

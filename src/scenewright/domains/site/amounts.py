@@ -15,7 +15,7 @@ from scenewright.ground.plan import SitePlan
 
 STOREY = 3.0
 HOUSING = ("modern_residential", "point_tower", "row_houses", "villa")
-"""What fills a site where the brief names no catalogues."""
+"""Models that fill a site where the brief names no catalogues."""
 USUAL_COVERAGE = 0.25
 MOST_MODELS = 200
 """Models of a large catalogue that are mixed on one site."""

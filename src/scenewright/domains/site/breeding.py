@@ -141,7 +141,7 @@ def _measure(ready: Ready, genome: Genome) -> tuple[dict[str, float], int]:
 
 
 def draft_site(ready: Ready, genome: Genome) -> tuple[Solution | None, int]:
-    """What a genome develops into, with buildings alone; none, and how many do not, if any
+    """The layout a genome develops into, with buildings alone; none, and how many do not, if any
     building finds no place."""
     wish, asked = read_genome(genome), ready(1.0, 0)
     least = 0

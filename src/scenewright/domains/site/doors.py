@@ -89,7 +89,7 @@ def _serve(
 
 
 def _footprints(problem: SiteProblem, found: SiteLayout) -> list[Floats]:
-    """What each building that stands covers, corners (k, 2)."""
+    """The footprint of each building that stands, corners (k, 2)."""
     here = np.flatnonzero(found.present)
     if not problem.buildings.footprints:
         return list(corners(found.boxes[here]))

@@ -1,4 +1,4 @@
-"""The buildings of those asked for that a site's brief says stay where they stand, as pieces."""
+"""The fixed buildings of a site's brief, as pieces."""
 
 from __future__ import annotations
 

@@ -11,7 +11,7 @@ from scenewright.ground.names import assign_ids
 
 LANDMARK = "landmark"
 WORDS = ("trees and lamps", "buildings")
-"""What cannot be locked, and what can."""
+"""Things that cannot be locked, and those that can."""
 
 
 def lock_sites(solution: Solution) -> Brief:

@@ -123,7 +123,7 @@ def fixed_of(
 def footprint_of(
     given: Sequence[tuple[float, float]] | None, model: Asset, size: Size
 ) -> Footprint:
-    """What a building of some size covers: the polygon the brief gives, else its model's."""
+    """The footprint of a building of some size: the polygon of the brief, else its model's."""
     return read_footprint(given, *size[:2]) if given else model.footprint(size)
 
 

@@ -154,7 +154,7 @@ def _open_ground(
 
 
 def _free(open_: OpenGround, found: Reserved) -> list[shapely.Geometry]:
-    """What of the open ground is not set apart yet."""
+    """The open ground not yet set apart."""
     taken = shapely.union_all(shapely.buffer(np.array(found.kept, object), CLEAR))
     return [shapely.difference(open_.free, taken)]
 

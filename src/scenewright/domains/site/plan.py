@@ -31,7 +31,7 @@ LEVEL = Level("0", "", 0.0, 2.6)
 ACROSS = 4.0
 """Metres of a street by which it is seen whether it crosses the border or runs along it."""
 SKY = 600.0
-"""What may be built up to on a site that states no limit, in metres."""
+"""Height limit of a site that states none, in metres."""
 
 
 def plan_sites(brief: Brief) -> Plan:
@@ -156,7 +156,7 @@ def _block(part: shapely.Polygon) -> Block:
 def _beside(
     blocks: tuple[Block, ...], fixed: Sequence[Standing], kept: Reserved, site: Site
 ) -> tuple[Block, ...]:
-    """What is left of blocks at a distance from buildings that stay and from ground set apart."""
+    """The parts of blocks at a distance from buildings that stay and from ground set apart."""
     if not fixed and not kept.kept:
         return blocks
     areas = [shapely.Polygon(area.outline) for area in kept.areas]

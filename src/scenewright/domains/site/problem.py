@@ -49,7 +49,7 @@ class SiteGround(NamedTuple):
 
 
 class Buildings(NamedTuple):
-    """What is to be placed: ``n`` buildings.
+    """The ``n`` buildings to be placed.
 
     ``sizes`` (n, 3) width, depth, height; ``quality`` (n,) visual quality relative to the best of
     the library, τ in (0, 1]; ``tone`` and ``symmetry`` (n,) of the facade in [0, 1]; ``models``

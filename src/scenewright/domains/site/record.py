@@ -1,4 +1,4 @@
-"""What is laid out on the ground of a solved site, as written in a solution file."""
+"""Ground works of a solved site, as written in a solution file."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ class AreaRecord(StrictModel):
 
 
 class WorksRecord(StrictModel):
-    """What is laid out on one site."""
+    """The ground works of one site."""
 
     site: str
     pathways: Annotated[list[PathwayRecord], Field(max_length=100_000)] = []
@@ -39,7 +39,7 @@ class WorksRecord(StrictModel):
 
 
 class DetailRecord(StrictModel):
-    """What only solutions of sites hold: lanes, walks and areas of each."""
+    """The part of solutions of sites: lanes, walks and areas of each."""
 
     works: Annotated[list[WorksRecord], Field(max_length=100)] | None = None
 

@@ -1,4 +1,4 @@
-"""What steers how sites are solved, beside the weights of terms; presets hold the values."""
+"""Settings of solving sites, besides the weights of terms; presets hold the values."""
 
 from __future__ import annotations
 

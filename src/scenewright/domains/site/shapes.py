@@ -1,4 +1,4 @@
-"""What stands on the sites of a solution, as footprints with heights: for maps and plans."""
+"""Buildings on the sites of a solution, as footprints with heights: for maps and plans."""
 
 from __future__ import annotations
 

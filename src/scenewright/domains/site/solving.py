@@ -65,7 +65,7 @@ BESIDE = 3.0
 asked for leaves doors without one."""
 AS_ASKED = Variant()
 BEGUN = Report(0.0, math.inf, tuple)
-"""What is reported while nothing is found yet."""
+"""The report before any layout is found."""
 
 
 class Built(NamedTuple):
@@ -319,7 +319,7 @@ def _reached_only(
 
 
 def _find_shortfall(plan: SitePlan, problem: SiteProblem, found: SiteLayout) -> tuple[LeftOut, ...]:
-    """What a site lacks of its target, if more than a tenth."""
+    """The shortfall of a site from its target, if more than a tenth."""
     covered = float(problem.buildings.sizes[found.present, :2].prod(1).sum())
     if covered >= 0.9 * problem.target[0]:
         return ()

@@ -1,4 +1,4 @@
-"""What is laid out on the ground of a site between the buildings that stand on it."""
+"""Ground works of a site: lanes, walks and areas between its buildings."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The houses that a village's brief says stand already, as pieces."""
+"""The fixed houses of a village's brief, as pieces."""
 
 from __future__ import annotations
 

@@ -48,7 +48,7 @@ class Growth(NamedTuple):
 
     @property
     def standing(self) -> StandingHouses:
-        """What stands, houses that stay first."""
+        """The houses of the block, those that stay first."""
         return self.seen.standing
 
 

@@ -10,7 +10,7 @@ from scenewright.ground.locks import lock_areas
 from scenewright.ground.names import assign_ids
 
 WORDS = ("trees", "houses")
-"""What cannot be locked, and what can."""
+"""Things that cannot be locked, and those that can."""
 
 
 def lock_village(solution: Solution) -> Brief:

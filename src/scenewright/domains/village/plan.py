@@ -318,7 +318,7 @@ def _sound_rings(shape: shapely.Polygon) -> tuple[Points, tuple[Points, ...]]:
 
 
 def _between(streets: Points, lane: shapely.Geometry) -> shapely.Geometry:
-    """What lies between street sides and the lane before them."""
+    """The ground between street sides and the lane before them."""
     if lane.is_empty:
         return shapely.Polygon()
     parts = []

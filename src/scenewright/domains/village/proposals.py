@@ -175,7 +175,7 @@ def is_legal(
 
 
 def shrink(shapes: Shapes) -> shapely.Geometry:
-    """What stands, less what may be overlapped unseen; prepared."""
+    """The houses standing, less the overlap tolerated; prepared."""
     taken = shapely.union_all(shapely.buffer(shapes, -TOUCH, join_style="mitre"))
     shapely.prepare(taken)
     return taken

@@ -1,4 +1,4 @@
-"""What stands while an area is filled: what may be added, and adding it."""
+"""An area while it is filled: its buildings, which may be added, and adding them."""
 
 from __future__ import annotations
 
@@ -241,7 +241,7 @@ class Canvas:
         return rows[[self.how[k - self.first] != "row" for k in rows.tolist()]]
 
     def layout(self) -> GrownLayout:
-        """What was added, as a layout without scores."""
+        """The buildings added, as a layout without scores."""
         rows = self.find_added()
         asked = self.problem.number
         return GrownLayout(

@@ -108,7 +108,7 @@ class PlotJudge:
         return value
 
     def found(self) -> BredPlots:
-        """What was found."""
+        """The layouts found."""
         few = tuple(genes for _, genes in self._best_few().values())
         return BredPlots(self.best, self.value, tuple(self.history), few)
 

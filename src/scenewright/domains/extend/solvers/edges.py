@@ -42,7 +42,7 @@ class EdgeMember(NamedTuple):
 
 
 class EdgeRule(NamedTuple):
-    """What stands along one kind of edge: its members in order, and the share of the edge's length
+    """Buildings along one kind of edge: its members in order, and the share of the edge's length
     they take."""
 
     members: tuple[EdgeMember, ...]
@@ -105,7 +105,7 @@ def edge_pose(start: Floats, way: Floats, at: float, one: EdgeMember) -> Floats:
 
 
 def learn_rule(problem: ExtendProblem, lines: list[NDArray[np.float64]]) -> EdgeRule:
-    """What stands along the source's edges, each line (n, 2) with its buildings on the left."""
+    """Buildings along the source's edges, each line (n, 2) with its buildings on the left."""
     pattern = problem.pattern
     edges = [run for line in lines for run in straight_runs(line, 1.0)]
     total = sum(float(np.hypot(*(run[1] - run[0]))) for run in edges)

@@ -16,7 +16,7 @@ from scenewright.geometry.folding import parse, unfold
 from scenewright.ground.rows import PASSAGE
 
 TOUCHING = GapRules(0.0, 0.0, 0.0)
-"""What is drawn may stand as near as it is drawn."""
+"""Tolerance of spacing: rows may stand as near as they are drawn."""
 WIDE = 3.0
 """Metres of a passage."""
 

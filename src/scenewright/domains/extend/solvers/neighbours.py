@@ -18,13 +18,13 @@ from scenewright.domains.extend.solvers.canvas import Canvas
 from scenewright.ground.built import from_frames, to_frames
 
 Proposal = tuple[float, int, int, tuple[float, float, float]]
-"""What it is worth (negative), a ticket, the building of the sources, and the pose."""
+"""Its worth (negative), a ticket, the building of the sources, and the pose."""
 SAME = 0.2
 """Metres within which two proposals of one building are one."""
 OFTEN = 50
 """Proposals looked at between two words on how far it is."""
 LEAST_WORTH = -0.2
-"""What a proposal must be worth to be built."""
+"""Least worth of a proposal that is built."""
 
 
 def grow_neighbours(canvas: Canvas, rng: np.random.Generator) -> int:

@@ -1,4 +1,4 @@
-"""What solvers share that grow one layout and try no other."""
+"""Shared by solvers that grow a single layout."""
 
 from __future__ import annotations
 

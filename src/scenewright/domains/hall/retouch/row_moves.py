@@ -1,4 +1,4 @@
-"""What is tried for the sake of rows: moves of the groups of which they do not hold."""
+"""Moves of the groups that break a row."""
 
 from __future__ import annotations
 
@@ -37,8 +37,8 @@ def hold_rows(*ids: str, moves: Sequence[Move], make_room: bool = True) -> Retou
 
 
 def _propose(moves: Sequence[Move], seen: HallRows, kept: Kept, boxes: Floats) -> Iterator[Kept]:
-    """The layouts that moves make of each group among boxes (n, 5) of which a row does not hold,
-    and of what is too near it."""
+    """The layouts that moves make of each group among boxes (n, 5) that breaks a row, and of
+    objects too near it."""
     faults = list_faults(seen, kept, boxes)
     owner = np.repeat(np.arange(len(kept.pose)), np.diff(seen.problem.units.spans, axis=1)[:, 0])
     near = {int(owner[b.other]) for _, b in faults if 0 <= b.other < len(owner)}

@@ -104,7 +104,7 @@ def _find_lack_of_parking(
 
 
 def _driven_ground(grounds: JudgedSite) -> Shape:
-    """What cars come by: roads, else paths as wide as a lane, else over the border."""
+    """Access for cars: roads, else paths as wide as a lane, else over the border."""
     there = grounds.streets
     rows = there.road if there.road.any() else there.driven
     roads = [*there.surfaces[rows], *there.crossings[rows]]

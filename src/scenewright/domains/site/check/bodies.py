@@ -76,7 +76,7 @@ def _grounds(site: Site, plan: SitePlan) -> JudgedSite:
 
 
 def fault_of(piece: Piece, known: set[str]) -> str:
-    """What is wrong with a piece that cannot be judged; empty if it can."""
+    """The fault of a piece that cannot be judged; empty if it can."""
     values = np.array([*piece.pose, *piece.size], float)
     if not np.isfinite(values).all() or np.abs(values).max() > LARGEST:
         return "has a pose or size that is not a number of metres"

@@ -1,4 +1,4 @@
-"""What the referee says of sites: findings and figures."""
+"""The referee on sites: findings and figures."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ STOREY = 3.0
 
 
 class SiteVerdict(NamedTuple):
-    """What is said of all sites of an answer: findings, and figures by site."""
+    """The report on all sites of an answer: findings, and figures by site."""
 
     findings: list[Finding]
     figures: dict[str, dict[str, Any]]

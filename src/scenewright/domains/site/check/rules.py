@@ -158,7 +158,7 @@ def _sunless(grounds: JudgedSite, bodies: SiteBodies) -> list[Finding]:
 
 
 def _swept(shape: Shape, step: Floats) -> Shape:
-    """What a polygon passes over on a straight way."""
+    """The ground a polygon sweeps on a straight way."""
     ring = shapely.get_coordinates(shape.exterior)
     ends = np.stack([ring[:-1], ring[1:]], 1)
     hulls = shapely.convex_hull(shapely.multipoints(np.concatenate([ends, ends + step], 1)))

@@ -98,7 +98,7 @@ def plan(
 def drawings_of(
     solution: Solution, plans: tuple[SitePlan, ...], report: Report
 ) -> tuple[SiteSheet, ...]:
-    """What there is to draw of each site of a solution."""
+    """The sheet of each site of a solution."""
     rows = standing(solution, plans)
     return tuple(
         _drawing(

@@ -24,7 +24,7 @@ Views = Mapping[str, tuple[Points, Points]]
 
 
 def views_of(solution: Solution, plans: Sequence[SitePlan]) -> Views:
-    """What is seen from the ways of every site that has ways and buildings."""
+    """The views from the ways of every site that has ways and buildings."""
     catalog = catalog_of(solution.brief.catalogs)
     found = {}
     for plan in plans:

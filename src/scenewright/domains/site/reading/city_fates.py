@@ -1,4 +1,4 @@
-"""What became of every object of a city model that was read as a site."""
+"""The fate of every object of a city model that was read as a site."""
 
 from __future__ import annotations
 

@@ -44,7 +44,7 @@ SLIVER = 1.5
 WAYS = ("Road", "Railway", "Bridge")
 OUTSIDE, COVERED = "lies outside the ground", "another building covers it"
 CUT, LEAST_CUT = "cut at the border of the ground or where another building stands", 0.02
-"""What is reported of a building cut, and from which share of it."""
+"""The report on a building cut, and the share cut from which it is made."""
 MOST_ROADS = 5000
 MOST_LANDMARKS = 2000
 
@@ -119,7 +119,7 @@ def report(document: dict[str, Any], path: Path) -> CityReport:
 
 
 class _Flat(NamedTuple):
-    """What the ways and the water of a file cover in plan, by their keys."""
+    """The areas of the ways and the water of a file in plan, by their keys."""
 
     ways: dict[str, shapely.Geometry]
     water: dict[str, shapely.Geometry]
@@ -168,7 +168,7 @@ def _site(
 
 
 def _note_flat(flat: _Flat, ground: shapely.Polygon) -> Iterator[Note]:
-    """What became of the ways and the water."""
+    """The fates of the ways and the water."""
     for areas, about in ((flat.ways, "read as straight pieces"), (flat.water, "")):
         for key, area in areas.items():
             if area.is_empty:
@@ -257,7 +257,7 @@ def _buildings(city: City, stem: str, notes: list[Note]) -> Iterator[CityBuildin
 
 
 def _shadow(parts: tuple[Part, ...]) -> shapely.Polygon:
-    """What parts cover in plan, without holes; of several pieces their hull."""
+    """The outline of parts in plan, without holes; of several pieces their hull."""
     corners = np.concatenate([part.vertices[part.faces][..., :2] for part in parts])
     a, b = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
     wide = np.abs(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]) > 1e-6
@@ -332,7 +332,7 @@ def _keys(city: City, kinds: tuple[str, ...]) -> list[str]:
 
 
 def _area(city: City, key: str) -> shapely.Geometry:
-    """What an object covers in plan; nothing if its geometry cannot be used."""
+    """The outline of an object in plan; empty if its geometry cannot be used."""
     try:
         parts = parts_at(city, key)
     except InputError:

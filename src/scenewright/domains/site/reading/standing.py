@@ -1,4 +1,4 @@
-"""What stands on the ground of a site map: footprints as landmarks, each part of them.
+"""Buildings on the ground of a site map: footprints as landmarks, each part of them.
 
 Polygons tagged as buildings stand; so do those that no tag names as something else, as registers
 of buildings export them, unless other footprints lie in them (then they are parcels). What lies
@@ -120,7 +120,7 @@ def note_points(
 def _buildings(
     drawn: list[DrawnFeature], ground: shapely.Polygon, sites: list[Feature], notes: list[Note]
 ) -> Iterator[DrawnFeature]:
-    """What stands: tagged buildings, parts of buildings, footprints without tags."""
+    """Standing buildings: tagged ones, parts of buildings, footprints without tags."""
     own = {feature.id for feature in sites}
     rows = [row for row in drawn if row.feature.id not in own]
     tagged = []
@@ -162,7 +162,7 @@ def _is_built(feature: Feature) -> bool:
 
 
 def _note(feature: Feature, cut: float, inside: float) -> Note:
-    """What became of a building that stands on the site."""
+    """The fate of a building on the site."""
     reasons = [UNTAGGED] * (not stands(feature.tags))
     reasons += ["cut at the border of the site"] * (inside < 1 - LEAST_CUT)
     reasons += ["cut where another building stands"] * (cut - (1 - inside) > LEAST_CUT)

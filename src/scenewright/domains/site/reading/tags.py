@@ -1,4 +1,4 @@
-"""What the tags of OpenStreetMap say of roads and buildings: widths, heights, storeys."""
+"""Widths, heights and storeys of roads and buildings by the tags of OpenStreetMap."""
 
 from __future__ import annotations
 
@@ -124,7 +124,7 @@ def height_of(tags: dict[str, str]) -> float | None:
 
 
 def appearance_of(tags: dict[str, str]) -> dict[str, Any]:
-    """What a standing building looks like, as keys of a landmark of the brief.
+    """The looks of a standing building, as keys of a landmark of the brief.
 
     >>> appearance_of({"building": "church", "height": "-1", "building:levels": "2"})
     {'height': 6.4, 'levels': 2, 'use': 'church'}

@@ -1,4 +1,4 @@
-"""What the default solver chooses by among layouts of a block: what is seen, sun, even spread."""
+"""Aims by which the default solver chooses among layouts of a block: view, sun, even spread."""
 
 from __future__ import annotations
 

@@ -36,7 +36,7 @@ from scenewright.geometry.sun import sun_hours, sun_path
 from scenewright.geometry.walker import RAYS, seen
 
 LOOSE = 1e-4
-"""What a building may lie outside or too near, in square metres: a right corner by a centimetre."""
+"""Tolerated area of a building outside or too near, in m²: a right corner by a centimetre."""
 
 
 class Measure(NamedTuple):

@@ -29,7 +29,7 @@ FORMS = (
     "point",
 )
 USUAL = FORMS[:4]
-"""What is tried where no form is asked for."""
+"""Forms tried where none is asked for."""
 COURTS = {"peripheral": 1.0, "half-closed": 1.0, "mixed": 0.5}
 """Forms with buildings along the rim, and what share of the buildings."""
 TURNED = math.pi / 6

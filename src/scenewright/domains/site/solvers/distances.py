@@ -1,4 +1,4 @@
-"""What buildings of a block keep from each other: spacing all around, sun behind the tall ones."""
+"""Distances between buildings of a block: spacing all around, sun behind the tall ones."""
 
 from __future__ import annotations
 

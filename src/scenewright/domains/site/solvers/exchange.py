@@ -26,7 +26,7 @@ class Lists(NamedTuple):
 
 
 class Slots(NamedTuple):
-    """What stands in n slots, and l landmarks after them.
+    """The buildings in n slots, and l landmarks after them.
 
     ``grid`` lists boxes as large as any that may come; ``frames`` and ``heights`` in it are those
     of the buildings placed. ``quality`` (n + l, 5) of sides; ``room`` (n, 2) greatest width and
@@ -215,7 +215,7 @@ def reach(frame: Frame, c: float, s: float) -> float:
 
 @inlined
 def gain_of(v: Slots, rule: ExchangeRule, i: int, j: int, move: int) -> float:
-    """What the change of two slots is worth: rays and hours are looked at again."""
+    """The gain of exchanging two slots: rays and hours are measured again."""
     v.logged[0], seen, hours = 0, 0.0, 0.0
     for pick in range(2 if i != j else 1):
         k = j if pick else i

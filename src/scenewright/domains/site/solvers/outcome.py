@@ -1,4 +1,4 @@
-"""What a solver of sites answers with."""
+"""The answer of a solver of sites."""
 
 from __future__ import annotations
 

@@ -232,4 +232,4 @@ def repaired_sum(terms: Floats, weights: Floats, count: int) -> Floats:
 
 TERM_ROWS = (*SITE_TERMS, *SITE_AIMS)
 MEANINGS: dict[str, str] = {row.name: row.doc for row in TERM_ROWS} | SITE_FIGURES
-"""What each term, aim and figure says, in one line."""
+"""The meaning of each term, aim and figure, in one line."""

@@ -65,7 +65,7 @@ def ground_mark(view: PaperView, block: BlockPlan) -> Mark:
 
 
 def paving_mark(view: PaperView, rows: Iterable[GroundSurface]) -> Mark:
-    """What lies on the ground, each kind in its colour."""
+    """Surfaces of the ground, each kind in its colour."""
     found = []
     for row in rows:
         for outline, holes in row.areas:

@@ -66,7 +66,7 @@ def number_houses(houses: Sequence[Piece]) -> dict[str, int]:
 
 
 def _bounds(village: VillagePlan, houses: Sequence[Piece]) -> tuple[float, float, float, float]:
-    """What is drawn: blocks, and houses not farther outside than the village is long."""
+    """The drawing: blocks, and houses not farther outside than the village is long."""
     low = np.min([b.outline.min(0) for b in village.blocks], 0)
     high = np.max([b.outline.max(0) for b in village.blocks], 0)
     reach = float((high - low).max()) / 2

@@ -1,6 +1,6 @@
 """The networks of Zhu, Jiang and Li (2022) as a file: their sizes, every array by name, a card.
 
-The file is a plain ``.npz``. Its card says as JSON of which sizes the networks are and how they
+The file is a plain ``.npz``. Its card states as JSON the sizes of the networks and how they
 were trained; the arrays must be of these sizes. Nothing in it is run.
 """
 

@@ -127,7 +127,7 @@ def _stack(samples: Sequence[PaperSample], name: str, noise: NDArray[np.float64]
 
 
 def feed_batches(feed: Feed, done: Mapping[str, int], workers: int) -> Iterator[PaperBatch]:
-    """The batch of each step that is left, made by so many worker processes (0: by this one)."""
+    """The batch of each step that is left, made by ``workers`` processes (0: by this one)."""
     if not workers:
         yield from make_batches(feed, steps_left(feed, done))
         return
@@ -158,7 +158,7 @@ def _receive(end: Connection) -> PaperBatch:
 
 
 def _serve(end: Connection, feed: Feed, done: dict[str, int], first: int, every: int) -> None:
-    """Send every so many'th batch until nobody receives; Ctrl-C is left to who asked."""
+    """Send each ``every``-th batch until nobody receives; Ctrl-C is left to the parent."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     try:
         for batch in make_batches(feed, islice(steps_left(feed, done), first, None, every)):

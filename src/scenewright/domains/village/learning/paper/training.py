@@ -91,7 +91,7 @@ def loss_of_net(torch: Any, name: str, net: Any, batch: PaperBatch, device: str 
 
 
 def keep_nets(torch: Any, path: Path, key: str, state: NetsTraining, seconds: float) -> None:
-    """Keep a state in a file: ``key`` says of which training it is, ``seconds`` what it took."""
+    """Keep a state in a file: ``key`` identifies the training, ``seconds`` is what it took."""
     document = {
         "key": key,
         "done": state.done,
