@@ -38,7 +38,7 @@ from scenewright.domains.site.solvers.genetic import MatrixGenetic
 from scenewright.domains.site.solvers.lattice import make_cells
 from scenewright.domains.site.solvers.matrix_judge import make_judge
 from scenewright.domains.village.paper.filling import fill_as_paper
-from scenewright.domains.village.paper.passes import SHIPPED, read_paper_nets
+from scenewright.domains.village.paper.nets_file import shipped_nets
 from scenewright.engine.clustering.agreement import adjusted_mutual_information
 from scenewright.engine.clustering.resonance import ResonanceSettings, fuzzy_art
 from scenewright.engine.draws import streams
@@ -208,7 +208,7 @@ def breed_room(changed: dict[str, Any], seed: int) -> float:
 
 @cache
 def _village() -> tuple[Any, Any]:
-    return read_paper_nets(SHIPPED), problems(sw.read("sample:village-hamlet"))[0]
+    return shipped_nets(), problems(sw.read("sample:village-hamlet"))[0]
 
 
 def fill_block(name: str, value: float, seed: int) -> float:
