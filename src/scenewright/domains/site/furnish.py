@@ -58,7 +58,7 @@ def landmark_assets(plan: SitePlan, catalog: Catalog) -> tuple[Asset | None, ...
 
 
 def landmarks(plan: SitePlan, catalog: Catalog) -> tuple[Piece, ...]:
-    """The fixed buildings and landmarks."""
+    """The landmarks of a site, as pieces."""
     found = []
     for row, chosen in zip(plan.landmarks, landmark_assets(plan, catalog), strict=True):
         x, y, heading, width, depth = row.box

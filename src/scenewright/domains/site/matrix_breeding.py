@@ -26,7 +26,7 @@ from scenewright.domains.site.solving import build_site_problem, solve
 from scenewright.domains.site.variants import Variant
 
 PRESET, TURNS, AROUND = "paper-repaired", 4, 3
-"""Parameters of breeding sites, turns of a building, and most mutations of a neighbour."""
+"""The preset that sites are bred by, turns of a building, and most mutations of a neighbour."""
 MOST_CELLS = 10_000
 """Cells that a log keeps of a layout."""
 

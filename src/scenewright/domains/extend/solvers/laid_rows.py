@@ -16,7 +16,7 @@ from scenewright.geometry.folding import parse, unfold
 from scenewright.ground.rows import PASSAGE
 
 TOUCHING = GapRules(0.0, 0.0, 0.0)
-"""Tolerance of spacing: rows may stand as near as they are drawn."""
+"""The gap rules of drawn rows: they may stand as near as drawn."""
 WIDE = 3.0
 """Metres of a passage."""
 
