@@ -239,7 +239,7 @@ def _stretches(hall: HallContext, wishes: list[HallDemand], units: list[Unit]) -
 
 
 def _wall_need(wishes: list[HallDemand], units: list[Unit], zone: int) -> WallNeed:
-    """What the units of a zone are to stand at its walls."""
+    """The needs of the units of a zone for its walls."""
     rows = [
         (size.width, size.depth, sum(wishes[unit.demand].clearance[1::2]))
         for unit in units

@@ -7,29 +7,29 @@ AUDIENCE_SEATS = ("auditorium_seat",)
 TABLE_CHAIRS = ("dining_chair", "reading_chair", "office_chair")
 """Chairs that look at what is shown where no table is in their zone."""
 LOUNGE_CHAIRS = ("armchair", "lounge_seat")
-"""What joins the sofa of a lounge."""
+"""Kinds that join the sofa of a lounge."""
 LOUNGE_SEATS = frozenset(("lounge_seat", "armchair", "sofa", "pouf"))
 """Soft seats that look into their hall."""
 CARPETED_SEATS = frozenset(("lounge_seat", "bench", "auditorium_seat", "reading_table"))
-"""What one sits on or at, under which a carpet may lie."""
+"""Seats and tables under which a carpet may lie."""
 SITTING_TABLES = frozenset(("reading_table", "dining_table", "round_table", "outdoor_table"))
 """Tables at which one sits."""
 BEDS = ("double_bed", "single_bed")
 """Beside which nightstands stand."""
 SHOWS = ("stage", "screen", "lectern")
-"""What an audience looks at."""
+"""Kinds an audience looks at."""
 FRAMED = ("stage", "screen")
-"""What planters stand beside at both sides."""
+"""Kinds with planters at both sides."""
 MAIN_EXHIBITS = ("exhibit_island", "showcase", "plinth", "interactive_table", "stage", "screen")
-"""What may be the main exhibit, the likeliest first."""
+"""Kinds that may be the main exhibit, the likeliest first."""
 ON_SHOW = frozenset((*MAIN_EXHIBITS[:4], "exhibit_panel", "display_table", "mannequin"))
-"""What is walked round or along to be looked at."""
+"""Kinds that visitors walk round or along to look at."""
 CARPETED_EXHIBITS = frozenset(
     ("showcase", "plinth", "exhibit_island", "exhibit_panel", "interactive_table")
 )
 """Exhibits under which a carpet may lie."""
 FRONTED = ("exhibit_island", "exhibit_panel")
-"""What has a front and a back as drawn, though it is used from all sides or from both."""
+"""Kinds with a front and a back as drawn, though used from all sides or from both."""
 SERVING = ("info_desk", "counter", "checkout")
 """Desks at which somebody serves."""
 QUEUED_AT = ("counter", "checkout")
@@ -39,4 +39,4 @@ GOODS = ("gondola", "wall_shelving", "ring_shelf", "fridge_shelf", "clothes_rail
 EATEN_AT = ("vending_machine", "dining_table", "round_table", "counter", "bench")
 """Where litter comes from."""
 DECOR = ("plant", "potted_tree", "planter", "litter_bin", "rope_barrier")
-"""What nobody comes to see."""
+"""Kinds nobody comes to see."""

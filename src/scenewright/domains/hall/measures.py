@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 HEAD_HEIGHT = 2.0
-"""What begins above is in nobody's way: the least headroom of stairs and doors."""
+"""Height above which nothing is in anybody's way: the least headroom of stairs and doors."""
 ARM = 0.2
 """How far the arm of a passer-by reaches beyond their side, and how far one stands off a chair."""
 QUEUE = 2.0
@@ -13,7 +13,7 @@ DOOR_OUTSIDE = 0.6
 AISLE = 1.2
 """The clear width of an aisle (International Building Code 2021, 1030.9.1: 1.12 m)."""
 KEPT_OFF = 0.5
-"""What exhibits, tables and lounge seats keep off columns, and lounge seats off other groups."""
+"""Distance of exhibits, tables and lounge seats from columns, of these seats from other groups."""
 NEAR_ENTRANCE = 3.0
 """How far from the entrance a desk is at hand."""
 QUEUE_TRIED = 1.5

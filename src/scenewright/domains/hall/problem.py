@@ -65,7 +65,7 @@ class HallGround(NamedTuple):
 
 
 class Units(NamedTuple):
-    """What is to be placed: ``n`` objects in ``g`` units.
+    """The ``n`` objects to be placed, in ``g`` units.
 
     ``sizes`` (n, 2) width and depth; ``clear`` (n, 4) free depth wished for beyond each side;
     ``access`` (n, 4) 1 for sides any of which will do, 2 for those that must be reached. Unit u

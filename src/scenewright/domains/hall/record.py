@@ -115,7 +115,7 @@ def detail_document(detail: HallDetail) -> dict[str, Any]:
 
 
 def detail_of(record: DetailRecord) -> HallDetail | None:
-    """What a document says of halls; ``None`` if it holds no layout."""
+    """The halls of a document; ``None`` if it holds no layout."""
     if record.graph is None:
         return None
     tours = tuple(tour_of(tour) for tour in record.tours)

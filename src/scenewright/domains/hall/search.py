@@ -36,7 +36,7 @@ Cancel = Callable[[], bool]
 OnReport = Callable[[Report], None]
 
 WAYS = ("access", "reach")
-"""What is wrong where it costs anything."""
+"""The faults of a layout that cost anything."""
 
 
 class HallSearch(NamedTuple):
@@ -66,7 +66,7 @@ class Answer(NamedTuple):
 
     @property
     def rank(self) -> tuple[float, float]:
-        """What answers are compared by: what is wrong, then the energy."""
+        """The key answers are compared by: faults, then the energy."""
         return self.wrong, self.found.layouts[0].energy
 
 
@@ -151,7 +151,7 @@ def take_share(budget: Budget, share: float) -> Budget:
 
 
 def _rest(budget: Budget, steps: int, seconds: float) -> Budget:
-    """What is left of a budget."""
+    """The rest of a budget."""
     left = None if budget.steps is None else max(budget.steps - steps, 0)
     time_left = None if budget.seconds is None else max(budget.seconds - seconds, 0.0)
     return budget._replace(steps=left, seconds=time_left)

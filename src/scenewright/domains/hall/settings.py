@@ -1,4 +1,4 @@
-"""What steers how halls are solved, beside the weights of terms; presets hold the values."""
+"""Settings of solving halls, besides the weights of terms; presets hold the values."""
 
 from __future__ import annotations
 

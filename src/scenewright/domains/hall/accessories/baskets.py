@@ -16,9 +16,9 @@ from scenewright.domains.hall.accessories.spots import (
 from scenewright.domains.hall.problem import Floats
 
 ENTRANCE_FAR, NEXT = 0.3, 0.03
-"""What a metre from the entrance costs, and metres between two stacks side by side."""
+"""Cost of a metre from the entrance, and metres between two stacks side by side."""
 OPEN = 0.4
-"""What a stack costs that does not continue a row."""
+"""Cost of a stack that does not continue a row."""
 
 
 def find_basket_spots(setting: Setting, size: Size) -> Spots:

@@ -31,7 +31,7 @@ FARS, OFF = (2.5, 2.2, 2.8, 2.0, 3.0), 0.5
 """Metres from what one looks at to the middle of a bench, the best first, and what a metre more or
 less than that costs."""
 WALL_BEHIND = 4.0
-"""What a place with its back at a wall costs, where nothing is to be sat before."""
+"""Cost of a place with its back at a wall, where there is nothing to look at."""
 PITCH = 3.0
 """Metres of a side of an island for each bench."""
 BENCHES_WITHIN, BENCHES_CROWD = 5.0, 0.4

@@ -19,7 +19,7 @@ from scenewright.domains.hall.problem import Floats
 
 REASON = "no place is left for it that bars no way"
 REMEDIES = {STOOL: "ask for fewer, a longer counter, or less beside it"}
-"""What may help, by category."""
+"""Remedies by category."""
 
 Furnished = tuple[tuple[Piece, ...], tuple[PlacedGroup, ...], tuple[LeftOut, ...]]
 """Pieces, their groups, and what found no place."""
@@ -110,7 +110,7 @@ def _group(space: str, group: SmallGroup, pieces: tuple[Piece, ...]) -> PlacedGr
 
 
 def _report(there: StandingHall, small: list[HallDemand], placed: Placed) -> tuple[LeftOut, ...]:
-    """What found no spot, by name."""
+    """Objects without a spot, by name."""
     found = []
     for wish, boxes in zip(small, placed, strict=True):
         absent, many = sum(box is None for box in boxes), len(boxes)

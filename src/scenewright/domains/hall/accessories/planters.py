@@ -27,7 +27,7 @@ GAPS = (0.3, 0.6)
 PAIR, RANK, LATER = 0.0, 0.3, 0.15
 """What a spot of a pair costs, and more for each door after the main entrance and a wider gap."""
 EDGED = (*SERVING, "ticket_gate", "lockers")
-"""What they border at its ends."""
+"""Kinds whose ends planters border."""
 BENCH, CORNER, WALL, EDGE, IN_ROW = 1.3, 1.0, 2.0, 2.3, 3.0
 """What a spot costs at the end of a bench, in a corner, at a wall, at the end of a desk, and on in
 a row with planters."""

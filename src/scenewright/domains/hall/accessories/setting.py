@@ -1,4 +1,4 @@
-"""What is known of a hall when its small objects are set: doors, walls, and the floor left free."""
+"""A hall when its small objects are set: doors, walls, and the floor left free."""
 
 from __future__ import annotations
 

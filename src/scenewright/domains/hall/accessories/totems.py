@@ -23,9 +23,9 @@ from scenewright.domains.hall.problem import Floats
 AHEAD, ASIDE = (2.4, 3.2, 1.8, 1.4), (0.4, 0.9, 1.5, 2.2)
 """Metres inside a door and beside the way in at which a totem stands, the best first."""
 WORSE, FURTHER = 0.1, 0.6
-"""What each place counts that is not the best, and a door that is not the main entrance."""
+"""Costs of each place but the best, and of a door that is not the main entrance."""
 LEAVING, ELSEWHERE = 1.0, 1.8
-"""What a spot beside a door costs at which a totem looks into the hall, and one at any wall."""
+"""Costs of a spot beside a door where a totem looks into the hall, and of one at any wall."""
 ISLAND, OF, NEXT = -0.8, "exhibit_island", 0.25
 """What a spot beside an island costs, which has too little floor around it always; what is one, and
 metres between both."""

@@ -1,1 +1,1 @@
-"""What a hall is to hold: checked, filled in, split by how it comes to stand."""
+"""The demands of a hall: checked, filled in, split by how they are laid out."""

@@ -32,7 +32,7 @@ the floor that all may take for that."""
 MOST_NAMED, LITTLE = 3, 0.05
 """Of how many others a note says what they take, and from which share of the floor on."""
 WALL_TO_TABLES = 0.45
-"""What stays free between walls and tables with their chairs, in metres."""
+"""Metres kept free between walls and tables with their chairs."""
 WALL_SHARE = 0.8
 """Share of the walls of a zone that things may fill; the rest is corners."""
 

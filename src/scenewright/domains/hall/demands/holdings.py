@@ -20,7 +20,7 @@ from scenewright.domains.hall.seats.chairs import out_of_table, seats_around
 
 SEATWAY = 0.45
 """Free floor to get to a chair from behind, in metres (Neufert)."""
-"""What looks, unless stated otherwise, at what."""
+"""Which kinds look at which, unless stated otherwise."""
 
 
 class HallDemand(NamedTuple):

@@ -1,4 +1,4 @@
-"""What a shop holds if nobody says: by its kind, its floor and its walls.
+"""The default contents of a shop, by its kind, its floor and its walls.
 
 Amounts follow the floor: footprints and the free depth around them together take half of it, the
 rest is left to walk. Free depths of 0.6 m at both sides of an aisle give it 1.2 m, so that two
@@ -163,7 +163,7 @@ PROGRAMMES: dict[str, tuple[Fixture, ...]] = {
         Fixture("reading_table", (1.6, 0.9, 0.75), _around(0.75), share=1.0, required=True),
     ),
 }
-"""What each kind of unit holds. A row may name one category twice, at walls and in rows."""
+"""The contents of each kind of unit. A row may name one category twice, at walls and in rows."""
 
 _KINDS = {
     "clothes": "clothes shoes boutique fashion fashion_accessories bag leather outdoor sports "

@@ -1,4 +1,4 @@
-"""What stands in halls for things that are no kinds of halls: offered by sense, not by spelling."""
+"""Kinds offered for things that are no kinds of halls: by sense, not by spelling."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ ISLANDS = (
     *("car", "sculpture", "statue", "globe", "skeleton", "dinosaur", "whale", "boat", "ship"),
     *("aeroplane", "airplane", "plane", "locomotive", "train", "stand", "booth", "model"),
 )
-"""What an exhibit island is drawn as where it is called so."""
+"""Drawings of an exhibit island, by words in its name."""
 PICTURES = ("painting", "picture", "photograph", "photo", "drawing", "print", "poster", "art")
-"""What hangs at a wall where a wall exhibit is called so."""
+"""Words in names of wall exhibits that hang as pictures."""
 COLD = "fridge_shelf, a cooler for goods, or fridge, as in a kitchen"
-"""What cools."""
+"""Words for cooled furniture."""
 OTHERS = {
     "mirror": "fitting_room, which has one",
     "tv": "screen",

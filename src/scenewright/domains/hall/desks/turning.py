@@ -23,7 +23,7 @@ FACING = 0.7
 
 
 SLIGHT = 1e-5
-"""What a desk that looks away costs beside the energy: a tie is turned."""
+"""Cost of a desk that looks away, besides the energy: a tie is turned."""
 
 
 def turn_desks(

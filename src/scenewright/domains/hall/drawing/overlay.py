@@ -58,7 +58,7 @@ def _draw_scene(scene: Scene, solution: Solution, title: TitleBlock) -> PlanDraw
 
 
 def overlay_of(halls: Halls, catalog: Catalog) -> Overlay:
-    """What halls add to a plan: zones, groups, tours, and a legend of them."""
+    """Additions of halls to a plan: zones, groups, tours, and a legend of them."""
 
     def mine(storey: Storey) -> Halls:
         return part_of(halls, {space.id for space in storey.scene.spaces})

@@ -1,4 +1,4 @@
-"""What a plan shows of halls beyond the scene: zones, links, groups and tours."""
+"""Marks of halls beyond the scene: zones, links, groups and tours."""
 
 from __future__ import annotations
 
@@ -102,7 +102,7 @@ def sound_tours(tours: Iterable[Tour]) -> tuple[Tour, ...]:
 
 
 def part_of(halls: Halls, spaces: Collection[str]) -> Halls:
-    """What lies in some spaces only (those of a storey)."""
+    """The part within some spaces (those of a storey)."""
     graph = halls.graph
     part = HallLayout(
         tuple(zone for zone in graph.zones if zone.space in spaces),

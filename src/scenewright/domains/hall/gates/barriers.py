@@ -26,9 +26,9 @@ from scenewright.domains.hall.walls.built import clip_span
 from scenewright.domains.hall.zoning.borders import floor_of
 
 CATEGORY, BARRIERS = "glass_barrier", "/barriers"
-"""What closes the floor beside gates, and what its function ends with."""
+"""The kind that closes the floor beside gates, and the ending of its function."""
 GATE_POST = "gate_post"
-"""What stands beyond a wide gate."""
+"""The kind beyond a wide gate."""
 HEIGHT = 1.0
 """How high barriers are, in metres."""
 ASTRAY = 3.5

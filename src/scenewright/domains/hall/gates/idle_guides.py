@@ -70,7 +70,7 @@ def find_barring(
 def _less_missed(
     search: HallSearch, fitted: Fitted, layout: MeasuredLayout, served: Floats, unit: int
 ) -> float:
-    """What the route misses without a unit."""
+    """How much the route misses without a unit."""
     less, found = drop_units(search.hall, search.wishes, fitted, layout, [unit], search.catalog)
     return count_missed_among(less.problem, found, served)
 
@@ -121,7 +121,7 @@ def drop_units(
 
 
 def _less(fitted: Fitted, kept: Kept, gone: Collection[int]) -> Kept:
-    """What makes a layout less some of its units."""
+    """The layout without some of its units."""
     counts = np.diff(fitted.problem.units.spans, axis=1)[:, 0]
     owner = np.repeat(np.arange(len(counts)), capacity(counts))
     rows = [number for number in range(len(counts)) if number not in gone]

@@ -19,9 +19,9 @@ back, the shortest of them, and how thick they are; metres."""
 POST = 0.2
 """How thick the post of the wide gate is, in metres."""
 BARE = 0.25
-"""What it counts that it has none, as metres of rails on floor that others need."""
+"""Cost of a row without rails, as metres of rails on floor that others need."""
 RAIL_GAP = 0.01
-"""What rails stay off walls, gates and one another, in metres."""
+"""Gap of rails to walls, gates and one another, in metres."""
 LANE, MARGIN, THROUGH = 0.9, 0.2, 3.0
 """How wide the wide gate behind a door is at least, by how much it is wider than the route, and how
 long the floor on which one goes through it; metres. Wheelchairs need 0.9 m (DIN 18040-1)."""

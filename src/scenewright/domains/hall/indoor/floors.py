@@ -66,7 +66,7 @@ class IndoorFloor(NamedTuple):
 
     @property
     def demands(self) -> list[Demand]:
-        """What it is to hold."""
+        """Its demands."""
         return shop_programme(self.kind, self.polygon.area, self.polygon.length)
 
     @property
@@ -91,7 +91,7 @@ class Floors(NamedTuple):
 
 
 def role(tags: dict[str, str]) -> Role | None:
-    """What an area of the map is, by its tags; ``None`` if it is no floor.
+    """The kind of an area of the map, by its tags; ``None`` if it is no floor.
 
     >>> role({"indoor": "room", "shop": "books"}), role({"indoor": "area"}), role({"shop": "mall"})
     ('unit', 'way', None)
@@ -256,7 +256,7 @@ def _disjoint(
 def _cut(
     floor: IndoorFloor, others: list[shapely.Geometry | None]
 ) -> tuple[list[shapely.Polygon], str]:
-    """What is left of a floor, and why nothing is."""
+    """The rest of a floor, or the reason why nothing is left."""
     if floor.role == "solid":
         return [floor.polygon], ""
     rest: list[shapely.Polygon] = [floor.polygon]

@@ -1,4 +1,4 @@
-"""What became of every feature of an indoor map."""
+"""The fate of every feature of an indoor map."""
 
 from __future__ import annotations
 

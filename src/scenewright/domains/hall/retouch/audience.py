@@ -33,11 +33,11 @@ THIN, STRETCHED, SEAT, LOOSENED = 0.6, 1.3, 1.0, 8.0
 """Gaps between neighbours and between rows, in metres, above which a metre more costs ``LOOSENED``,
 for seats up to ``SEAT`` wide: an audience sits together."""
 DEEP = 0.5
-"""What each metre counts by which it is deeper than wide."""
+"""Cost of each metre by which an audience is deeper than wide."""
 FAR, GAPS = (1.3, 2.0, 3.0), (1.1, 0.92, 0.57)
 """Metres between stage and first row, and between rows, that are tried."""
 AWAY = 30.0
-"""What seats count that look past their stage, all of them, in metres."""
+"""The cost of all seats that look past their stage, in metres."""
 FARTHEST, NEAR_EDGE = 4.0, 0.05
 """Metres between stage and first row from which on each is a fault, and how far the first row is
 set from the edge of a zone that begins farther off."""

@@ -22,7 +22,7 @@ from scenewright.domains.hall.terms.visitors import ALOOF
 
 LARGEST = 1.2
 OFF_LINE = 0.2
-"""What a metre counts by which a column stands off the line of the row it is in."""
+"""Cost of a metre by which a column is off the line of its row."""
 IN_AISLE, IN_SIGHT = 6.0, 0.5
 """What a column in an aisle counts however wide that is, and what a seat counts whose view it
 crosses; metres."""

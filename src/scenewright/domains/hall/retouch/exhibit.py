@@ -22,7 +22,7 @@ OFF, MOST, NEAR, HIDDEN = 1.0, 10.0, 1.5, 60.0
 """What a metre off the place of the main exhibit counts, metres beyond which more count no more
 and within which it has its place, and what more the energy counts where it is hidden."""
 ALONG, ACROSS = 0.15, 2.0
-"""What a metre along the axis of the entrance counts, and one off it."""
+"""Costs of a metre along the axis of the entrance, and of one off it."""
 BESIDE, ROUND = 0.5, 0.8
 """How far off the middle of a zone the axis of the entrance may pass for its main exhibit to stand
 on it, as a share of the root of its floor, and metres between that and its edge."""

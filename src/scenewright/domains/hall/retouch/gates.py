@@ -29,7 +29,7 @@ SHUT, BARRED, MOST_BARRED, FREE = 1.0, 0.5, 3.0, 0.05
 """What it counts that their rails cannot stand, and each metre of them that cannot, the most that
 counts, and how much of them others may stand in; metres."""
 CROWDED, NEEDED = 0.5, 0.8
-"""What a metre of their rails on floor counts that others need, and how much of that they need."""
+"""Cost of a metre of their rails on floor that others need, and how much of it they need."""
 FORGIVEN = 0.97
 """What is forgiven of the free floor of gates that doors need too: farther off is still better."""
 STEPS = (1.72, 2.0, 2.4, 2.8, 3.4)

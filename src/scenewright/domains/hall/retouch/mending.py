@@ -49,7 +49,7 @@ class SeenTouch(NamedTuple):
         return self.touch.fault(self.seen, kept, boxes)
 
     def forgiven(self, kept: Kept, boxes: Floats, p: PreparedHall, s: State) -> float:
-        """What of the energy of a measured state does not count."""
+        """The part of the energy of a measured state that does not count."""
         forgive = self.touch.forgive
         return 0.0 if forgive is None else forgive(self.seen, kept, boxes, p, s)
 
@@ -100,7 +100,7 @@ def _differing(proposals: list[Proposal]) -> list[Proposal]:
 
 
 def weigh_layout(chain: HallChain, one: SeenTouch, kept: Kept) -> Proposal:
-    """What a layout costs with the fault that a touch mends."""
+    """The cost of a layout with the fault that a touch mends."""
     return _weigh(chain, one, kept, bring_back(chain.p, chain.s, chain.work, kept), np.inf)
 
 

@@ -18,7 +18,7 @@ from scenewright.domains.hall.retouch.weigh_rows import find_ways_out, look_rows
 from scenewright.domains.hall.terms.state import Kept
 
 TURNED = 3.0
-"""What lanes count that lead along the wall of the way out, in metres."""
+"""Cost of lanes that lead along the wall of the way out, in metres."""
 STEPS = (2.0, 2.6, 3.4, 4.4)
 SHIFTS = tuple(0.6 * k for k in range(-16, 17))
 """Metres ahead of a way out and aside that are tried."""

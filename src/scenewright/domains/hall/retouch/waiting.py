@@ -23,7 +23,7 @@ BESIDE, BEHIND, AHEAD, STAFF = 2.2, 3.0, 0.6, 2.0
 """Metres beside, behind and ahead of the front of a desk in which nobody waits, and what counts
 who does, in metres."""
 LOOSE, ADRIFT = 0.3, 2.0
-"""What each metre between a lone seat and the wall behind it counts, and the most."""
+"""Cost of each metre between a lone seat and the wall behind it, and the most."""
 
 
 def measure_waiting(problem: HallProblem, kept: Kept, boxes: Floats) -> float:
@@ -36,7 +36,7 @@ def measure_waiting(problem: HallProblem, kept: Kept, boxes: Floats) -> float:
 
 
 def _measure_loose(problem: HallProblem, seats: Floats) -> float:
-    """What the distance of one lone seat (1, 5) from a wall counts."""
+    """The cost of the distance of a lone seat (1, 5) from a wall."""
     if len(seats) > 1:
         return 0.0
     x, y, heading, _, depth = seats[0]

@@ -18,7 +18,7 @@ TOUCH, NEARLY = 1e-4, 1e-9
 FEWEST_AROUND = 4
 """Chairs round a table that is small, at least."""
 CHAIRS = "/chairs"
-"""What the function of chairs that came with a table ends with."""
+"""The ending of the function of chairs that came with a table."""
 
 
 def out_of_table(

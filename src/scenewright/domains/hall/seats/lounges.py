@@ -16,7 +16,7 @@ from scenewright.domains.hall.demands.holdings import HallDemand, LoungePart
 from scenewright.domains.hall.seats.low_tables import CATEGORY as TABLE
 
 SOFA = "sofa"
-"""What stands at the back of a lounge."""
+"""Kinds at the back of a lounge."""
 KNEES, BESIDE, ROW = 0.45, 0.2, 3
 """Metres between a low table and the seats at it and between two chairs, and most chairs in a row
 across from a sofa."""

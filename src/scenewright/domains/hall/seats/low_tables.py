@@ -22,7 +22,7 @@ from scenewright.domains.hall.solvers.outcome import (
 from scenewright.geometry.boxes import Frame, common_area, make_frame
 
 CATEGORY, TABLES = "coffee_table", "/tables"
-"""What stands between seats, and what its function ends with."""
+"""The kind between seats, and the ending of its function."""
 SHORT, LONG, HEIGHT = 0.6, 1.1, 0.42
 """Side and length of a low table, for up to three seats and for more, and its height, in metres."""
 TOUCH = 1e-4

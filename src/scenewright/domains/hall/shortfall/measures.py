@@ -10,7 +10,7 @@ from scenewright.domains.hall.furnishing.assemble import Laid
 from scenewright.domains.hall.visit.visitor_plan import ROPES
 
 NOTHING = 1e-6
-"""What costs less costs nothing."""
+"""Cost below which a fault counts as none."""
 
 
 def leaves_open(demands: list[Demand]) -> bool:

@@ -19,7 +19,7 @@ from scenewright.domains.hall.solvers.blocks import UNIT, GroupBlock, Option
 Floats = NDArray[np.float64]
 SLACK = 0.01
 UNEVEN = 0.2
-"""What cells of unequal size cost, against cells too small for the clearance."""
+"""Weight of cells of unequal size, against cells too small for the clearance."""
 
 
 class CellObjects(NamedTuple):

@@ -124,7 +124,7 @@ def genetic_hall(
 
 
 def _decoded(chain: HallChain, genes: Floats) -> Kept:
-    """What genes (m,) stand for."""
+    """The meaning of genes (m,)."""
     decode(chain.p, chain.s, np.ascontiguousarray(genes.reshape(-1, GENES)))
     return kept_of(chain.s)
 

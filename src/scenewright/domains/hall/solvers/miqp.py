@@ -63,7 +63,7 @@ def members_of(p: PreparedHall, unit: int) -> CellObjects:
 
 
 def zone_of(problem: HallProblem, p: PreparedHall, zone: int) -> MiqpZone:
-    """What a zone has and holds."""
+    """The floor of a zone and its objects."""
     edges = p.zone_edges[slice(*p.zone_spans[zone])]
     ground = problem.ground
     lines = shapely.multilinestrings(shapely.linestrings(edges.reshape(-1, 2, 2)))

@@ -14,7 +14,7 @@ from scenewright.geometry.compiled import compiled, inlined
 FLUSH = 0.003
 """How far backs stand off their wall, in metres."""
 CORNER = 0.1
-"""What is left free behind a corner beyond the depth of the row, in metres."""
+"""Metres left free behind a corner beyond the depth of the row."""
 
 
 @inlined

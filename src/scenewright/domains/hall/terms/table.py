@@ -27,7 +27,7 @@ NEAR = 1.0
 PASS, ABUT = 0.6, 0.02
 """Gaps people get through, and gaps of objects that stand side by side, in metres."""
 EASE = 0.5
-"""What a metre lacking of a wished passage costs beside one that nobody gets through."""
+"""Cost of a metre a wished passage lacks, relative to one that nobody gets through."""
 NEAR_OUT = 15.0
 """Metres to a way out that nobody minds."""
 
@@ -120,7 +120,7 @@ _ROWS = (
 HALL_TERMS: tuple[TermRow, ...] = add_terms("hall", _ROWS)
 """All terms of halls, those of other packages last."""
 MEANINGS: dict[str, str] = {row.name: row.doc for row in HALL_TERMS}
-"""What each term says, in one line."""
+"""The meaning of each term, in one line."""
 PRINTED = ("space", "fill", "access", "proportion")
 
 

@@ -39,7 +39,7 @@ from scenewright.domains.hall.visit.roles import FRONT, MACHINES, is_first, is_t
 from scenewright.domains.hall.zoning.assign import Unit
 
 EYES = 1.6
-"""What rises above this height hides what is behind it, in metres."""
+"""Height in metres above which an object hides those behind it."""
 INSIDE = 0.5
 """How far inside a door a visitor looks round, in metres."""
 ROPES = ("rope_barrier",)

@@ -17,7 +17,7 @@ from scenewright.domains.hall.zoning.borders import floor_of
 CEILING, TALLEST = 0.3, 4.0
 """Metres a partition stays below the ceiling, and its greatest height."""
 BUILT_AT_WALL = 0.15
-"""What stands at a wall has its back at most this far from it, in metres."""
+"""Most metres from a wall to the back of an object at it."""
 SHORTEST = 0.3
 """Shorter walls are not built, in metres."""
 

@@ -28,7 +28,7 @@ HOLLOW = 0.04
 BULGE = 0.2
 """Metres of it behind the middle of what is as wide as a place from which on none is on a curve."""
 SPARE = 0.02
-"""What a place is wider than its object, and farther from the next, in metres."""
+"""Metres by which a place is wider than its object, and between two places."""
 
 
 class WallNeed(NamedTuple):

@@ -27,7 +27,7 @@ SHORTEST = 1.2
 ASIDE, ROAM = 3.0, 6.0
 """How far a wall may stand off its border, and one within a zone off the middle, in metres."""
 SPARE = 0.3
-"""What a gap is wider than its passage, and a wall longer than its objects need, in metres."""
+"""Metres by which a gap exceeds its passage, and a wall the need of its objects."""
 
 
 TRIMS, OUTSIDE = (0.0, 0.1, 0.2, 0.3), 1e-4

@@ -121,7 +121,7 @@ def _ground(
     links: Sequence[ZoneLink],
     passage: float,
 ) -> ZoningGround:
-    """What the search needs to know, in the hall's frame."""
+    """The input of the search, in the hall's frame."""
     order = {wish.id: index for index, wish in enumerate(wishes)}
     fixed = {
         index: _to_hall_frame(frame, shapely.Polygon(wish.zone.outline, wish.zone.holes))

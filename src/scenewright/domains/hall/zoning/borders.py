@@ -191,7 +191,7 @@ def _segments(points: Points, first: int, second: int) -> list[Border]:
 
 
 def _gap(opening: Opening) -> shapely.Polygon:
-    """What a door takes of the wall: its width and 0.1 m at each side."""
+    """The wall a door takes: its width and 0.1 m at each side."""
     heading = np.arctan2(opening.ux, -opening.uy)
     width, depth = opening.width + 2 * BESIDE_DOOR, opening.thickness + 2 * (BEND + BORDERS_TOUCH)
     return shapely.Polygon(corners(np.array([[opening.x, opening.y, heading, width, depth]]))[0])

@@ -44,7 +44,7 @@ ENTRIES = frozenset(
         "recepción",
     ]
 )
-"""What the zone one comes into first is called."""
+"""Names of the zone at the entrance."""
 
 
 def zone_names(room: Room) -> tuple[str, ...]:
