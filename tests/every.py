@@ -10,16 +10,17 @@ from typing import Any
 
 
 def every(
-    rows: Iterable[Any], name: Callable[[Any], str] = str
+    rows: Iterable[Any] | Callable[[], Iterable[Any]], name: Callable[[Any], str] = str
 ) -> Callable[[Callable[..., None]], Callable[[], None]]:
     """Make one test of a check of one row: each is checked, whatever the others do.
 
     A row that is a plain tuple is handed over as several arguments. ``name`` says which row failed.
+    A table that takes long to make is handed over as the function that makes it.
     """
-    listed = list(rows)
 
     def make(check: Callable[..., None]) -> Callable[[], None]:
         def checked() -> None:
+            listed = list(rows() if callable(rows) else rows)
             assert listed, "the table has no rows"
             failed = [f"{name(row)}: {fault}" for row in listed if (fault := fault_of(check, row))]
             assert not failed, "\n".join([f"{len(failed)} of {len(listed)} rows fail", *failed])

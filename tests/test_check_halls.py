@@ -36,6 +36,7 @@ from scenewright.domains.hall.hall_layout import (
     Zone,
     ZoneLink,
 )
+from thoroughness import only_thorough
 
 FULL = two_zones(
     *gap(1.1),
@@ -169,7 +170,7 @@ def test_a_home_has_no_halls():
     assert "halls" not in judge(replace(FULL, detail=None)).figures
 
 
-@pytest.mark.slow
+@only_thorough
 def test_two_thousand_pieces_are_judged_quickly():
     """About 2.5 s of one core; the limit leaves room for a slower machine."""
     cases = [

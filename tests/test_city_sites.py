@@ -19,6 +19,7 @@ from scenewright.domains.site.reading.cityjson import read_report
 from scenewright.formats import read, write
 from scenewright.ground.reading.road_areas import pieces
 from scenewright.render.items import things, to_level_coordinates
+from thoroughness import only_thorough
 
 L_SHAPE = [(0, 0), (20, 0), (20, 8), (8, 8), (8, 24), (0, 24)]
 BLOCK = [(60, 10), (84, 10), (84, 22), (60, 22)]
@@ -206,7 +207,7 @@ def test_road_areas_become_straight_pieces_that_cover_them():
 
 
 @pytest.mark.realdata
-@pytest.mark.parametrize("name", ["delft", "rotterdam_subset"])
+@pytest.mark.parametrize("name", ["delft", pytest.param("rotterdam_subset", marks=only_thorough)])
 def test_real_city_models_are_sites(real_data, name):
     path = real_data / "citymodels_cityjson" / f"{name}.json"
     if not path.exists():

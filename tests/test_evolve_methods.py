@@ -20,6 +20,7 @@ from scenewright.engine.preference.interactive.crowd import Crowd, follow
 from scenewright.engine.preference.interactive.methods import INTERACTIVE_METHODS, method_named
 from scenewright.workflow.evolution.by_method import make_run
 from scenewright.workflow.evolve import Evolution, evolve, resume_evolution
+from thoroughness import spread
 
 AREA, SITE = "sample:extend-court", "sample:site-square"
 CELLS, KINDS = 12, 3
@@ -99,7 +100,7 @@ def sheets_of(evolution: Evolution, count: int, first: int = 0) -> list[list[Gen
     return found
 
 
-@pytest.mark.parametrize("name", INTERACTIVE_METHODS)
+@pytest.mark.parametrize("name", spread(tuple(INTERACTIVE_METHODS), 2))
 def test_a_killed_evolution_goes_on_with_the_same_sheets(name: str, tmp_path: Path) -> None:
     with evolve(AREA, method=name) as whole:
         wanted = sheets_of(whole, 3)

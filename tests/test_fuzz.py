@@ -26,10 +26,11 @@ from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
 from scenewright.domains import check
 from scenewright.formats import solution_json
+from thoroughness import few_or_many, spread
 
-SEEDS = 40
+SEEDS = few_or_many(8, 40)
 """Broken documents and files of each kind."""
-CASES = int(os.environ.get("SCENEWRIGHT_FUZZ", "24"))
+CASES = int(os.environ.get("SCENEWRIGHT_FUZZ", few_or_many(8, 24)))
 """Cases of solutions, encodings and terminals; ``SCENEWRIGHT_FUZZ=2000`` runs two thousand."""
 STEPS = 20
 READ = """
@@ -159,7 +160,7 @@ def _terminal(draw: random.Random) -> io.TextIOWrapper:
 
 @pytest.mark.skipif(sys.platform != "linux", reason="bounds a process as Linux does")
 def test_the_worst_files_take_little_memory_and_time(tmp_path: Path) -> None:
-    files = worst()
+    files = dict(spread(list(worst().items()), 4))
     for name, content in files.items():
         (tmp_path / name).write_bytes(content)
     done = subprocess.run(

@@ -25,14 +25,16 @@ from scenewright.domains.hall import solving as domain
 from scenewright.domains.hall.demands.checked import ids_of, sizes_of
 from scenewright.domains.hall.patterns import PATTERNS
 from scenewright.formats import brief_json, solution_json
-from thoroughness import few_or_many, only_thorough
+from thoroughness import few_or_many, only_thorough, spread
 
 SAMPLES = ("exhibition", "shop", "reading-room", "auditorium", "irregular")
 STEPS = 5000
 """Fewer than ``quick`` takes, the least that a user is offered by name."""
 SEEDS, ENOUGH = 3, few_or_many(STEPS, 20_000)
 """Runs and steps for a median of energies that hardly depends on chance."""
-EVERY = pytest.mark.parametrize(("name", "seed"), [(n, s) for n in SAMPLES for s in (0, 1)])
+EVERY = pytest.mark.parametrize(
+    ("name", "seed"), [(n, s) for n in SAMPLES for s in range(few_or_many(1, 2))]
+)
 
 
 @cache
@@ -184,7 +186,7 @@ def turned(brief: Brief, quarters: int, dx: float, dy: float) -> Brief:
 @pytest.mark.parametrize(
     ("quarters", "dx", "dy"), [(1, -300.0, 41.3), pytest.param(2, 7.7, -9.1, marks=only_thorough)]
 )
-@pytest.mark.parametrize("name", SAMPLES)
+@pytest.mark.parametrize("name", spread(SAMPLES, 2))
 def test_a_hall_elsewhere_is_as_good(name: str, quarters: int, dx: float, dy: float) -> None:
     brief = brief_of(name)
     assert turned(turned(brief, 4 - quarters, 0, 0), quarters, 0, 0) == brief
@@ -237,7 +239,7 @@ def renamed(brief: Brief, zones: dict[str, str], demands: dict[str, str]) -> Bri
     return Brief.model_validate(document)
 
 
-@pytest.mark.parametrize("name", SAMPLES)
+@pytest.mark.parametrize("name", spread(SAMPLES, 2))
 def test_names_change_names_only(name: str) -> None:
     brief, found = brief_of(name), solved(name, 0)
     zones, demands = (

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import struct
+from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -34,46 +36,41 @@ def test_library_faults(tmp_path: Path, case: str) -> None:
     assert told in fault_of(furniture(tmp_path, catalogue, {"kit/table.obj": obj_text()}))
 
 
-LIED = zipped({"PluginFurnitureCatalog.properties": b"#" * 100 + b" " * 9_000_000})
+NAMED = {"PluginFurnitureCatalog.properties": PIECE.encode("latin-1")}
 
 
-PACKED = {
-    "no zip": (b"hello", "whole zip archive"),
-    "cut off": (WHOLE[: len(WHOLE) // 2], "whole zip archive"),
-    "no catalogue": (zipped({"a.txt": b"a"}), "holds no PluginFurnitureCatalog.properties"),
-    "catalogue swells": (LIED, "is larger than 8 MiB"),
+@cache
+def lied() -> bytes:
+    return zipped({"PluginFurnitureCatalog.properties": b"#" * 100 + b" " * 9_000_000})
+
+
+PACKED: dict[str, tuple[Callable[[], bytes], str]] = {
+    "no zip": (lambda: b"hello", "whole zip archive"),
+    "cut off": (lambda: WHOLE[: len(WHOLE) // 2], "whole zip archive"),
+    "no catalogue": (lambda: zipped({"a.txt": b"a"}), "holds no PluginFurnitureCatalog.properties"),
+    "catalogue swells": (lied, "is larger than 8 MiB"),
     "model swells": (
-        zipped(
-            {
-                "PluginFurnitureCatalog.properties": PIECE.encode("latin-1"),
-                "kit/table.obj": b"\n" * 30_000_000,
-            }
-        ),
+        lambda: zipped(NAMED | {"kit/table.obj": b"\n" * 30_000_000}),
         "packed more than 200 times",
     ),
     "model too large": (
-        zipped(
-            {
-                "PluginFurnitureCatalog.properties": PIECE.encode("latin-1"),
-                "kit/table.obj": b"\n" * 70_000_000,
-            }
-        ),
+        lambda: zipped(NAMED | {"kit/table.obj": b"\n" * 70_000_000}),
         "larger than 64 MiB",
     ),
-    "damaged": (WHOLE.replace(b"PluginF", b"PluginG", 1), "cannot be unpacked"),
-    "many entries": (zipped({f"{k}": b"" for k in range(50_001)}), "holds 50,001 entries"),
+    "damaged": (lambda: WHOLE.replace(b"PluginF", b"PluginG", 1), "cannot be unpacked"),
+    "many entries": (lambda: zipped({f"{k}": b"" for k in range(50_001)}), "holds 50,001 entries"),
 }
 
 
 @pytest.mark.parametrize("case", PACKED)
 def test_archive_faults(tmp_path: Path, case: str) -> None:
-    content, told = PACKED[case]
-    assert told in fault_of(put(tmp_path, "shop.sh3f", content))
+    make, told = PACKED[case]
+    assert told in fault_of(put(tmp_path, "shop.sh3f", make()))
 
 
 def test_an_archive_that_lies_about_sizes_is_not_believed(tmp_path: Path) -> None:
     """The size in the directory of the archive says 100 bytes, the entry has 9 MB."""
     true = struct.pack("<I", 9_000_100)
-    assert LIED.count(true) == 2
-    path = put(tmp_path, "shop.sh3f", LIED.replace(true, struct.pack("<I", 100)))
+    assert lied().count(true) == 2
+    path = put(tmp_path, "shop.sh3f", lied().replace(true, struct.pack("<I", 100)))
     assert "cannot be unpacked" in fault_of(path) or "lists no models" in fault_of(path)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -70,6 +71,17 @@ def steered(problem: Any, group: str, name: str, value: Any) -> Any:
     return problem._replace(settings=problem.settings._replace(**{group: changed}))
 
 
+@cache
+def problem_of(source: str) -> Any:
+    return problems(sw.read(source))[0]
+
+
+@cache
+def usual_of(source: str, domain: str, solver: str, steps: int) -> tuple[Any, int]:
+    """What a solver finds with the settings as they are."""
+    return found_by(problem_of(source), domain, solver, Budget(steps=steps))
+
+
 def found_by(problem: Any, domain: str, solver: str, budget: Budget) -> tuple[Any, int]:
     found = solvers(domain)[solver].run(problem, budget, 1)
     return found.layouts[0].boxes, found.evaluations
@@ -83,8 +95,8 @@ def found_by(problem: Any, domain: str, solver: str, budget: Budget) -> tuple[An
 def test_another_value_finds_another_layout(
     domain: str, group: str, name: str, value: Any, solver: str, steps: int
 ) -> None:
-    problem = problems(sw.read(SAMPLES[domain]))[0]
-    usual, looked = found_by(problem, domain, solver, Budget(steps=steps))
+    problem = problem_of(SAMPLES[domain])
+    usual, looked = usual_of(SAMPLES[domain], domain, solver, steps)
     other, also = found_by(
         steered(problem, group, name, value), domain, solver, Budget(steps=steps)
     )
@@ -108,8 +120,8 @@ def test_another_value_finds_another_layout(
 def test_another_value_finds_another_site(
     group: str, name: str, value: Any, solver: str, steps: int
 ) -> None:
-    problem = problems(sw.read("sample:site-landmarks"))[0]
-    usual, looked = found_by(problem, "site", solver, Budget(steps=steps))
+    problem = problem_of("sample:site-landmarks")
+    usual, looked = usual_of("sample:site-landmarks", "site", solver, steps)
     other, also = found_by(
         steered(problem, group, name, value), "site", solver, Budget(steps=steps)
     )
@@ -129,7 +141,7 @@ def test_another_value_finds_another_site(
 def test_work_without_a_budget_is_what_the_settings_say(
     domain: str, group: str, name: str, solver: str, few: float, many: float
 ) -> None:
-    problem = problems(sw.read(SAMPLES[domain]))[0]
+    problem = problem_of(SAMPLES[domain])
     found_by(problem, domain, solver, Budget(steps=20))
     less, more = (
         found_by(steered(problem, group, name, value), domain, solver, Budget())[1]

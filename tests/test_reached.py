@@ -57,10 +57,15 @@ def named_in(module: str) -> Iterator[str]:
             yield from (f"{node.module}.{alias.name}" for alias in node.names)
         elif isinstance(node, ast.JoinedStr):
             yield text_of(node, names).partition(":")[0]
-        elif isinstance(node, ast.Constant) and isinstance(node.value, str):
+        elif isinstance(node, ast.Constant) and isinstance(node.value, str) and is_name(node.value):
             said = node.value.partition(":")[0]
             yield from (said, f"{column}{said}", f"{package}{said}", f"{package}.{said}")
             yield f"{ASSETS}{said}"
+
+
+def is_name(text: str) -> bool:
+    """Whether a text may name a module or what is in it."""
+    return len(text) < 200 and not {" ", "\n"} & {*text}
 
 
 def home_of(name: str) -> str:

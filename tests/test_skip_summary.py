@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from skip_summary import EXTRAS, find_missing, read_extras, summarize_skips
+from thoroughness import only_thorough
 
 TESTS = """
 import pytest
@@ -24,7 +25,7 @@ def test_signals(): pass
 """
 
 
-@pytest.mark.parametrize("processes", ["0", "2"])
+@pytest.mark.parametrize("processes", [pytest.param("0", marks=only_thorough), "2"])
 def test_every_run_ends_with_what_it_skipped(tmp_path: Path, processes: str) -> None:
     (tmp_path / "conftest.py").write_text("from skip_summary import pytest_terminal_summary\n")
     (tmp_path / "test_some.py").write_text(TESTS)

@@ -18,9 +18,9 @@ from scenewright.engine.solve import Report
 from scenewright.formats import solution_json
 
 SAMPLES = {
-    "home": "home-flat",
+    "home": "home-studio",
     "hall": "hall-shop",
-    "site": "site-30",
+    "site": "site-courtyards",
     "village": "village-hamlet",
     "extend": "extend-terrace",
 }

@@ -29,6 +29,7 @@ from scenewright.domains.home.tasks import task_of
 from scenewright.domains.home.wished.wishes import apply_preferences, apply_wishes
 from scenewright.formats import solution_json
 from scenewright.formats.brief_json import loads
+from thoroughness import spread
 
 
 def room(function: str, *wishes: dict[str, Any], width: float = 6.0) -> Brief:
@@ -199,15 +200,18 @@ def test_places_are_measured(wish: dict[str, Any], fulfilled: bool) -> None:
 
 @pytest.mark.parametrize(
     ("function", "wish"),
-    [
-        ("living", {"what": "sideboard", "by": "door"}),
-        ("living", {"what": "dining", "by": "window"}),
-        ("single_bedroom", {"what": "desk", "face": "window"}),
-        ("double_bedroom", {"what": "double_bed", "face": "window"}),
-        ("living", {"what": "tv", "away_from": "window", "metres": 3.0}),
-        ("double_bedroom", {"what": "chest", "away_from": "wardrobe"}),
-        ("living", {"what": "armchair", "face": "tv"}),
-    ],
+    spread(
+        [
+            ("living", {"what": "sideboard", "by": "door"}),
+            ("living", {"what": "dining", "by": "window"}),
+            ("single_bedroom", {"what": "desk", "face": "window"}),
+            ("double_bedroom", {"what": "double_bed", "face": "window"}),
+            ("living", {"what": "tv", "away_from": "window", "metres": 3.0}),
+            ("double_bedroom", {"what": "chest", "away_from": "wardrobe"}),
+            ("living", {"what": "armchair", "face": "tv"}),
+        ],
+        3,
+    ),
 )
 def test_new_places_draw(function: str, wish: dict[str, Any]) -> None:
     heard, ignored = 0, 0

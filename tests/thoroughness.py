@@ -3,8 +3,12 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
+from typing import TypeVar
 
 import pytest
+
+Row = TypeVar("Row")
 
 THOROUGH = bool(os.environ.get("SCENEWRIGHT_THOROUGH"))
 only_thorough = pytest.mark.skipif(not THOROUGH, reason="in make test-all")
@@ -18,3 +22,13 @@ def few_or_many(few: int, many: int) -> int:
     True
     """
     return many if THOROUGH else few
+
+
+def spread(rows: Sequence[Row], few: int) -> list[Row]:
+    """``few`` rows of a table of equals, evenly spread; all of them in the thorough check.
+
+    >>> len(spread(range(100), 4)) in (4, 100)
+    True
+    """
+    number = few_or_many(min(few, len(rows)), len(rows))
+    return [rows[k * len(rows) // number] for k in range(number)]
