@@ -19,7 +19,7 @@ from scenewright.catalog.assets import shipped
 from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
 from scenewright.core.scene import Size
-from thoroughness import THOROUGH, spread
+from thoroughness import only_thorough, spread
 
 MOST_MEMORY, LONGEST = 500.0, 5.0
 """Mebibytes beyond an empty run, and seconds of the processor until a refusal."""
@@ -46,13 +46,10 @@ def test_hostile_files_are_refused_soon_and_in_little_memory(files: object, tmp_
         assert row["done"] == (name in ("same-walls.json", "fixed.json")), row
 
 
-@pytest.mark.slow
+@only_thorough
 def test_costly_answers_take_little_memory(tmp_path: Path) -> None:
     """No more than half a gigabyte beyond what an ordinary room takes."""
-    files = costly_answers()
-    if not THOROUGH:
-        files = {name: files[name] for name in ("plain.json", "comb.json")}
-    rows = runs(files, tmp_path, "--whole")
+    rows = runs(costly_answers(), tmp_path, "--whole")
     usual = float(str(rows["plain.json"]["memory"]))
     for row in rows.values():
         assert row["done"], row

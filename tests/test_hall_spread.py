@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scenewright.domains.hall.retouch.stands import measure_backs, propose_turns
 
 import scenewright
 from hall_chains import posed
@@ -18,7 +19,6 @@ from scenewright.domains.hall.patterns import RADIATION
 from scenewright.domains.hall.retouch import retouch_layout
 from scenewright.domains.hall.retouch.columns import find_columns
 from scenewright.domains.hall.retouch.spread import measure_spread, propose_spread
-from scenewright.domains.hall.retouch.stands import measure_backs, propose_turns
 from scenewright.domains.hall.solvers.chains import begin_chain, layout_of
 from scenewright.domains.hall.solvers.outcome import StartedHall
 from scenewright.domains.hall.solving import problems
