@@ -20,6 +20,7 @@ from scenewright.core.solution import unfurnished
 from scenewright.domains import scene_of
 from scenewright.formats.glb import encode_scene
 from scenewright.geometry import rays
+from scenewright.geometry.distance_raster import walls_between
 from scenewright.render.observations.ceilings import ceilings
 from scenewright.render.observations.views import KINDS, Observation, pose_of
 from scenewright.workflow.observe import Observations, observe
@@ -148,6 +149,12 @@ def test_a_trajectory_keeps_its_clearance_through_the_door(clearance: float) -> 
         assert min(one.clearance, nearest(seen, one.eye)) >= clearance
     turns = np.abs(np.diff([one.yaw for one in seen.viewpoints]))
     assert (turns / lengths).max() < np.pi, "turns by less than half a circle a metre"
+
+
+def test_a_wall_with_many_doors_is_cut_at_each() -> None:
+    wall = np.array([[0.0, 0.0, 90.0, 0.0], [0.0, 9.0, 90.0, 9.0]])
+    doors = np.array([[3.0 * k + 1.5, 0.0, np.pi / 2, 1.0, 0.2] for k in range(30)])
+    assert len(walls_between(wall, doors)) == 32
 
 
 def test_the_same_seed_gives_the_same_bytes(tmp_path: Path) -> None:

@@ -146,10 +146,9 @@ def walls_between(edges: Floats, doors: Floats) -> Floats:
     >>> walls_between(wall, door)[:, [0, 4]].tolist()
     [[0.5, 1.0], [3.0, 2.0]]
     """
-    parts = [edges]
+    found = edges
     for door in doors:
-        parts = [rest for some in parts for rest in _outside(some, door)]
-    found = np.vstack(parts)
+        found = _outside(found, door)
     along = found[:, 2:] - found[:, :2]
     length = np.hypot(along[:, 0], along[:, 1])
     middle = (found[:, :2] + found[:, 2:]) / 2
@@ -158,7 +157,7 @@ def walls_between(edges: Floats, doors: Floats) -> Floats:
     return np.ascontiguousarray(boxes[length > 1e-6])
 
 
-def _outside(edges: Floats, box: Floats) -> list[Floats]:
+def _outside(edges: Floats, box: Floats) -> Floats:
     """The edges (e, 4) before and after their part in a box (5,)."""
     right = np.array([np.sin(box[2]), -np.cos(box[2])])
     front = np.array([np.cos(box[2]), np.sin(box[2])])
@@ -176,7 +175,7 @@ def _outside(edges: Floats, box: Floats) -> list[Floats]:
     before, after = edges[met].copy(), edges[met].copy()
     before[:, 2:] = before[:, :2] + low[met, None] * along[met]
     after[:, :2] = after[:, :2] + high[met, None] * along[met]
-    return [edges[~met], before, after]
+    return np.vstack([edges[~met], before, after])
 
 
 @compiled

@@ -121,8 +121,10 @@ def picture_of(view: Observation, kind: str) -> NDArray[Any]:
     if kind == "normals":
         return np.rint((values + 1.0) * 127.5).astype(np.uint8)
     if kind in ("instance", "semantic"):
-        mixed = values[..., None].astype(np.int64) * (73, 151, 199)
-        return np.where(values[..., None] > 0, 40 + mixed % 211, 0).astype(np.uint8)
+        mixed = np.arange(int(values.max()) + 1)[:, None] * (73, 151, 199)
+        colours = (40 + mixed % 211).astype(np.uint8)
+        colours[0] = 0
+        return np.asarray(colours[values])
     return values
 
 
