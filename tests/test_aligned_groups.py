@@ -20,7 +20,6 @@ from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.alignment.align import align_groups
 from scenewright.domains.home.composing.filling.bare_floor import furnish_bare_floor
 from scenewright.domains.home.composing.filling.bare_walls import furnish_bare_walls
-from scenewright.domains.home.composing.filling.rows import close_gaps
 from scenewright.domains.home.composing.places.forms import list_further
 from scenewright.domains.home.composing.places.moving import dress_group, make_unplaced
 from scenewright.domains.home.composing.views import cost_of_view, list_between
@@ -114,17 +113,6 @@ def test_a_screen_moves_along_its_wall_onto_the_axis_of_the_sofa(aside):
     screen = next(p for g in moved for p in g.pieces if p.category == "tv")
     assert screen.pose.x == pytest.approx(2.5, abs=0.05)
     assert screen.pose.y == pytest.approx(media.pieces[1].pose.y)
-
-
-def test_shelves_of_one_wall_close_up_to_the_corner():
-    task = _task("storage", 3.2, 2.0)
-    case = next(c for c in cases("storage").groups if c.width == 1.0 and c.depth < 0.35)
-    first = _stand(task, case, 0.72, 2.0 - case.depth / 2, -pi / 2)
-    second = _stand(task, case, 2.2, 2.0 - case.depth / 2, -pi / 2, first)
-    answer = RoomAnswer(0.0, (first, second), (), (), None, 0.0, 0)
-    shelves = sorted(g.dressed.box[0] for g in close_gaps(task, answer, frozenset()).placed)
-    assert shelves[1] - shelves[0] == pytest.approx(case.width, abs=0.03)
-    assert shelves[0] == pytest.approx(case.width / 2, abs=0.03)
 
 
 def test_walls_round_a_wide_empty_floor_take_a_sideboard_and_a_shelf():

@@ -11,6 +11,7 @@ from benchmarks.plans_r2v import adapt, raw_plans
 from benchmarks.rescaled_r2v import rescale
 
 import scenewright as sw
+from scenewright.building.plan import spaces
 from scenewright.catalog.classes import SOFT_SEATS
 from scenewright.core.brief import Brief
 from scenewright.core.passes import PassOptions
@@ -27,7 +28,8 @@ from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.problem import Ground
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.rules.living import BEHIND
-from scenewright.domains.home.rules.weigh_home import compile_table, list_faults
+from scenewright.domains.home.rules.told import list_broken
+from scenewright.domains.home.rules.weigh_home import compile_table, list_faults, say_fault
 from scenewright.domains.home.solving import solve
 
 
@@ -180,6 +182,16 @@ def test_what_is_merely_welcome_gives_way_to_chairs_by_name(name, category, rank
     left = leave_out_near(_task(), _answer(chair, other))
     assert [g.name for g in left.placed] == (["dining"] if gone else ["dining", name])
     assert [m.wish.group for m in left.missing] == ([name] if gone else [])
+    assert all("a chair cannot be drawn back" in m.reason for m in left.missing)
+
+
+def test_rows_that_a_finished_home_breaks_are_said_with_the_name_of_the_other():
+    chair = group("dining", "dining_chair", 0.0, 0.0, 0.0, 0.46, 0.5)
+    other = group("console", "console_table", -0.5, 0.0, 0.0, 0.9, 0.4)
+    outline = [[-3, -3], [3, -3], [3, 3], [-3, 3]]
+    (space,) = spaces(Brief(rooms=[{"id": "a", "function": "dining", "outline": outline}]))
+    said = {say_fault(fault) for fault in list_broken(space, (*chair.pieces, *other.pieces))}
+    assert "a chair cannot be drawn back 0.5 m for the console table" in said
 
 
 @pytest.mark.parametrize(("category", "counts"), [("sofa", True), ("armchair", False)])

@@ -21,7 +21,7 @@ def explain_solution(solution: Solution, plan: Plan) -> Explanation:
         solution.brief.name,
         str(told(solution, plan)),
         advise(solution, plan.names),
-        _list_remarks(solution, plan.names, domain),
+        _list_remarks(solution, plan, domain),
     )
 
 
@@ -53,16 +53,16 @@ def advise(solution: Solution, names: Mapping[str, str]) -> tuple[Advice, ...]:
     return tuple(sorted(found, key=lambda advice: not advice.required))
 
 
-def _list_remarks(
-    solution: Solution, names: Mapping[str, str], domain: Domain
-) -> tuple[Remark, ...]:
-    """The terms that say something worth a line, a remark a space and term; costliest first."""
-    table, labels = domain.table("compromises"), domain.table("labels")
+def _list_remarks(solution: Solution, plan: Plan, domain: Domain) -> tuple[Remark, ...]:
+    """The terms that say something worth a line, a remark a space and term, and what the domain
+    says of broken rows; costliest first."""
+    table, labels, names = domain.table("compromises"), domain.table("labels"), plan.names
     groups: dict[tuple[str, str], list[TermValue]] = {}
     for term in sorted(solution.terms, key=lambda term: -term.cost):
         if term.term in table and term.value >= table[term.term].least:
             groups.setdefault((term.space, term.term), []).append(term)
     found = [_remark(alike, table[name], names, labels) for (_, name), alike in groups.items()]
+    found += domain.verb("faults")(solution, plan) if domain.has("faults") else ()
     return tuple(sorted(found, key=lambda remark: -remark.cost))
 
 

@@ -16,7 +16,6 @@ from scenewright.domains.home.composing.filling.adding import add_groups
 from scenewright.domains.home.composing.filling.bare_floor import furnish_bare_floor
 from scenewright.domains.home.composing.filling.bare_walls import furnish_bare_walls
 from scenewright.domains.home.composing.filling.hall_tables import furnish_hall
-from scenewright.domains.home.composing.filling.rows import close_gaps
 from scenewright.domains.home.composing.filling.wet_rooms import fill_wet_room
 from scenewright.domains.home.composing.filling.widening import widen_groups
 from scenewright.domains.home.composing.freeing import free_ways
@@ -54,7 +53,7 @@ MENDING: tuple[Pass[JudgedPass], ...] = (
     Pass("improve groups", "mending", improve_groups, "faulty groups in other forms and places"),
     Pass("reform kitchen", "mending", reform_kitchen, "a faulty kitchen made to measure"),
     Pass("gather seats", "mending", gather_seats, "seats, screen and table round one middle"),
-    Pass("compose anew", "mending", compose_anew, "the room laid out from its worst group on"),
+    Pass("compose anew", "mending", compose_anew, "the room laid out from its kitchen or bed on"),
 )
 """Only in rooms with a fault."""
 TRIMMING: tuple[Pass[JudgedPass], ...] = (
@@ -65,7 +64,6 @@ FILLING: tuple[Pass[AnswerPass], ...] = (
     Pass("add island", "filling", add_island, "an island in a large kitchen"),
     Pass("bare floor", "filling", furnish_bare_floor, "a second zone in a bare half of a room"),
     Pass("bare walls", "filling", furnish_bare_walls, "storage at long bare walls"),
-    Pass("close gaps", "filling", close_gaps, "slits between neighbours in a row closed"),
     Pass("close slits", "filling", close_slits, "slits at the ends of a kitchen run closed"),
     Pass("fill wet room", "filling", fill_wet_room, "storage in bathrooms that hold it"),
     Pass("furnish hall", "filling", furnish_hall, "a narrow table in a hall"),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from functools import lru_cache
 from typing import NamedTuple
@@ -11,11 +12,12 @@ from numpy.typing import NDArray
 
 from scenewright.arranging.degrees import HEADING, KIND, NUMBER, THINGS, RoomParts
 from scenewright.arranging.row_arrays import Table, compile_rows
-from scenewright.arranging.rows import DOORS, OPENINGS, PANES, TURNS, WINDOWS, Row, is_lone
+from scenewright.arranging.rows import DOORS, OPENINGS, PANES, TURNS, WINDOWS, Row, is_lone, say
 from scenewright.arranging.weighing import Broken, weigh
 from scenewright.core.same import once
 from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import FurnishedGroup
+from scenewright.domains.home.groups import GROUPS, LABELS
 from scenewright.domains.home.problem import Ground
 from scenewright.domains.home.rules.bedroom import BEDROOM
 from scenewright.domains.home.rules.every import EVERY
@@ -109,6 +111,13 @@ def list_faults(
     names = [(g.name, p) for g in groups for p in (*(q.id for q in g.pieces), "")]
     names += [("", p.id) for p in fixed] or [("", "")]
     return [Fault(b.row, *names[b.thing], _name(b, names), b.degree, b.cost) for b in broken]
+
+
+def say_fault(fault: Fault) -> str:
+    """What is wrong, in the words of the row, with the name of the other group if there is one."""
+    other = re.sub(r"_\d+$", "", fault.other.rpartition("/")[2])
+    words = LABELS.get(other, other.replace("_", " ")) if other in GROUPS else ""
+    return say(fault.row, to=words and f"the {words}")
 
 
 def _name(broken: Broken, names: Sequence[tuple[str, str]]) -> str:

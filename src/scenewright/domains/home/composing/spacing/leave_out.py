@@ -25,6 +25,7 @@ OF_ENTRY = frozenset(("shoes", "coats"))
 """What of an entrance goes where it stands hard before a kitchen or at a table."""
 SHELVES, OF_ROOM = "storage", frozenset(("chest", "console", "sideboard", "vanity"))
 """What of a room goes where it stands before open shelves."""
+REASON = "it would stand too near to what else is here"
 MUCH = 3.0
 """Least cost of standing too near for which a group is left out."""
 
@@ -35,10 +36,18 @@ def leave_out_near(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
     if not may_leave_out(task):
         return answer
     while (group := _find_near(task, answer.placed)) is not None:
-        lost = Missing(group.wish, "it would stand too near to what else is here")
+        lost = Missing(group.wish, _explain(task, answer.placed, group))
         placed = tuple(p for p in answer.placed if p is not group)
         answer = answer._replace(placed=placed, missing=(*answer.missing, lost))
     return answer
+
+
+def _explain(task: RoomTask, placed: Placed, group: FurnishedGroup) -> str:
+    """Why a group goes, in the words of the costliest row it breaks."""
+    close = list_close(placed, task.fixed, task.ground)
+    own = [c for c in close if group.name in (c.group, c.other) and c.says]
+    worst = max(own, key=lambda c: c.cost, default=None)
+    return f"{REASON}: {worst.says}" if worst else REASON
 
 
 def may_leave_out(task: RoomTask) -> bool:

@@ -19,16 +19,17 @@ from scenewright.domains.home.composing.spacing.shut_in import list_shut_in
 from scenewright.domains.home.measures import ON_FLOOR
 from scenewright.domains.home.problem import Ground
 from scenewright.domains.home.rules.classes import MOVED
-from scenewright.domains.home.rules.weigh_home import LATE, compile_table, list_faults
+from scenewright.domains.home.rules.weigh_home import LATE, compile_table, list_faults, say_fault
 
 
 class Close(NamedTuple):
     """Two groups, where a piece of the second (empty: a fixed piece) takes floor that a piece of
-    the first needs, and what that costs."""
+    the first needs, what that costs, and what its row ``says`` (empty: found by walking)."""
 
     group: str
     other: str
     cost: float
+    says: str = ""
 
 
 @once(256)
@@ -39,7 +40,7 @@ def list_close(
     (:data:`LATE`); and groups that shut the aisle of a bed in, or cut off floor or a door of the
     ``ground``; of the same groups found once."""
     faults = list_faults(compile_table(LATE), groups, fixed, ground)
-    found = [Close(fault.group, fault.other, fault.cost) for fault in faults]
+    found = [Close(fault.group, fault.other, fault.cost, say_fault(fault)) for fault in faults]
     if ground is None:
         return tuple(found)
     own = [(g.name, p) for g in groups for p in g.pieces if _is_low(p)]
