@@ -47,6 +47,7 @@ if TYPE_CHECKING:
     from scenewright.formats.solution_json import read as read_solution
     from scenewright.workflow.arrange import arrange
     from scenewright.workflow.evolve import evolve
+    from scenewright.workflow.generate import generate
     from scenewright.workflow.observe import observe
 if TYPE_CHECKING:
     from typing import Any
@@ -77,6 +78,7 @@ __all__ = [
     "check",
     "evolve",
     "explain",
+    "generate",
     "losses",
     "observe",
     "read",
@@ -105,6 +107,7 @@ _HOMES = {
     "resolve": "domains:resolve",
     "check": "domains:check",
     "explain": "domains:explain",
+    "generate": "workflow.generate:generate",
     "Report": "core.report:Report",
     "scene_of": "domains:scene_of",
     "solution_of": "domains:solution_of",

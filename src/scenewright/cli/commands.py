@@ -23,6 +23,7 @@ from scenewright.cli import compare as cli_compare
 from scenewright.cli import completion, listing, show, tables, terminal
 from scenewright.cli import evolve as cli_evolve
 from scenewright.cli import fold as cli_fold
+from scenewright.cli import generate as cli_generate
 from scenewright.cli import learn as cli_learn
 from scenewright.cli import plan as cli_plan
 from scenewright.cli import render as cli_render
@@ -288,6 +289,7 @@ app.command()(cli_adjust.adjust)
 app.command()(cli_evolve.evolve)
 app.command()(cli_compare.compare)
 app.command()(cli_fold.fold)
+app.command()(cli_generate.generate)
 app.command()(cli_learn.learn)
 app.command()(cli_plan.plan)
 app.command()(cli_render.render)

@@ -60,7 +60,7 @@ def plan(
             hidden_levels=hidden_levels,
             map_options=map_options_of(crs, origin, layers, site),
         )
-        _write(brief, made, outputs or [])
+        write_plan(brief, made, outputs or [])
     complete = brief.input_report is None or brief.input_report.complete
     if as_json:
         document = {"source": source, "rooms": len(made.spaces)}
@@ -69,12 +69,12 @@ def plan(
         console = terminal.console(stderr=True)
         print_input(console, brief.input_report)
         print_warnings(console, brief.input_report)
-        for line in [*_lines(brief, made), *(f"wrote {path}" for path in outputs or [])]:
+        for line in [*describe_plan(brief, made), *(f"wrote {path}" for path in outputs or [])]:
             tables.print_line(tables.output_console(), line)
     return 0 if complete else 1
 
 
-def _lines(brief: Brief, made: Plan) -> list[str]:
+def describe_plan(brief: Brief, made: Plan) -> list[str]:
     """What was read, in a line for all and one for each room."""
     from shapely import Polygon
 
@@ -89,7 +89,7 @@ def _lines(brief: Brief, made: Plan) -> list[str]:
     return rows if brief.rooms else rows[:1]
 
 
-def _write(brief: Brief, made: Plan, outputs: list[Path]) -> None:
+def write_plan(brief: Brief, made: Plan, outputs: list[Path]) -> None:
     """The brief as JSON; the plan of the empty rooms in any format that shows it."""
     from scenewright.core.solution import unfurnished
     from scenewright.formats import brief_json, check_output, write

@@ -63,6 +63,7 @@ Verb = Literal[
     "matrix_breeder",
     "sources",
     "passes",
+    "generate",
 ]
 """What can be asked of a domain. :data:`NEEDED` are those without which nothing can be arranged; of
 the others ``given`` (what a brief says stands, as pieces), ``validate``, ``refuse_style`` (a style
@@ -90,6 +91,13 @@ Table = Literal[
 
 NEEDED: tuple[Verb, ...] = ("plan", "solve", "check", "scene", "draw")
 """The verbs every domain has."""
+
+
+class Generating(Protocol):
+    """``generate``: a brief made by a seed from what was asked, the same for the same seed; a key
+    that the domain does not know is refused by name."""
+
+    def __call__(self, asked: Mapping[str, Any], seed: int = 0) -> Brief: ...
 
 
 class Tracing(Protocol):

@@ -34,6 +34,7 @@ DOMAIN = Domain(
         "features": ".features:measure_features",
         "breeder": ".breeding:make_breeder",
         "passes": ".passes:trace_passes",
+        "generate": ".generating:generate_hall",
     },
     tables={
         "reasons": ".features:REASONS",

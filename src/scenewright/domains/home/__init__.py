@@ -37,6 +37,7 @@ DOMAIN = Domain(
         "features": ".features:measure_features",
         "breeder": ".breeding:make_breeder",
         "passes": ".passes:trace_passes",
+        "generate": ".floorplans.generate:generate_home",
     },
     tables={
         "reasons": ".features:REASONS",
