@@ -49,7 +49,7 @@ def render(
     size: Annotated[str, typer.Option(metavar="WxH", help="Pixels.")] = "640x480",
     fov: Annotated[float, typer.Option(help="Width of the view in degrees.")] = 75.0,
     eye: Annotated[float, typer.Option(help="Metres above the floor.")] = 1.5,
-    clearance: Annotated[float, typer.Option(help="Metres to walls and pieces.")] = 0.25,
+    clearance: Annotated[float, typer.Option(help="Metres to walls and pieces.")] = 0.2,
     seed: Annotated[int, typer.Option(help="Same seed, same cameras.")] = 0,
     steps: Annotated[int | None, typer.Option(help="Search budget where it is arranged.")] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON document only.")] = False,

@@ -54,7 +54,7 @@ class ObservationRequest(NamedTuple):
     size: tuple[int, int] = (640, 480)
     fov: float = float(np.deg2rad(75.0))
     eye: float = 1.5
-    clearance: float = 0.25
+    clearance: float = 0.2
     seed: int = 0
     kinds: tuple[str, ...] = KINDS
     rooms: tuple[str, ...] = ()
@@ -91,7 +91,7 @@ def observe(
     size: tuple[int, int] = (640, 480),
     fov: float = float(np.deg2rad(75.0)),
     eye: float = 1.5,
-    clearance: float = 0.25,
+    clearance: float = 0.2,
     seed: int = 0,
     kinds: Sequence[str] = KINDS,
     rooms: Sequence[str] = (),

@@ -22,7 +22,7 @@ from scenewright.core.scene import Piece, Scene
 from scenewright.core.space import Opening, Space
 from scenewright.geometry.distance_raster import DistanceRaster, clearance, walls_between
 
-CELL, MOST_CELLS = 0.05, 1_000_000
+CELL, MOST_CELLS = 0.025, 1_000_000
 """Metres of a cell, and how many there are at most; larger floors have larger ones."""
 CAP = 1.5
 """More clearance than this is not told apart, in metres."""
