@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import json
+import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
 import shapely
 
+from scenewright.cli.commands import run
 from scenewright.core.errors import InputError
 from scenewright.domains.village.learning.learn import split_by_place
 from scenewright.domains.village.learning.real_blocks import clean_blocks, read_blocks
@@ -85,3 +87,36 @@ def test_unknown_places_and_too_little_data_are_told() -> None:
         split_by_place(made, ("Atlantis",), 0)
     with pytest.raises(InputError, match="12 are needed"):
         split_by_place(made[:10], (), 0)
+
+
+def test_doors_and_materials_are_kept_where_all_are_known() -> None:
+    houses = [
+        {**told, "door": told["polygon"][0], "material": word}
+        for told, word in zip(row()["houses"], ("brick", "other", "mixed", "brick"), strict=True)  # type: ignore[call-overload]
+    ]
+    (found,) = clean_blocks([row(houses=houses)])
+    assert found.materials == (0, 1, 2, 0)
+    assert np.array(found.doors).tolist() == [[2, 5], [12, 5], [22, 5], [31, 5]]
+    del houses[2]["door"]
+    (found,) = clean_blocks([row(houses=houses)])
+    assert (found.doors, len(found.materials)) == ((), 4)
+
+
+@pytest.mark.parametrize(
+    "more", [{"door": [1, None]}, {"door": [1, float("nan")]}, {"material": "tin"}]
+)
+def test_a_door_or_material_that_is_none_is_one_line(more: dict[str, object]) -> None:
+    told = [{"polygon": [[x, 5], [x + 8, 5], [x + 8, 12], [x, 12]], **more} for x in (2, 12, 22)]
+    with pytest.raises(InputError, match="is no block"):
+        clean_blocks([row(houses=told)])
+
+
+@pytest.mark.parametrize("more", [[], ["--paper"], ["--paper", "--size", "small"]])
+def test_without_torch_learning_is_refused_in_one_line(
+    more: list[str], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setitem(sys.modules, "torch", None)
+    assert run(["learn", "village", "some.json", "-o", "out.npz", *more]) == 2
+    said = capsys.readouterr().err
+    assert "pip install 'scenewright[learn]'" in said
+    assert said.count("\n") == 1

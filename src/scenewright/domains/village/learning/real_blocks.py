@@ -103,9 +103,12 @@ def rebuild(row: dict[str, Any]) -> RealBlock | None:
 
 
 def _doors(houses: Sequence[dict[str, Any]]) -> tuple[np.ndarray, ...]:
-    """The doors of houses, if all are known."""
+    """The doors of houses, if all are known. ValueError for one that is no point."""
     known = all("door" in told for told in houses)
-    return tuple(np.array(told["door"], float).reshape(2) for told in houses if known)
+    found = tuple(np.array(told["door"], float).reshape(2) for told in houses if known)
+    if not np.isfinite(np.array(found)).all():
+        raise ValueError("no point")
+    return found
 
 
 def _materials(houses: Sequence[dict[str, Any]]) -> tuple[int, ...]:
