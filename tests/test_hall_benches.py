@@ -9,8 +9,8 @@ import numpy as np
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains.hall.accessories.benches import (
     BARS,
+    BENCH_HIDDEN,
     FARS,
-    HIDDEN,
     PUSHED,
     WALL_BEHIND,
     WEDGED,
@@ -87,7 +87,7 @@ def test_a_place_from_where_a_column_hides_the_picture_costs() -> None:
         find_costs(walls=np.array([[x, 8.6, x + 0.2, 8.6]]))[-len(FARS) :] for x in (4.9, 6.0)
     )
     free = find_costs()
-    assert np.allclose(hidden - free, HIDDEN)
+    assert np.allclose(hidden - free, BENCH_HIDDEN)
     assert np.allclose(beside, free)
 
 
@@ -97,7 +97,7 @@ def test_a_place_at_a_wall_behind_a_column_costs() -> None:
     spots = find_bench_spots(setting, BENCH)
     behind = (np.abs(spots.boxes[:, 0] - 5.5) < 0.5) & (spots.boxes[:, 1] < 0.5)
     free = (np.abs(spots.boxes[:, 0] - 3.0) < 0.5) & (spots.boxes[:, 1] < 0.5)
-    assert (spots.costs[behind] >= WALL_BEHIND + HIDDEN).all()
-    assert (spots.costs[free] < WALL_BEHIND + HIDDEN).all()
+    assert (spots.costs[behind] >= WALL_BEHIND + BENCH_HIDDEN).all()
+    assert (spots.costs[free] < WALL_BEHIND + BENCH_HIDDEN).all()
     assert behind.any()
     assert free.any()

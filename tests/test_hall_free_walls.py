@@ -18,7 +18,7 @@ from scenewright.domains.hall.terms.measure import passage
 from scenewright.domains.hall.terms.place import build
 from scenewright.domains.hall.terms.state import make_scratch
 from scenewright.domains.hall.terms.whole import measure_frames, place_walls
-from scenewright.domains.hall.walls.partitions import SPARE, short_of, standing_hosts
+from scenewright.domains.hall.walls.partitions import SPARE_WALL, short_of, standing_hosts
 
 
 def gallery(count: int) -> Brief:
@@ -42,9 +42,9 @@ def test_a_free_wall_stands_in_the_middle_with_room_all_round() -> None:
     x0, y0, x1, y1, left, right = host.row
     assert (left, right) == (0.0, 0.0)
     assert (y0, y1) == pytest.approx((3.0, 3.0))
-    assert min(x0, x1) == pytest.approx(0.9 + SPARE)
-    assert max(x0, x1) == pytest.approx(10 - 0.9 - SPARE)
-    assert host.span[1] - host.span[0] == pytest.approx(6.0 / 2 + SPARE)
+    assert min(x0, x1) == pytest.approx(0.9 + SPARE_WALL)
+    assert max(x0, x1) == pytest.approx(10 - 0.9 - SPARE_WALL)
+    assert host.span[1] - host.span[0] == pytest.approx(6.0 / 2 + SPARE_WALL)
     assert not standing_hosts((zone,), np.array([0.0]), 0.9)
     assert not standing_hosts((zone,), np.array([6.0]), 3.0)
     assert short_of((host,), np.array([20.0]))[0] < 20.0 - (host.most[1] - host.most[0])

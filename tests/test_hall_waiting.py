@@ -15,7 +15,7 @@ from scenewright.core.brief import Brief
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
 from scenewright.domains.hall.demands.holdings import collect_demands
-from scenewright.domains.hall.retouch.waiting import RATE, STAFF, _measure
+from scenewright.domains.hall.retouch.waiting import AMONG_STAFF, RATE, _measure
 from scenewright.domains.hall.visit.visitor_plan import is_to_wait_on
 
 CHAIRS: dict[str, Any] = {"id": "chairs", "category": "dining_chair", "count": 4, "place": "wall"}
@@ -58,7 +58,7 @@ def test_seats_wait_before_a_desk_not_where_its_staff_stands() -> None:
         for point in ((0.0, 2.0), (0.0, -1.5), (3.0, 0.5), (0.0, 7.4), (20.0, 0.4))
     }
     assert at[0.0, 2.0] == 0.0
-    assert at[0.0, -1.5] == at[3.0, 0.5] == STAFF
+    assert at[0.0, -1.5] == at[3.0, 0.5] == AMONG_STAFF
     assert at[0.0, 7.4] == pytest.approx(3.0 * RATE)
     assert at[20.0, 0.4] == pytest.approx((18.5 - 4.0) * RATE)
 

@@ -25,7 +25,7 @@ from scenewright.domains.hall.solving import solve
 from scenewright.engine.rows import solver_again
 
 PARTITION = "partition"
-OUTSIDE = 0.05
+OUTSIDE_HALL = 0.05
 """How far outside its hall a piece may be put, metres: outlines are not drawn more exactly."""
 
 
@@ -109,7 +109,7 @@ def _check_inside(edited: Edited, plan: Plan) -> None:
         x, y, _, heading = piece.pose
         box = np.array([[x, y, heading, piece.size.width, piece.size.depth]])
         away = halls[piece.space].distance(shapely.Polygon(corners(box)[0]))
-        if away > OUTSIDE:
+        if away > OUTSIDE_HALL:
             raise InputError(
                 f"moved there, '{piece.id}' would stand {away:.2f} m outside the hall",
                 "move it further in, or a single piece by its own id",

@@ -37,7 +37,7 @@ from scenewright.domains.hall.zoning.zones import HallPlan
 LANDING = 1.5
 """Kept free inside a door, in metres: people stop there."""
 WINDOW = 0.3
-SHARE, MOST = 0.75, 0.8
+ZONE_SHARE, MOST_OF_ZONE = 0.75, 0.8
 """δ_min: this share of what its objects demand of a zone, and at most."""
 MARGIN = 0.1
 """Passages are planned this much wider than asked for, in metres."""
@@ -215,7 +215,7 @@ def _least(wishes: list[HallDemand], units: list[Unit], areas: Floats) -> Floats
         front, left, back, right = wishes[unit.demand].clearance
         for size in wishes[unit.demand].sizes[unit.first : unit.last]:
             demanded[unit.zone] += (size.width + left + right) * (size.depth + front + back)
-    return np.minimum(SHARE * demanded / np.maximum(areas, 1e-9), MOST)
+    return np.minimum(ZONE_SHARE * demanded / np.maximum(areas, 1e-9), MOST_OF_ZONE)
 
 
 def _kept_free(space: Space, seen: tuple[DoorApproach, ...]) -> list[list[float]]:

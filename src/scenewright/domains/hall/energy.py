@@ -18,7 +18,7 @@ from scenewright.domains.hall.terms.measure import block_solids
 from scenewright.domains.hall.terms.standing import find_reached
 from scenewright.domains.hall.terms.state import (
     LINE,
-    STEP,
+    STATE_STEP,
     Floats,
     Ints,
     Kept,
@@ -49,7 +49,7 @@ def prepare(problem: HallProblem) -> PreparedHall:
     stretches = _stretches(problem, hosts)
     loops, loop_spans = _by_zone(stretches[:, 5], len(ground.zone_areas))
     borders = _fresh(ground.borders, 5)
-    counts = np.floor(np.hypot(*(borders[:, 2:4] - borders[:, :2]).T) / STEP).astype(np.int64)
+    counts = np.floor(np.hypot(*(borders[:, 2:4] - borders[:, :2]).T) / STATE_STEP).astype(np.int64)
     starts = np.concatenate([[0], np.cumsum(counts)[:-1]]) if len(counts) else counts
     cells = np.stack([starts, counts], 1).astype(np.int64).reshape(-1, 2)
     p = PreparedHall(

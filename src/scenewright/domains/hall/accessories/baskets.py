@@ -15,7 +15,7 @@ from scenewright.domains.hall.accessories.spots import (
 )
 from scenewright.domains.hall.problem import Floats
 
-ENTRANCE_FAR, NEXT = 0.3, 0.03
+ENTRANCE_FAR, BASKET_NEXT = 0.3, 0.03
 """Cost of a metre from the entrance, and metres between two stacks side by side."""
 OPEN = 0.4
 """Cost of a stack that does not continue a row."""
@@ -38,7 +38,7 @@ def _continue_rows(others: Floats, size: Size) -> Floats:
         front = np.array([np.cos(heading), np.sin(heading)])
         right = np.array([front[1], -front[0]])
         back = np.array([x, y]) + 0.5 * (size.depth - depth) * front
-        off = 0.5 * (width + size.width) + NEXT
+        off = 0.5 * (width + size.width) + BASKET_NEXT
         found.append(face(np.array([back - off * right, back + off * right]), heading, size))
     return np.concatenate(found)
 

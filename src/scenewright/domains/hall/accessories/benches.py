@@ -24,10 +24,10 @@ from scenewright.domains.hall.measures import HEAD_HEIGHT
 from scenewright.domains.hall.problem import Floats
 
 PICTURE, ISLAND = "wall_exhibit", "exhibit_island"
-LARGE, LONGEST = 2.0, 2.5
+LARGE, LONGEST_BENCH = 2.0, 2.5
 """Sides of an island as long as this are sat before, and benches longer than this are pews, which
 stand in rows; metres."""
-FARS, OFF = (2.5, 2.2, 2.8, 2.0, 3.0), 0.5
+FARS, BENCH_OFF = (2.5, 2.2, 2.8, 2.0, 3.0), 0.5
 """Metres from what one looks at to the middle of a bench, the best first, and what a metre more or
 less than that costs."""
 WALL_BEHIND = 4.0
@@ -36,25 +36,25 @@ PITCH = 3.0
 """Metres of a side of an island for each bench."""
 BENCHES_WITHIN, BENCHES_CROWD = 5.0, 0.4
 """Within how many metres benches are too many, and what each metre of that costs."""
-BEFORE, ASIDE, BARS = 1.5, 0.6, 3.0
+BENCH_BEFORE, BENCH_ASIDE, BARS = 1.5, 0.6, 3.0
 """Metres before a picture and beside it that a bench bars, and what that costs: whoever looks at it
 stands there."""
-CLOSE, WEDGED = 0.8, 4.5
+BENCH_CLOSE, WEDGED = 0.8, 4.5
 """Metres that a free-standing bench keeps from walls, columns and objects, and what
 it costs nearer: wedged between two tables it looks pushed aside, at a wall it does not."""
-TOUCHING, PUSHED = 0.4, 4.0
+BENCH_TOUCHING, PUSHED = 0.4, 4.0
 """The same for a bench that all but touches its neighbour; added to the cost above."""
 
-HIDDEN, SIGHT = 6.0, 0.2
+BENCH_HIDDEN, SIGHT = 6.0, 0.2
 """What a place costs from where a column or a wall hides what one is to look at, and half of the
 width of the look there; metres."""
-FREE = 0.8
+BENCH_FREE = 0.8
 """Metres before a bench at a wall in which no column is."""
 
 
 def may_look(wish: HallDemand, wishes: list[HallDemand]) -> bool:
     """Whether some picture or island may stand in a zone of benches."""
-    return max(size.width for size in wish.sizes) <= LONGEST and any(
+    return max(size.width for size in wish.sizes) <= LONGEST_BENCH and any(
         (other.category == PICTURE or is_large_island(other)) and may_stand_together(wish, other)
         for other in wishes
     )
@@ -69,8 +69,8 @@ def find_bench_spots(setting: Setting, size: Size) -> Spots:
     """Spots before pictures and the long sides of islands, turned to these; cheaper away from the
     benches that stand and from what hangs right beside; else at walls."""
     at_walls = make_spots(line_walls(setting.walls, size)[0], WALL_BEHIND)
-    blocked = _cross_walls(lead_before(at_walls.boxes, FREE), setting)
-    at_walls = at_walls._replace(costs=at_walls.costs + HIDDEN * blocked)
+    blocked = _cross_walls(lead_before(at_walls.boxes, BENCH_FREE), setting)
+    at_walls = at_walls._replace(costs=at_walls.costs + BENCH_HIDDEN * blocked)
     parts = [make_spots(np.zeros((0, 5)), 0.0)]
     for piece in setting.pieces:
         sides = (0,) if piece.category == PICTURE else range(4) if piece.category == ISLAND else ()
@@ -78,11 +78,11 @@ def find_bench_spots(setting: Setting, size: Size) -> Spots:
             spots = _face_side(piece, side, size, far)
             looks = lead_before(spots.boxes, far - 0.5 * size.depth - SIGHT)
             looks[:, 3] = 2.0 * SIGHT
-            hidden = HIDDEN * _cross_walls(looks, setting)
+            hidden = BENCH_HIDDEN * _cross_walls(looks, setting)
             parts.append(spots._replace(costs=spots.costs + hidden))
     free = join_spots(parts)
-    wedged = WEDGED * _stand_near(free.boxes, setting, CLOSE)
-    wedged = wedged + PUSHED * _stand_near(free.boxes, setting, TOUCHING)
+    wedged = WEDGED * _stand_near(free.boxes, setting, BENCH_CLOSE)
+    wedged = wedged + PUSHED * _stand_near(free.boxes, setting, BENCH_TOUCHING)
     found = join_spots([at_walls, free._replace(costs=free.costs + wedged)])
     crowd = BENCHES_CROWD * measure_crowd(found.boxes, setting.others, BENCHES_WITHIN)
     barring = BARS * _bar_pictures(found.boxes, setting)
@@ -93,8 +93,8 @@ def _bar_pictures(boxes: Floats, setting: Setting) -> Bools:
     """Which of boxes (k, 5) stand right before or under some picture, or beside it."""
     rows = [box for p in setting.pieces if p.category == PICTURE for box in boxes_of(p)]
     pictures = np.array(rows).reshape(-1, 5)
-    pictures[:, 3] += 2.0 * ASIDE
-    floors = shapely.polygons(corners(lead_before(pictures, BEFORE)))
+    pictures[:, 3] += 2.0 * BENCH_ASIDE
+    floors = shapely.polygons(corners(lead_before(pictures, BENCH_BEFORE)))
     floors = np.concatenate([floors, shapely.polygons(corners(pictures))])
     near = np.zeros(len(boxes), np.bool_)
     stands = shapely.polygons(corners(boxes))
@@ -133,4 +133,4 @@ def _face_side(piece: Piece, side: int, size: Size, far: float) -> Spots:
     along = ((np.arange(count) + 0.5) / count - 0.5) * long
     points = np.array(piece.pose[:2]) + (0.5 * deep + far) * front
     points = points + along[:, None] * np.array([front[1], -front[0]])
-    return make_spots(face(points, heading + np.pi, size), OFF * abs(far - FARS[0]))
+    return make_spots(face(points, heading + np.pi, size), BENCH_OFF * abs(far - FARS[0]))

@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from scenewright.core.scene import Piece
 
-GAP, ASIDE, TURNED = 0.08, 0.03, 0.01
+COUNTER_GAP, LINE_OFF, LINE_TURNED = 0.08, 0.03, 0.01
 """Metres between two counters of one row at most and by which one stands farther back, and radians
 by which one is turned."""
 
@@ -36,13 +36,16 @@ def join_counters(counters: Sequence[Piece]) -> list[Piece]:
 
 def _stand_in_line(row: Piece, one: Piece) -> bool:
     """Whether a counter goes on with a row at one of its ends."""
-    if row.function != one.function or abs(math.sin(row.pose.heading - one.pose.heading)) > TURNED:
+    if (
+        row.function != one.function
+        or abs(math.sin(row.pose.heading - one.pose.heading)) > LINE_TURNED
+    ):
         return False
     if math.cos(row.pose.heading - one.pose.heading) < 0.0:
         return False
     along, ahead = _measure_off(row, one)
     gap = abs(along) - 0.5 * (row.size.width + one.size.width)
-    return abs(ahead) <= ASIDE and gap <= GAP
+    return abs(ahead) <= LINE_OFF and gap <= COUNTER_GAP
 
 
 def _join(row: Piece, one: Piece) -> Piece:

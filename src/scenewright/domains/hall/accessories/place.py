@@ -39,12 +39,12 @@ from scenewright.domains.hall.measures import ARM
 from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.solvers.outcome import MeasuredLayout, lacking, measure_among
 
-NARROW, SINGLE, MATE = 2.0, 1.7, -2.0
+NARROW_SPOT, SINGLE_LEAF, MATE = 2.0, 1.7, -2.0
 """What a spot costs with too little floor before it, one of a pair whose other is not to be had,
 and one whose other is taken."""
-HIDDEN, BEHIND = 1.5, 3.0
+HIDDEN, SPOT_BEHIND = 1.5, 3.0
 """What a spot costs behind a desk, where only those who serve there see it, and how many metres."""
-BEFORE = 0.6
+SPOT_BEFORE = 0.6
 """Metres before a small object in which others had better not stand."""
 BACK_OFF_WALL = 0.045
 """Metres from a wall to the back of what is to stand at one: the referee asks for 5 mm more."""
@@ -231,8 +231,10 @@ def _choose_spots(
             stand &= _have_wall(spots.boxes, setting)
         narrow = ~lie_open(free, spots.boxes, row.free, row.around)
         narrow |= _overlap(lead_before(spots.boxes, row.free), taken)
-        narrow |= _overlap(spots.boxes, lead_before(taken, BEFORE))
-        costs = spots.costs + NARROW * narrow + _weigh_pairs(spots, setting.others, stand, pairs)
+        narrow |= _overlap(spots.boxes, lead_before(taken, SPOT_BEFORE))
+        costs = (
+            spots.costs + NARROW_SPOT * narrow + _weigh_pairs(spots, setting.others, stand, pairs)
+        )
         costs = costs + HIDDEN * _overlap(spots.boxes, _lie_behind(setting.pieces))
         if stand.any():
             order = np.argsort(costs, kind="stable")
@@ -256,7 +258,7 @@ def _lie_behind(pieces: tuple[Piece, ...]) -> Floats:
     desks = [piece for piece in pieces if piece.category in SERVING]
     boxes = np.array([box for desk in desks for box in boxes_of(desk)]).reshape(-1, 5)
     boxes[:, 2] += np.pi
-    return lead_before(boxes, BEHIND)
+    return lead_before(boxes, SPOT_BEHIND)
 
 
 def _overlap(boxes: Floats, taken: Floats) -> Bools:
@@ -275,4 +277,4 @@ def _weigh_pairs(spots: Spots, others: Floats, stand: Bools, more: bool) -> Floa
     pairs, count = np.unique(spots.pairs[stand], return_counts=True)
     both = np.isin(spots.pairs, pairs[count > 1])
     alone = paired & ~mate & ~(both & more)
-    return MATE * mate + SINGLE * alone
+    return MATE * mate + SINGLE_LEAF * alone

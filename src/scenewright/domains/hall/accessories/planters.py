@@ -28,10 +28,10 @@ PAIR, RANK, LATER = 0.0, 0.3, 0.15
 """What a spot of a pair costs, and more for each door after the main entrance and a wider gap."""
 EDGED = (*SERVING, "ticket_gate", "lockers")
 """Kinds whose ends planters border."""
-BENCH, CORNER, WALL, EDGE, IN_ROW = 1.3, 1.0, 2.0, 2.3, 3.0
+BENCH, PLANTER_CORNER, PLANTER_WALL, PLANTER_EDGE, IN_ROW = 1.3, 1.0, 2.0, 2.3, 3.0
 """What a spot costs at the end of a bench, in a corner, at a wall, at the end of a desk, and on in
 a row with planters."""
-IN_CORNER, END, PLANTERS_TOUCH = 0.3, 0.12, 0.02
+IN_CORNER, PLANTER_END, PLANTERS_TOUCH = 0.3, 0.12, 0.02
 """Metres from the end of a wall that count as its corner, from a bench, and between planters of a
 row."""
 PLANTERS_WITHIN, PLANTERS_CROWD = 4.0, 0.3
@@ -83,7 +83,7 @@ def _end_benches(setting: Setting, size: Size) -> Spots:
 
 def _end(bench: Piece, size: Size) -> Floats:
     c, s = np.cos(bench.pose.heading), np.sin(bench.pose.heading)
-    off = (0.5 * (bench.size.width + size.width) + END) * np.array([s, -c])
+    off = (0.5 * (bench.size.width + size.width) + PLANTER_END) * np.array([s, -c])
     middle = np.array(bench.pose[:2])
     return face(np.array([middle - off, middle + off]), bench.pose.heading, size)
 
@@ -91,7 +91,7 @@ def _end(bench: Piece, size: Size) -> Floats:
 def _line_walls(setting: Setting, size: Size) -> Spots:
     faces = [_list_faces(piece) for piece in setting.pieces if piece.category == "partition"]
     boxes, far = line_walls(np.concatenate([setting.walls, *faces]), size)
-    return make_spots(boxes, np.where(far < IN_CORNER, CORNER, WALL))
+    return make_spots(boxes, np.where(far < IN_CORNER, PLANTER_CORNER, PLANTER_WALL))
 
 
 def _list_faces(partition: Piece) -> Floats:
@@ -110,8 +110,8 @@ def _border(setting: Setting, size: Size) -> Spots:
         if piece.category in EDGED:
             front = np.array([np.cos(piece.pose.heading), np.sin(piece.pose.heading)])
             back = np.array(piece.pose[:2]) - 0.5 * piece.size.depth * front
-            parts.append(flank(back, front, piece.size.width, (END,), size))
-    return make_spots(np.concatenate(parts), EDGE)
+            parts.append(flank(back, front, piece.size.width, (PLANTER_END,), size))
+    return make_spots(np.concatenate(parts), PLANTER_EDGE)
 
 
 def _go_on(setting: Setting, size: Size) -> Spots:

@@ -15,9 +15,9 @@ from scenewright.domains.hall.problem import Floats
 
 DESK = "info_desk"
 """So they do to this in a zone named for both."""
-GAP, BETWEEN = 1.0, 0.05
+ROPE_GAP, ROPE_SPACE = 1.0, 0.05
 """Metres between an island and its ropes, and between two of them."""
-ALONG, SHORT, NEXT = 0.01, 1.0, 5.0
+OFF_LINE_OF_ROPES, SHORTEST_ROPE, ROPE_REACH = 0.01, 1.0, 5.0
 """What a metre off the middle of a side costs, one of the short sides, and the next island."""
 
 
@@ -37,7 +37,7 @@ def find_rope_spots(setting: Setting, size: Size) -> Spots:
     islands.sort(key=lambda p: -p.size.width * p.size.depth)
     parts = [make_spots(np.zeros((0, 5)), 0.0)]
     for rank, island in enumerate(islands):
-        parts += [_line_side(island, side, size, NEXT * rank) for side in range(4)]
+        parts += [_line_side(island, side, size, ROPE_REACH * rank) for side in range(4)]
     return join_spots(parts)
 
 
@@ -46,11 +46,12 @@ def _line_side(island: Piece, side: int, size: Size, cost: float) -> Spots:
     long, deep = island.size[:2] if side % 2 == 0 else island.size[1::-1]
     heading = island.pose.heading + 0.5 * np.pi * side
     front = np.array([np.cos(heading), np.sin(heading)])
-    pitch = size.width + BETWEEN
-    count = max(int((long + GAP) / pitch), 1)
+    pitch = size.width + ROPE_SPACE
+    count = max(int((long + ROPE_GAP) / pitch), 1)
     along: Floats = (np.arange(count, dtype=np.float64) - 0.5 * (count - 1)) * pitch
-    points = np.array(island.pose[:2]) + (0.5 * (deep + size.depth) + GAP) * front
+    points = np.array(island.pose[:2]) + (0.5 * (deep + size.depth) + ROPE_GAP) * front
     points = points + along[:, None] * np.array([front[1], -front[0]])
     return make_spots(
-        face(points, heading, size), cost + SHORT * (long < deep) + ALONG * np.abs(along)
+        face(points, heading, size),
+        cost + SHORTEST_ROPE * (long < deep) + OFF_LINE_OF_ROPES * np.abs(along),
     )

@@ -22,9 +22,9 @@ from scenewright.domains.hall.visit.doors import visitor_exits, ways_in
 
 Bools = NDArray[np.bool_]
 
-WAY = 3.0
+SETTING_WAY = 3.0
 """Metres that stay free on the way in and out behind a door."""
-LITTLE, SHORT = 1e-4, 1e-3
+SETTING_LITTLE, SHORTENED = 1e-4, 1e-3
 
 
 class Doorway(NamedTuple):
@@ -82,23 +82,23 @@ def find_floor(
     need; ``keep_free`` (k, 5) are boxes before doors and windows."""
     rings = [z.outline for z in hall.plan.zones if not zones or z.id in zones]
     inside = shapely.Polygon(hall.space.outline, hall.space.holes)
-    floors = [shapely.buffer(shapely.Polygon(ring) & inside, LITTLE) for ring in rings]
+    floors = [shapely.buffer(shapely.Polygon(ring) & inside, SETTING_LITTLE) for ring in rings]
     known = {wish.id: wish for wish in wishes}
     used = [_grow(p, known[p.function]) for p in pieces if p.function in known]
     ways = [_lead_in(door) for door in find_doorways(hall.space)]
     kept = np.array([*ways, *used, *keep_free.tolist()]).reshape(-1, 5)
-    kept = kept[kept[:, 3:].min(1) > SHORT] if len(kept) else kept
+    kept = kept[kept[:, 3:].min(1) > SHORTENED] if len(kept) else kept
     return FreeFloor(
         shapely.geometrycollections(floors),
-        shapely.STRtree(shapely.buffer(polygons_of(pieces), -LITTLE)),
-        shapely.STRtree(shapely.buffer(shapely.polygons(corners(kept)), -LITTLE)),
+        shapely.STRtree(shapely.buffer(polygons_of(pieces), -SETTING_LITTLE)),
+        shapely.STRtree(shapely.buffer(shapely.polygons(corners(kept)), -SETTING_LITTLE)),
     )
 
 
 def _lead_in(door: Doorway) -> list[float]:
     """The box (5,) of the floor on which people come in at a door."""
-    x, y = door.middle + 0.5 * WAY * door.inward
-    return [x, y, float(np.arctan2(door.inward[1], door.inward[0])), door.width, WAY]
+    x, y = door.middle + 0.5 * SETTING_WAY * door.inward
+    return [x, y, float(np.arctan2(door.inward[1], door.inward[0])), door.width, SETTING_WAY]
 
 
 def _grow(piece: Piece, wish: HallDemand) -> list[float]:

@@ -10,7 +10,7 @@ import numpy as np
 from scenewright.core.scene import Size
 from scenewright.domains.hall.problem import Floats, Ints
 
-OFF_THE_WALL, FROM_END, STEP, SPOTS_APART = 0.02, 0.12, 0.5, 0.8
+OFF_THE_WALL, FROM_END, SPOT_STEP, SPOTS_APART = 0.02, 0.12, 0.5, 0.8
 """Metres off the wall, from the end of it, and between two spots along it and on open floor."""
 NO_PAIR = -1
 
@@ -51,7 +51,7 @@ def line_walls(walls: Floats, size: Size) -> tuple[Floats, Floats]:
         length = float(np.hypot(x1 - x0, y1 - y0))
         if length < 2.0 * half:
             continue
-        along = np.unique([*np.arange(half, length - half, STEP), length - half])
+        along = np.unique([*np.arange(half, length - half, SPOT_STEP), length - half])
         way = np.array([x1 - x0, y1 - y0]) / length
         inward = np.array([-way[1], way[0]])
         points = [x0, y0] + along[:, None] * way + (OFF_THE_WALL + 0.5 * size.depth) * inward

@@ -21,16 +21,16 @@ COUNTER, STOOL, SHOW = "counter", "bar_stool", "display_table"
 PLACE, OFF, SERVED = 0.6, 0.05, 0.9
 """Metres of a counter for each stool, between the two, and of each counter that stay free for who
 is served standing."""
-CLOSE, LITTLE = 0.55, 0.8
+STOOL_CLOSE, STOOL_LITTLE = 0.55, 0.8
 """The same where one more finds a place so."""
-AT_TABLE, SERVING, NEXT = 0.5, 1.5, 0.04
+AT_TABLE, SERVING, STOOL_NEXT = 0.5, 1.5, 0.04
 """What a place at a table costs more than one at a bar, one at any other counter, where others
 queue, and each next one of the same."""
 BARS = ("bar", "theke", "tresen", "barra", "comptoir à", "吧台", "バー", "カウンター席")
 """Parts of the names of counters to sit at."""
 STOOL_GAP = 0.9
 """Metres from stool to stool before a counter at most."""
-SMALL = 0.9
+SMALL_STOOL = 0.9
 """Up to how many metres wide and deep a table has a place at each of its sides."""
 
 
@@ -70,7 +70,7 @@ def find_stool_spots(setting: Setting, size: Size) -> Spots:
 def _weigh(rows: list[Floats], cost: float) -> Spots:
     """Spots (k, 5) of one piece, each next one dearer."""
     boxes = np.array(rows).reshape(-1, 5)
-    costs: Floats = cost + NEXT * np.arange(len(boxes), dtype=np.float64)
+    costs: Floats = cost + STOOL_NEXT * np.arange(len(boxes), dtype=np.float64)
     return make_spots(boxes, costs)
 
 
@@ -81,7 +81,7 @@ def _before(counter: Piece, size: Size) -> Iterator[Floats]:
     right = np.array([front[1], -front[0]])
     at = np.array(counter.pose[:2]) + (0.5 * (counter.size.depth + size.depth) + OFF) * front
     count = count_before(wide)
-    pitch = PLACE if count == _count(wide, PLACE, SERVED) else CLOSE
+    pitch = PLACE if count == _count(wide, PLACE, SERVED) else STOOL_CLOSE
     for number in range(count):
         along = (number + 0.5) * pitch - 0.5 * wide
         yield face((at + along * right)[None], heading + math.pi, size)[0]
@@ -113,7 +113,7 @@ def spread_stools(counter: Piece, boxes: Floats, served: float = SERVED) -> Floa
     heading, count = counter.pose.heading, len(boxes)
     right = np.array([math.sin(heading), -math.cos(heading)])
     along = (boxes[:, :2] - counter.pose[:2]) @ right
-    pitch = min(max((counter.size.width - served) / count, CLOSE), STOOL_GAP)
+    pitch = min(max((counter.size.width - served) / count, STOOL_CLOSE), STOOL_GAP)
     evenly, order = pitch * (np.arange(count) - 0.5 * (count - 1)), np.argsort(along)
     found = boxes.copy()
     found[order, :2] += (evenly - along[order])[:, None] * right
@@ -137,7 +137,7 @@ def count_before(wide: float) -> int:
     >>> count_before(4.0), count_before(3.0)
     (5, 4)
     """
-    return max(_count(wide, PLACE, SERVED), _count(wide, CLOSE, LITTLE))
+    return max(_count(wide, PLACE, SERVED), _count(wide, STOOL_CLOSE, STOOL_LITTLE))
 
 
 def _count(wide: float, place: float, served: float) -> int:
@@ -164,7 +164,7 @@ def count_around(table: Size) -> int:
 
 def sits_around(table: Size) -> bool:
     """Whether a table has a place at each of its sides."""
-    return max(table.width, table.depth) <= SMALL
+    return max(table.width, table.depth) <= SMALL_STOOL
 
 
 def _around(table: Piece, size: Size) -> Iterator[Floats]:

@@ -22,11 +22,11 @@ from scenewright.domains.hall.problem import Floats
 
 AHEAD, ASIDE = (2.4, 3.2, 1.8, 1.4), (0.4, 0.9, 1.5, 2.2)
 """Metres inside a door and beside the way in at which a totem stands, the best first."""
-WORSE, FURTHER = 0.1, 0.6
+WORSE, TOTEM_FURTHER = 0.1, 0.6
 """Costs of each place but the best, and of a door that is not the main entrance."""
-LEAVING, ELSEWHERE = 1.0, 1.8
+LEAVING, TOTEM_ELSEWHERE = 1.0, 1.8
 """Costs of a spot beside a door where a totem looks into the hall, and of one at any wall."""
-ISLAND, OF, NEXT = -0.8, "exhibit_island", 0.25
+ISLAND, OF, TOTEM_NEXT = -0.8, "exhibit_island", 0.25
 """What a spot beside an island costs, which has too little floor around it always; what is one, and
 metres between both."""
 TOTEMS_WITHIN, TOTEMS_CROWD = 5.0, 0.5
@@ -35,10 +35,12 @@ TOTEMS_WITHIN, TOTEMS_CROWD = 5.0, 0.5
 
 def find_totem_spots(setting: Setting, size: Size) -> Spots:
     """Spots behind doors and beside them, one to each door first, beside islands, and at walls."""
-    parts = [_turn_to(door, size, FURTHER * k) for k, door in enumerate(setting.doorways)]
-    parts += [_stand_beside(door, size, FURTHER * k) for k, door in enumerate(setting.doorways)]
+    parts = [_turn_to(door, size, TOTEM_FURTHER * k) for k, door in enumerate(setting.doorways)]
+    parts += [
+        _stand_beside(door, size, TOTEM_FURTHER * k) for k, door in enumerate(setting.doorways)
+    ]
     parts.append(_stand_by_islands(setting, size))
-    parts.append(make_spots(line_walls(setting.walls, size)[0], ELSEWHERE))
+    parts.append(make_spots(line_walls(setting.walls, size)[0], TOTEM_ELSEWHERE))
     found = join_spots(parts)
     return found._replace(
         costs=found.costs + TOTEMS_CROWD * measure_crowd(found.boxes, setting.others, TOTEMS_WITHIN)
@@ -72,7 +74,7 @@ def _stand_by_islands(setting: Setting, size: Size) -> Spots:
         front = np.array([np.cos(piece.pose.heading), np.sin(piece.pose.heading)])
         right = np.array([front[1], -front[0]])
         edge = np.array(piece.pose[:2]) + 0.5 * (piece.size.depth - size.depth) * front
-        off = 0.5 * (piece.size.width + size.width) + NEXT
+        off = 0.5 * (piece.size.width + size.width) + TOTEM_NEXT
         ends = np.array([edge + off * right, edge - off * right])
         boxes.append(face(ends, piece.pose.heading, size))
     return make_spots(np.concatenate(boxes), ISLAND)

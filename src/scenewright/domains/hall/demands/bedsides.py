@@ -12,7 +12,7 @@ from scenewright.domains.hall.seats.lounges import lay_as_one
 
 STAND = "nightstand"
 SIDES = 2
-GAP = 0.05
+BEDSIDE_GAP = 0.05
 """Metres between a bed and its nightstand."""
 
 
@@ -40,7 +40,7 @@ def _join(beds: HallDemand, stands: HallDemand) -> HallDemand:
     ]
     front, left, back, right = beds.clearance
     if not any(two[1:] for two in own):
-        right = max(right - GAP - max(size.width for size in stands.sizes), 0.0)
+        right = max(right - BEDSIDE_GAP - max(size.width for size in stands.sizes), 0.0)
     return lay_as_one(beds, groups)._replace(
         clearance=(front, left, back, right), required=beds.required or stands.required
     )
@@ -50,7 +50,7 @@ def _set_beside(bed: LoungePart, stands: list[LoungePart]) -> tuple[LoungePart, 
     """A bed with up to two nightstands at its head, backs in line."""
     found = [bed]
     for stand, side in zip(stands, (1.0, -1.0), strict=False):
-        along = side * (0.5 * (bed.size.width + stand.size.width) + GAP)
+        along = side * (0.5 * (bed.size.width + stand.size.width) + BEDSIDE_GAP)
         back = -0.5 * (bed.size.depth - stand.size.depth)
         found.append(stand._replace(along=along, ahead=back))
     return tuple(found)

@@ -26,14 +26,14 @@ from scenewright.domains.hall.seats.chairs import out_of_table, seats_around
 
 LONGEST, MOST_NOTES = 400, 100
 """Letters of a note of a brief, and notes, at most."""
-FAIR, ROW, FULL = 0.5, 3, 0.8
+FAIR, ROW, FULL_FLOOR = 0.5, 3, 0.8
 """Part of what a demand would fill if alone that others leave it, objects of a row, and share of
 the floor that all may take for that."""
-MOST_NAMED, LITTLE = 3, 0.05
+MOST_NAMED, FILL_LITTLE = 3, 0.05
 """Of how many others a note says what they take, and from which share of the floor on."""
 WALL_TO_TABLES = 0.45
 """Metres kept free between walls and tables with their chairs."""
-WALL_SHARE = 0.8
+FILL_WALL_SHARE = 0.8
 """Share of the walls of a zone that things may fill; the rest is corners."""
 
 
@@ -66,11 +66,13 @@ def _grow(demand: Demand, every: Sequence[Demand], hall: HallContext, catalog: C
     least = len(sizes_of(demand))
     each = max(floor_needed(demand) / least, 1e-9)
     fair = max(FAIR * fill * floor / len(others), ROW * each) - least * each
-    more = max((fill * floor - used) / len(others), min(fair, (FULL * floor - used) / len(others)))
+    more = max(
+        (fill * floor - used) / len(others), min(fair, (FULL_FLOOR * floor - used) / len(others))
+    )
     count = least + max(int(more / each), 0)
     if fill_defaults(demand, "").at_wall:
         width = float(np.mean([size[0] for size in sizes_of(demand)]))
-        count = min(count, int(WALL_SHARE * float((wall_lengths(hall) * mine).sum()) / width))
+        count = min(count, int(FILL_WALL_SHARE * float((wall_lengths(hall) * mine).sum()) / width))
     chairs = _stand_out(demand, every, catalog)
     count = min(count, _count_tables(demand, hall, chairs, used)) if chairs else count
     return demand.model_copy(update={"count": least, "length": None, "most": max(count, least)})
@@ -153,7 +155,7 @@ def _name_others(taken: Mapping[str, float]) -> str:
     ': racks 0.30, tables 0.12'
     """
     most = sorted(taken.items(), key=lambda one: -one[1])[:MOST_NAMED]
-    named = ", ".join(f"{name} {share:.2f}" for name, share in most if share >= LITTLE)
+    named = ", ".join(f"{name} {share:.2f}" for name, share in most if share >= FILL_LITTLE)
     return f": {named}" if named else ""
 
 

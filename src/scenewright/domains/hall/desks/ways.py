@@ -11,12 +11,12 @@ from scenewright.domains.hall.build_problem import HallContext, zone_areas
 from scenewright.domains.hall.demands.holdings import SEATWAY, HallDemand
 from scenewright.domains.hall.desks.chairs import ADVISING
 
-WAY, DESKS_APART = 0.6, 1.2
+WAY_PAST, DESKS_APART = 0.6, 1.2
 """Metres between the sides of two desks: one person passes; customers of two do not hear each
 other's talk."""
 SEATED = 0.55
 """How far chairs stand out on both sides of a desk at which customers sit, in metres."""
-FULL, FULLEST = 0.5, 0.65
+FULL_WAY, FULLEST = 0.5, 0.65
 """Of the floor of their zones, what desks with their ways and free floor take at most, and where
 nothing is lost by it."""
 
@@ -34,14 +34,14 @@ def part_desks(hall: HallContext, wishes: list[HallDemand]) -> list[HallDemand]:
 def _part(wish: HallDemand, areas: dict[str, float]) -> HallDemand:
     """One demand, parted where it is of several desks and its zones of some areas hold that."""
     parted = _with_way(wish) if _is_open(wish) else wish
-    return parted if _measure_share(parted, areas) <= FULL else wish
+    return parted if _measure_share(parted, areas) <= FULL_WAY else wish
 
 
 def list_parted(hall: HallContext, wish: HallDemand) -> Iterator[HallDemand]:
     """Desks with floor beside each that take more than half of their zones so: to be tried."""
     if _is_open(wish) and not wish.aside:
         parted, areas = _with_way(wish), dict(zip(hall.names, zone_areas(hall), strict=True))
-        if FULL < _measure_share(parted, areas) <= FULLEST:
+        if FULL_WAY < _measure_share(parted, areas) <= FULLEST:
             yield parted
 
 
@@ -64,7 +64,7 @@ def _with_way(wish: HallDemand) -> HallDemand:
     """Desks with half of the way on either side, and the floor of the chairs that come with desks
     for advice."""
     advising = any(word in f"{wish.id} {wish.name}".casefold() for word in ADVISING)
-    aside = 0.5 * (DESKS_APART if advising else WAY)
+    aside = 0.5 * (DESKS_APART if advising else WAY_PAST)
     chairs = SEATED if advising and not wish.seated else 0.0
     sizes = tuple(
         Size(size.width + 2.0 * aside, size.depth + 2.0 * chairs, size.height)

@@ -31,7 +31,7 @@ RINGS = ("radiation", "circulation")
 """Patterns on a round carpet."""
 LEAST_CARPET = 3.0
 """Square metres of a carpet, at least."""
-HOLE, FULL, ROUND = 12.0, 0.7, 0.85
+HOLE, FULL_ISLAND, ROUND_ISLAND = 12.0, 0.7, 0.85
 """Square metres of a hole in a carpet that is filled, the share of its rectangle from which on a
 carpet is one, and 4 pi area over squared rim from which on it is round and stays so."""
 COLUMN = 1.5
@@ -115,8 +115,8 @@ def plain_carpet(shape: Geometry) -> Geometry:
         holes = [ring for ring in part.interiors if shapely.Polygon(ring).area > HOLE]
         plain = shapely.Polygon(part.exterior, holes)
         box = shapely.minimum_rotated_rectangle(plain)
-        round_ = 4 * np.pi * plain.area >= ROUND * plain.length**2
-        whole.append(plain if round_ or plain.area < FULL * box.area else box)
+        round_ = 4 * np.pi * plain.area >= ROUND_ISLAND * plain.length**2
+        whole.append(plain if round_ or plain.area < FULL_ISLAND * box.area else box)
     return shapely.union_all(whole)
 
 

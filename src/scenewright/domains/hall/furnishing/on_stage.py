@@ -16,13 +16,13 @@ from scenewright.domains.hall.hall_layout import Layer, PatternPart, PlacedGroup
 
 STAGE, SCREEN, LECTERN, PIANO, DESK = "stage", "screen", "lectern", "piano", "desk"
 CARRIED = (LECTERN, SCREEN, PIANO, DESK)
-ASIDE = 0.28
+STAGE_ASIDE = 0.28
 """How far off the middle of the stage, as a share of its width: beside the steps at its ends."""
-EDGE = 0.5
+STAGE_EDGE = 0.5
 """Between the objects on a stage and its front edge, in metres."""
-BESIDE = 0.7
+STAGE_BESIDE = 0.7
 """Between the end of a desk in the middle of a stage and the centre of a lectern, in metres."""
-BEHIND = 0.9
+STAGE_BEHIND = 0.9
 """Least depth for who speaks, or plays, in metres."""
 WING = 0.35
 """Between the back of a piano and the end of the stage, and its side and the back, in metres."""
@@ -75,15 +75,15 @@ def _has_room(floor: Size, wish: HallDemand) -> bool:
     a screen."""
     size = wish.sizes[0]
     if wish.category == PIANO:
-        wide = 0.5 * floor.width > WING + size.depth + BEHIND
+        wide = 0.5 * floor.width > WING + size.depth + STAGE_BEHIND
         return wide and floor.depth > size.width + 2 * WING
     if wish.category == DESK:
-        wide = ASIDE * floor.width > 0.5 * size.width + BESIDE
-        return wide and floor.depth > EDGE + size.depth + BEHIND
+        wide = STAGE_ASIDE * floor.width > 0.5 * size.width + STAGE_BESIDE
+        return wide and floor.depth > STAGE_EDGE + size.depth + STAGE_BEHIND
     if wish.category == SCREEN:
-        return floor.width >= size.width and floor.depth > size.depth + EDGE + BEHIND
-    return (0.5 - ASIDE) * floor.width > 0.5 * size.width + 0.3 and (
-        floor.depth > EDGE + size.depth + BEHIND
+        return floor.width >= size.width and floor.depth > size.depth + STAGE_EDGE + STAGE_BEHIND
+    return (0.5 - STAGE_ASIDE) * floor.width > 0.5 * size.width + 0.3 and (
+        floor.depth > STAGE_EDGE + size.depth + STAGE_BEHIND
     )
 
 
@@ -153,5 +153,5 @@ def _stand(floor: Size, category: str, size: Size, side: float) -> tuple[float, 
         right = 0.5 * (floor.width - size.depth) - WING
         return side * right, WING + 0.5 * (size.width - floor.depth), side * 0.5 * math.pi
     if category == DESK:
-        return 0.0, 0.5 * (floor.depth - size.depth) - EDGE, math.pi
-    return side * ASIDE * floor.width, 0.5 * (floor.depth - size.depth) - EDGE, 0.0
+        return 0.0, 0.5 * (floor.depth - size.depth) - STAGE_EDGE, math.pi
+    return side * STAGE_ASIDE * floor.width, 0.5 * (floor.depth - size.depth) - STAGE_EDGE, 0.0

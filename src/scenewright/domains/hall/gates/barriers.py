@@ -29,9 +29,9 @@ CATEGORY, BARRIERS = "glass_barrier", "/barriers"
 """The kind that closes the floor beside gates, and the ending of its function."""
 GATE_POST = "gate_post"
 """The kind beyond a wide gate."""
-HEIGHT = 1.0
+RAIL_HEIGHT = 1.0
 """How high barriers are, in metres."""
-ASTRAY = 3.5
+GATES_ASTRAY = 3.5
 """Metres of fault from which on gates stand where no way in is: rails would close nothing."""
 
 RAILS_SHARE = 0.002
@@ -51,7 +51,7 @@ def place_barriers(
     beside the layout, ``demands`` the demand of each group."""
     found: tuple[Piece, ...] = ()
     for unit in find_gates(problem, layout.kept) if not layout.loose else ():
-        if measure_gates(problem, layout.kept, layout.boxes, unit) > ASTRAY:
+        if measure_gates(problem, layout.kept, layout.boxes, unit) > GATES_ASTRAY:
             continue
         row = find_row(problem, layout.boxes, unit)
         row = row._replace(others=np.concatenate([row.others, solid]))
@@ -95,7 +95,7 @@ def make_barriers(
     """The rails (k, 5) of a group as pieces, within the hall."""
     found, floor = [], floor_of(space)
     for number, (x, y, heading, width, depth) in enumerate(_clip(rails, floor).tolist(), 1):
-        size = Size(width, depth, HEIGHT)
+        size = Size(width, depth, RAIL_HEIGHT)
         category = GATE_POST if depth >= POST else CATEGORY
         asset = catalog.choose(category, size)
         turned = (heading + math.pi) % (2 * math.pi) - math.pi

@@ -24,9 +24,9 @@ from scenewright.domains.hall.retouch.arrivals import box_round
 from scenewright.domains.hall.visit.doors import visitor_exits, ways_in
 from scenewright.domains.hall.visit.roles import GATE
 
-OFF = 1.3
+BOARDING_OFF = 1.3
 """Metres between gates and the exit they stand before."""
-LITTLE = 0.005
+BOARDING_LITTLE = 0.005
 
 
 class SetGates(NamedTuple):
@@ -81,7 +81,7 @@ def _line_up(wish: HallDemand, door: DoorApproach) -> Floats:
     heading, right = np.arctan2(*door.inward[::-1]), np.array([door.inward[1], -door.inward[0]])
     at, found = -0.5 * sum(size.width for size in wish.sizes), list[list[float]]()
     for size in wish.sizes:
-        middle = door.face + (OFF + 0.5 * size.depth) * door.inward
+        middle = door.face + (BOARDING_OFF + 0.5 * size.depth) * door.inward
         x, y = middle + (at + 0.5 * size.width) * right
         found.append([float(x), float(y), float(heading), size.width, size.depth])
         at += size.width
@@ -90,7 +90,7 @@ def _line_up(wish: HallDemand, door: DoorApproach) -> Floats:
 
 def _is_free(hall: HallContext, row: Floats, there: tuple[Piece, ...]) -> bool:
     """Whether boxes (n, 5) and the route beside them lie on the free floor of a hall."""
-    wider = row + np.array([0.0, 0.0, 0.0, 2.0 * hall.route, -2.0 * LITTLE])
+    wider = row + np.array([0.0, 0.0, 0.0, 2.0 * hall.route, -2.0 * BOARDING_LITTLE])
     needed = shapely.union_all(shapely.polygons(corners(wider)))
     solid = [box for piece in there for box in boxes_of(piece)]
     taken = shapely.polygons(corners(np.array(solid).reshape(-1, 5)))

@@ -46,7 +46,7 @@ FEWEST = 2
 """Ropes of a line that guides somebody, at least."""
 ASIDE = (0.0, -0.6, 0.6, -1.2, 1.2, -1.8, 1.8)
 """Metres to the side of where ropes belong that are tried."""
-WEIGHT, DEAR, WALKED = 30.0, 120.0, 8
+PER_ROPE_METRE, DEAR, WALKED = 30.0, 120.0, 8
 """What a metre of fault costs beside the energy, by how much ropes may raise that of their hall,
 and how many places are walked through."""
 
@@ -127,7 +127,7 @@ def _find_places(
             forgiven = _forgive_queues(fitted.problem, kept, chain.p, chain.s)
             guides = not lane or forms_lane(fitted.problem, kept, stand, unit)
             if guides and fault <= ASTRAY and energy - forgiven <= most:
-                found.append((energy - forgiven + WEIGHT * fault, number, kept))
+                found.append((energy - forgiven + PER_ROPE_METRE * fault, number, kept))
     return [kept for _, _, kept in sorted(found, key=lambda one: one[:2])[:WALKED]]
 
 

@@ -20,9 +20,9 @@ from scenewright.domains.hall.problem import Floats
 from scenewright.domains.hall.visit.roles import GATE
 
 GATE_LEAF = "gate_leaf"
-THICK, HEIGHT, SLIT = 0.03, 0.9, 0.03
+LEAF_THICK, LEAF_HEIGHT, SLIT = 0.03, 0.9, 0.03
 """How thick and high a leaf is, and how far from the housings on both sides it ends; metres."""
-NARROWEST_LEAF, WIDEST_LEAF = 0.3, 2.0
+NARROWEST_LEAF, WIDEST_GATE_LEAF = 0.3, 2.0
 """How wide what it closes is at least, and at most from a gate to a wall; metres."""
 Span = tuple[Floats, Floats]
 """The ends (2,) of a leaf."""
@@ -44,7 +44,7 @@ def _make_leaf(of: Piece, span: Span, catalog: Catalog) -> Piece:
     """The leaf between two points, of the group of a piece."""
     start, end = span
     (x, y), along = 0.5 * (start + end), end - start
-    size = Size(float(np.hypot(*along)) - 2.0 * SLIT, THICK, HEIGHT)
+    size = Size(float(np.hypot(*along)) - 2.0 * SLIT, LEAF_THICK, LEAF_HEIGHT)
     heading = float(np.arctan2(-along[0], along[1])) + math.pi
     asset = catalog.choose(GATE_LEAF, size)
     return replace(
@@ -80,7 +80,7 @@ def _span_to_wall(space: Space, group: str, pieces: Sequence[Piece]) -> Span | N
             start = np.array(gate.pose[:2]) + 0.5 * gate.size.width * way
             far = reach(edges_of(space), start, way)
             line = shapely.LineString([start + 0.05 * way, start + (far - 0.01) * way])
-            if NARROWEST_LEAF < far <= WIDEST_LEAF and not line.intersects(fence):
+            if NARROWEST_LEAF < far <= WIDEST_GATE_LEAF and not line.intersects(fence):
                 found.append((far, (start, start + far * way)))
     return min(found, key=lambda one: one[0], default=(0.0, None))[1]
 

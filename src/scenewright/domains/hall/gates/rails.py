@@ -13,16 +13,16 @@ from scenewright.domains.hall.measures import DOOR_OUTSIDE
 from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.terms.visitors import FIRST
 
-BESIDE_DOOR, RAIL_TO_WALL, SHORTEST, THICK = 0.4, 1.6, 0.2, 0.06
+RAIL_BESIDE_DOOR, RAIL_TO_WALL, SHORTEST_RAIL, RAIL_THICK = 0.4, 1.6, 0.2, 0.06
 """How far beside a door rails begin, how near a wall lies to which they run on instead of turning
 back, the shortest of them, and how thick they are; metres."""
 POST = 0.2
 """How thick the post of the wide gate is, in metres."""
-BARE = 0.25
+RAIL_BARE = 0.25
 """Cost of a row without rails, as metres of rails on floor that others need."""
 RAIL_GAP = 0.01
 """Gap of rails to walls, gates and one another, in metres."""
-LANE, MARGIN, THROUGH = 0.9, 0.2, 3.0
+LANE, RAIL_MARGIN, THROUGH = 0.9, 0.2, 3.0
 """How wide the wide gate behind a door is at least, by how much it is wider than the route, and how
 long the floor on which one goes through it; metres. Wheelchairs need 0.9 m (DIN 18040-1)."""
 
@@ -105,30 +105,32 @@ def lay_rails(edges: Floats, row: RowOfGates, side: int) -> Floats:
     aside, half = float((centre - way_in.start) @ right), 0.5 * float(row.box[3])
     found, post = list[tuple[Floats, Floats]](), list[list[float]]()
     for end in (-1, 1):
-        begin = half + RAIL_GAP + (way_in.width + MARGIN if end == side else 0.0)
+        begin = half + RAIL_GAP + (way_in.width + RAIL_MARGIN if end == side else 0.0)
         wall = reach(edges, centre + end * (half + RAIL_GAP) * right, end * right) + half + RAIL_GAP
-        beyond = max(begin, way_in.half + BESIDE_DOOR - end * aside)
+        beyond = max(begin, way_in.half + RAIL_BESIDE_DOOR - end * aside)
         turns = way_in.half > 0.0 and wall - beyond > RAIL_TO_WALL
         stop = beyond if turns else wall
         if end == side and way_in.half > 0.0 and stop >= begin:
-            bears = turns or stop - begin > POST + SHORTEST
+            bears = turns or stop - begin > POST + SHORTEST_RAIL
             inner = begin if bears else stop - POST - RAIL_GAP
             off = end * (inner + 0.5 * POST)
             post.append([*(centre + off * right), _turn_across(way), float(row.box[4]), POST])
             begin, stop = (begin + POST + RAIL_GAP, stop) if bears else (begin, inner - RAIL_GAP)
-        if stop - begin > SHORTEST:
+        if stop - begin > SHORTEST_RAIL:
             found.append((centre + end * begin * right, centre + end * stop * right))
         if turns:
-            corner = centre + end * (max(beyond, begin - RAIL_GAP) + 0.5 * THICK + RAIL_GAP) * right
+            corner = (
+                centre + end * (max(beyond, begin - RAIL_GAP) + 0.5 * RAIL_THICK + RAIL_GAP) * right
+            )
             back = reach(edges, corner, -way)
-            found += [(corner, corner - back * way)] * (back > SHORTEST)
+            found += [(corner, corner - back * way)] * (back > SHORTEST_RAIL)
     return np.array([*(_rail(*line) for line in found), *post]).reshape(-1, 5)
 
 
 def find_open_end(row: RowOfGates, side: int) -> Floats:
     """The box (5,) of the floor in the wide gate of a row, and before and behind it."""
     way, wide = row.way_in.way, row.way_in.width
-    off = 0.5 * float(row.box[3]) + RAIL_GAP + 0.5 * (wide + MARGIN)
+    off = 0.5 * float(row.box[3]) + RAIL_GAP + 0.5 * (wide + RAIL_MARGIN)
     x, y = row.box[:2] + side * off * np.array([way[1], -way[0]])
     return np.array([x, y, np.arctan2(way[1], way[0]), wide, max(2.0 * wide, THROUGH)])
 
@@ -158,7 +160,7 @@ def measure_rails(problem: HallProblem, row: RowOfGates, side: int) -> tuple[flo
     """What bars the rails of a row with its wide gate on one ``side`` (:func:`measure_barred`), and
     metres of them on floor that others need free; a wide gate without a post counts as some."""
     rails = lay_rails(find_stops(problem, row), row, side)
-    bare = BARE * (row.way_in.half > 0.0 and not has_post(rails))
+    bare = RAIL_BARE * (row.way_in.half > 0.0 and not has_post(rails))
     return measure_barred(problem, row, side, rails), _measure_crowded(row, rails) + bare
 
 
@@ -185,14 +187,14 @@ def measure_blocked(problem: HallProblem, row: RowOfGates, rails: Floats) -> flo
     """Metres of some rails (k, 5) that cannot stand where others do, or before doors."""
     taken = np.concatenate([_solid(problem, row), problem.ground.keep_free])
     strips = shapely.union_all(shapely.polygons(corners(rails)))
-    return float(strips.intersection(_join_near(taken, strips)).area / THICK)
+    return float(strips.intersection(_join_near(taken, strips)).area / RAIL_THICK)
 
 
 def _measure_crowded(row: RowOfGates, rails: Floats) -> float:
     """Metres of the rails (k, 5) of a row on floor that others need free."""
     strips = shapely.polygons(corners(rails))
     needed = _join_near(row.needed, shapely.multipolygons(strips))
-    return float(shapely.area(shapely.intersection(strips, needed)).sum() / THICK)
+    return float(shapely.area(shapely.intersection(strips, needed)).sum() / RAIL_THICK)
 
 
 def _join_near(boxes: Floats, strips: shapely.Geometry) -> shapely.Geometry:
@@ -205,7 +207,7 @@ def _rail(start: Floats, end: Floats) -> list[float]:
     """The box (5,) of a rail between two points."""
     along = end - start
     x, y = 0.5 * (start + end)
-    return [x, y, _turn_across(along), float(np.hypot(*along)) - 2 * RAIL_GAP, THICK]
+    return [x, y, _turn_across(along), float(np.hypot(*along)) - 2 * RAIL_GAP, RAIL_THICK]
 
 
 def _turn_across(along: Floats) -> float:

@@ -15,14 +15,14 @@ import shapely
 from scenewright.building import outlines
 from scenewright.core.brief import Door
 from scenewright.core.space import Points
-from scenewright.domains.hall.indoor.floors import WALL, IndoorFloor
+from scenewright.domains.hall.indoor.floors import MAP_WALL, IndoorFloor
 
 REACH = 0.3
 NEIGHBOUR = 0.5
 LEAST_WIDTH = 0.6
-END = 0.02
+DOOR_END = 0.02
 SLIDE = 0.6
-SINGLE = 0.9
+SINGLE_DOOR = 0.9
 DOUBLE = 1.8
 WIDEST_LEAF = 1.1
 FRONT_SHARE = 0.6
@@ -53,7 +53,7 @@ def walls_of(floors: list[IndoorFloor]) -> list[FloorWalls]:
     """Clear outlines of floors, as :mod:`scenewright.building.plan` will see them."""
     found = []
     for floor in floors:
-        clear, _ = outlines.rings(outlines.shrink(floor.polygon, WALL / 2))
+        clear, _ = outlines.rings(outlines.shrink(floor.polygon, MAP_WALL / 2))
         found.append(FloorWalls(outlines.wall_runs(clear), floor))
     return found
 
@@ -141,7 +141,7 @@ def _place_marked_door(
     wall: FloorWalls, number: int, name: str, tags: dict[str, str], at: Points
 ) -> PlacedDoor | None:
     shop = wall.floor.role == "unit" or tags.get("entrance") == "main"
-    width = _width(tags) or (DOUBLE if shop else SINGLE)
+    width = _width(tags) or (DOUBLE if shop else SINGLE_DOOR)
     kind = tags.get("door", "no")
     swing = "none" if kind == "no" else "in" if kind in ("hinged", "yes", "swinging") else "slide"
     if tags.get("automatic_door", "no") != "no" or (swing == "in" and width > WIDEST_LEAF):
@@ -178,10 +178,10 @@ def _on(
     for run in wall.runs:
         s, away = outlines.project(run, at)
         lengths = outlines.run_lengths(run)
-        fits = min(width, float(lengths[-1]) - 2 * END)
-        if away > REACH + WALL or fits < LEAST_WIDTH:
+        fits = min(width, float(lengths[-1]) - 2 * DOOR_END)
+        if away > REACH + MAP_WALL or fits < LEAST_WIDTH:
             continue
-        slid = min(max(s, fits / 2 + END), float(lengths[-1]) - fits / 2 - END)
+        slid = min(max(s, fits / 2 + DOOR_END), float(lengths[-1]) - fits / 2 - DOOR_END)
         cost = away + abs(slid - s)
         if abs(slid - s) > SLIDE or (best is not None and cost >= best[0]):
             continue

@@ -23,12 +23,12 @@ from scenewright.ground.map_features import Feature, SkippedFeature, levels_of
 
 Role = Literal["unit", "room", "way", "solid"]
 
-WALL = 0.1
+MAP_WALL = 0.1
 """Thickness of the walls, whose middle lines the map is taken to show."""
-OVERLAP = 0.01
+MAP_OVERLAP = 0.01
 LEAST_AREA = 1.0
 LEAST_REST = 0.1
-GRID = 1e-3
+MAP_GRID = 1e-3
 MOST_FLOORS = 5_000
 MOST_HOLES = 200
 MOST_CORNERS = 5_000
@@ -240,7 +240,7 @@ def _disjoint(
     for number, floor in enumerate(order):
         near = [i for i in tree.query(floor.polygon).tolist() if i < number and kept[i]]
         shared = shapely.area(shapely.intersection([kept[i] for i in near], floor.polygon))
-        over = [i for i, area in zip(near, shared.tolist(), strict=True) if area > OVERLAP]
+        over = [i for i, area in zip(near, shared.tolist(), strict=True) if area > MAP_OVERLAP]
         parts, fault = _cut(floor, [kept[i] for i in over])
         drawn = [order[i].feature for i in over if order[i].role != "solid"]
         if drawn and not fault:
@@ -261,7 +261,7 @@ def _cut(
         return [floor.polygon], ""
     rest: list[shapely.Polygon] = [floor.polygon]
     if others:
-        rest = _parts(floor.polygon.difference(shapely.union_all(others), grid_size=GRID))
+        rest = _parts(floor.polygon.difference(shapely.union_all(others), grid_size=MAP_GRID))
         least = max(LEAST_AREA, LEAST_REST * floor.polygon.area * (floor.role != "way"))
         rest = [part for part in rest if part.area >= least]
         if not rest:
@@ -277,7 +277,9 @@ def _fault(polygon: shapely.Polygon) -> str:
     if len(holes) > MOST_HOLES or max(map(len, (outline, *holes))) > MOST_CORNERS:
         return TOO_FINE
     try:
-        outlines.shrink(outlines.polygon(np.array(outline), tuple(map(np.array, holes))), WALL / 2)
+        outlines.shrink(
+            outlines.polygon(np.array(outline), tuple(map(np.array, holes))), MAP_WALL / 2
+        )
     except InputError as error:
         return error.fault
     return ""

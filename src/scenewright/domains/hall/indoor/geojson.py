@@ -31,7 +31,7 @@ from scenewright.domains.hall.indoor.doors import (
     walls_of,
 )
 from scenewright.domains.hall.indoor.floors import (
-    WALL,
+    MAP_WALL,
     IndoorFloor,
     floors_of,
     levels_or_ground,
@@ -284,7 +284,7 @@ def _brief(
             "domain": "hall",
             "name": name or "hall",
             "outlines": "centre",
-            "wall_thickness": WALL,
+            "wall_thickness": MAP_WALL,
             "levels": [
                 {
                     "id": f"{z:g}",

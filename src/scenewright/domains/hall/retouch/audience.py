@@ -16,32 +16,31 @@ from scenewright.domains.hall.patterns.chain import BLOCK
 from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.retouch.lines import count_objects, find_layers
 from scenewright.domains.hall.retouch.stages import AT_WALL, measure_stage, propose_stages
-from scenewright.domains.hall.seats.turns import TURNED as TURNED_AWAY
-from scenewright.domains.hall.seats.turns import measure_turns
+from scenewright.domains.hall.seats.turns import MOST_TURNED, measure_turns
 from scenewright.domains.hall.terms.state import Kept
 
 VIEW, BEFORE = 0.6, 0.5
 """Metres a seat may lie beyond the side of its stage for each metre it lies before it, and the
 least it has to."""
-OFF_AXIS, TURNED, MOST, SIDE = 0.3, 6.0, 12.0, 2.0
+PER_OFF_AXIS, PER_TURNED, MOST_OF_AUDIENCE, SIDE = 0.3, 6.0, 12.0, 2.0
 """What a metre of the middle of the seats off the axis counts, what seats that look away do, the
 most that counts, and what a metre by which the mean seat lies out of sight does."""
-PASSED, LONG = 0.5, 0.25
+PASSED, PER_LONG_ROW = 0.5, 0.25
 """Metres between neighbours through which one leaves a row, and what each seat counts that a row
 without has more than between two aisles; metres."""
 THIN, STRETCHED, SEAT, LOOSENED = 0.6, 1.3, 1.0, 8.0
 """Gaps between neighbours and between rows, in metres, above which a metre more costs ``LOOSENED``,
 for seats up to ``SEAT`` wide: an audience sits together."""
-DEEP = 0.5
+PER_TOO_DEEP = 0.5
 """Cost of each metre by which an audience is deeper than wide."""
 FAR, GAPS = (1.3, 2.0, 3.0), (1.1, 0.92, 0.57)
 """Metres between stage and first row, and between rows, that are tried."""
 AWAY = 30.0
 """The cost of all seats that look past their stage, in metres."""
-FARTHEST, NEAR_EDGE = 4.0, 0.05
+FARTHEST_ROW, NEAR_EDGE = 4.0, 0.05
 """Metres between stage and first row from which on each is a fault, and how far the first row is
 set from the edge of a zone that begins farther off."""
-ROWS, FEWEST, CLOSE, OFF_WALL = 24, 6, 0.05, 0.02
+ROWS, FEWEST, CLOSE_SEATS, SEATS_OFF_EDGE = 24, 6, 0.05, 0.02
 """Rows at most, seats of an audience at least, and metres between neighbours in close rows
 and from the edge of the zone."""
 LOOSE = (0.25,)
@@ -81,7 +80,7 @@ def sit_aside(problem: HallProblem, kept: Kept, boxes: Floats) -> float:
             boxes[slice(*spans[seats])], boxes[spans[stage, 0]], kept.pose[seats, 2]
         )
         if kept.pose[seats, 3] == 0.0:
-            total += LONG * max(_find_longest(problem, kept, seats) - BLOCK, 0)
+            total += PER_LONG_ROW * max(_find_longest(problem, kept, seats) - BLOCK, 0)
         total += measure_stage(problem, boxes, stage) + _measure_loose(problem, kept, seats)
     return total
 
@@ -100,7 +99,7 @@ def _measure_loose(problem: HallProblem, kept: Kept, seats: int) -> float:
     across = used * deep + layers[1:, ACROSS].sum()
     too_deep = across - (number * (wide + along) - along).max()
     loose = LOOSENED * (max(thin, 0.0) + max(stretched, 0.0))
-    return float(loose + DEEP * max(too_deep, 0.0))
+    return float(loose + PER_TOO_DEEP * max(too_deep, 0.0))
 
 
 def _find_longest(problem: HallProblem, kept: Kept, seats: int) -> int:
@@ -127,14 +126,16 @@ def measure_audience(seats: Floats, stage: Floats, heading: float) -> float:
     front = np.array([np.cos(stage[2]), np.sin(stage[2])])
     off = seats[:, :2] - stage[:2]
     ahead = off @ front - 0.5 * stage[4]
-    far = max(float((ahead - 0.5 * seats[:, 4]).min()) - FARTHEST, 0.0)
+    far = max(float((ahead - 0.5 * seats[:, 4]).min()) - FARTHEST_ROW, 0.0)
     aside = off @ (front[1], -front[0])
     beyond = np.abs(aside) - 0.5 * stage[3] - VIEW * np.maximum(ahead, 0.0)
     hidden = np.maximum(beyond, 0.0) + np.maximum(BEFORE - ahead, 0.0)
     turned = 1.0 + float(np.cos(heading - stage[2]))
-    total = SIDE * float(hidden.mean()) + OFF_AXIS * abs(float(aside.mean())) + TURNED * turned
-    away = float((measure_turns(seats, stage) > TURNED_AWAY).mean())
-    return min(total + far + AWAY * away, MOST)
+    total = (
+        SIDE * float(hidden.mean()) + PER_OFF_AXIS * abs(float(aside.mean())) + PER_TURNED * turned
+    )
+    away = float((measure_turns(seats, stage) > MOST_TURNED).mean())
+    return min(total + far + AWAY * away, MOST_OF_AUDIENCE)
 
 
 def propose_audiences(problem: HallProblem, kept: Kept, boxes: Floats) -> Iterator[Kept]:
@@ -181,7 +182,9 @@ def _forms(problem: HallProblem, kept: Kept, seats: int) -> Iterator[Kept]:
     apart = float(problem.units.clear[first, ::2].sum()) + AT_WALL
     least = problem.route if problem.units.access[first].any() else 0.0
     gaps = sorted({round(gap, 1): gap for gap in (*GAPS, apart, across) if gap >= least}.values())
-    besides = sorted({along, min(along, CLOSE), *(gap for gap in LOOSE if gap < along - CLOSE)})
+    besides = sorted(
+        {along, min(along, CLOSE_SEATS), *(gap for gap in LOOSE if gap < along - CLOSE_SEATS)}
+    )
     uses = sorted({*_rows(number, room), *_long_rows(problem, seats, number, room)})
     for used, gap, beside in product(uses, gaps, besides):
         layers, rows = kept.layers.copy(), kept.rows.copy()
@@ -258,5 +261,5 @@ def _shift_aside(problem: HallProblem, kept: Kept, seats: int, stage: Floats) ->
         return np.zeros(2)
     low, high = problem.ground.zone_bounds[int(problem.units.zones[seats])].reshape(2, 2)
     ends = sorted(((low - stage[:2]) @ way, (high - stage[:2]) @ way))
-    least, most = ends[0] + half + OFF_WALL, ends[1] - half - OFF_WALL
+    least, most = ends[0] + half + SEATS_OFF_EDGE, ends[1] - half - SEATS_OFF_EDGE
     return way * (0.5 * (least + most) if least > most else float(np.clip(0.0, least, most)))

@@ -14,16 +14,16 @@ import numpy as np
 
 from scenewright.domains.hall.patterns import CHAIN, GRID
 from scenewright.domains.hall.problem import Floats, HallProblem
-from scenewright.domains.hall.retouch.audience import BEFORE, OFF_AXIS, SIDE, VIEW
+from scenewright.domains.hall.retouch.audience import BEFORE, PER_OFF_AXIS, SIDE, VIEW
 from scenewright.domains.hall.retouch.lines import count_objects, find_layers, set_rows
 from scenewright.domains.hall.retouch.places import EDGES, find_axes, share_room
 from scenewright.domains.hall.retouch.stages import measure_stage, propose_stages
 from scenewright.domains.hall.terms.state import Kept
 from scenewright.domains.hall.terms.visitors import STAGE, TABLE
 
-FEWEST, MOST = 4, 12.0
+FEWEST, MOST_OF_BANQUET = 4, 12.0
 """Tables of a banquet at least, and metres of fault at most."""
-NARROW, BARE = 1.0, 1.0
+PER_NARROW_GAP, PER_BARE_STRIP = 1.0, 1.0
 """What each metre counts by which gaps lack the passage wished for, and by which the floor beside
 and behind the tables is wider than their gaps."""
 
@@ -72,13 +72,13 @@ def measure_banquet(tables: Floats, stage: Floats, zone: Floats, passage: float)
     beyond = np.abs(aside) - 0.5 * stage[3] - VIEW * np.maximum(ahead, 0.0)
     hidden = np.maximum(beyond, 0.0) + np.maximum(BEFORE - ahead, 0.0)
     reach, bounds = 0.5 * tables[:, 3:].max(1), _see_bounds(stage, zone)
-    total = SIDE * float(hidden.mean()) + OFF_AXIS * abs(float(aside.mean()))
+    total = SIDE * float(hidden.mean()) + PER_OFF_AXIS * abs(float(aside.mean()))
     for at, (low, high) in zip((aside, ahead), bounds, strict=True):
         gap = _find_gap(at, reach)
         strips = (float((at - reach).min()) - low, high - float((at + reach).max()))
-        total += BARE * sum(max(strip - max(gap, passage), 0.0) for strip in strips)
-        total += NARROW * max(passage - gap, 0.0)
-    return min(total, MOST)
+        total += PER_BARE_STRIP * sum(max(strip - max(gap, passage), 0.0) for strip in strips)
+        total += PER_NARROW_GAP * max(passage - gap, 0.0)
+    return min(total, MOST_OF_BANQUET)
 
 
 def _see_bounds(stage: Floats, zone: Floats) -> Floats:

@@ -17,15 +17,15 @@ from scenewright.geometry.boxes import frames_of
 from scenewright.geometry.empty_circles import find_empty_circles
 from scenewright.geometry.inside import lie_inside
 
-STEP, POINTS = 0.7, 20_000
+FLOOR_STEP, POINTS = 0.7, 20_000
 """Metres between the points at which floor is looked at, at least, and how many there are at
 most."""
-LEAST, SHARE, MOST = 3.0, 0.15, 2.0
+LEAST_CIRCLE, CIRCLE_SHARE, MOST_OF_CIRCLE = 3.0, 0.15, 2.0
 """Radius of a circle of floor that may be empty, in metres and as a share of the root of the floor
 of its zone, and metres beyond which more count no more."""
 PART, NEAR = (0.5, 0.75, 1.0), (-1.5, 0.0, 1.5)
 """Parts of the way to the middle of an empty circle, and metres beside it, that are tried."""
-SMALL = 2.5
+SMALL_FILLER = 2.5
 """Square metres that the objects of a group have to stand on, else they fill no floor."""
 WIDER = (0.4, 0.8, 1.2)
 """Metres by which gaps of rows are made wider."""
@@ -45,7 +45,7 @@ def find_floor(problem: HallProblem) -> BareFloor:
     """Points all over the floor of a problem that zones have, in very large halls farther apart."""
     ground = problem.ground
     x0, y0, x1, y1 = ground.bounds
-    step = max(STEP, float(np.sqrt((x1 - x0) * (y1 - y0) / POINTS)))
+    step = max(FLOOR_STEP, float(np.sqrt((x1 - x0) * (y1 - y0) / POINTS)))
     grid = np.meshgrid(np.arange(x0 + 0.5 * step, x1, step), np.arange(y0 + 0.5 * step, y1, step))
     points = np.stack([part.ravel() for part in grid], axis=1)
     zones = np.full(len(points), -1)
@@ -74,12 +74,12 @@ def measure_bare(floor: BareFloor, kept: Kept, boxes: Floats) -> float:
     if not movable:
         return 0.0
     beyond = find_circles(floor, boxes)[:, 2] - _find_allowed(floor.problem)
-    return float(sum(min(max(beyond[zone], 0.0), MOST) for zone in movable))
+    return float(sum(min(max(beyond[zone], 0.0), MOST_OF_CIRCLE) for zone in movable))
 
 
 def _find_allowed(problem: HallProblem) -> Floats:
     """The radius (z,) of an empty circle that each zone may have, in metres."""
-    return np.maximum(LEAST, SHARE * np.sqrt(problem.ground.zone_areas))
+    return np.maximum(LEAST_CIRCLE, CIRCLE_SHARE * np.sqrt(problem.ground.zone_areas))
 
 
 def _find_movable(problem: HallProblem, kept: Kept) -> list[int]:
@@ -90,7 +90,7 @@ def _find_movable(problem: HallProblem, kept: Kept) -> list[int]:
     return [
         unit
         for unit in range(len(roles))
-        if floor[unit] >= SMALL
+        if floor[unit] >= SMALL_FILLER
         and not roles[unit] & (FIRST | TILL | GUIDE | SPEAKER | MAIN)
         and int(kept.rows[unit, 0]) != WALL
         and units.targets[unit] < 0

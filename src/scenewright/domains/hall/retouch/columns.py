@@ -26,7 +26,7 @@ OFF_LINE = 0.2
 IN_AISLE, IN_SIGHT = 6.0, 0.5
 """What a column in an aisle counts however wide that is, and what a seat counts whose view it
 crosses; metres."""
-SPREAD, AROUND, TOUCH = 2.2, 0.1, 0.05
+SPREAD, AROUND, SAME_AXIS = 2.2, 0.1, 0.05
 """Widest gap of a pitch that follows columns, the least gap round a column, and what two axes may
 differ by; metres."""
 ROWS = 8
@@ -160,7 +160,7 @@ def _lattice(columns: Columns, unit: int, heading: float) -> Lattice:
 def _pitch(values: Floats) -> float:
     """The least distance of two different values; 0 where all are alike."""
     steps = np.diff(np.sort(values))
-    steps = steps[steps > TOUCH]
+    steps = steps[steps > SAME_AXIS]
     return float(steps.min()) if len(steps) else 0.0
 
 

@@ -17,27 +17,27 @@ from scenewright.domains.hall.retouch.weigh_rows import list_faults, look_rows, 
 from scenewright.domains.hall.rules.serving import SERVING
 from scenewright.domains.hall.terms.state import Kept
 
-STEP, PROPOSED, APART = 0.4, 120, 0.9
+WALL_PITCH, PROPOSED, APART = 0.4, 120, 0.9
 """Metres between two places that are tried along a wall, how many of the best of them, and the
 least distance of as many others."""
 DESK_ROWS = tuple(row.id for row in SERVING if row.id != "tills_far")
 """The rows of desks."""
 TURNED = ("desk_back", "seats_behind_desk")
 """Those for which a desk is turned half round."""
-BEHIND, STAFF = 0.3, 0.9
+LOOSE_BACK, STAFF_DEPTH = 0.3, 0.9
 """Metres that a back or side may be farther from a wall than staff needs, and what they need
 at least."""
-NEXT = 0.05
+FROM_CORNER = 0.05
 """Metres from the end of a wall at which a row begins at least."""
-LONGEST, LINES, SHORT = 4.0, 24, 6.5
+MOST_OFF_WALL, LINES, SHORT_ROW = 4.0, 24, 6.5
 """Metres off a wall beyond which more count no more, how many lines through other objects are
 tried, and the longest row that may stand with its side at a wall, in metres."""
 AMID = 0.7
 """The most that metres off a wall count of a desk to ask at where no desk stands in the zone of the
 entrance, and metres between the free-standing places tried."""
-PARTED = 2.0
+PER_ROW_OF_DESKS = 2.0
 """Metres that each further row of a group counts."""
-ROUND = 4.0
+ROUND_DESKS = 4.0
 """Metres ahead of and behind where they stand that are tried with such desks turned half round."""
 
 
@@ -51,14 +51,14 @@ def desks_adrift(desks: Desks, kept: Kept, boxes: Floats) -> float:
 def _fault(desks: Desks, kept: Kept, boxes: Floats, unit: int) -> float:
     """The fault of the desks of one unit among boxes (n, 5), in metres."""
     rows, box = int(kept.rows[unit, 1]), box_round(boxes[slice(*desks.problem.units.spans[unit])])
-    parted = PARTED * (rows - 1) if int(kept.rows[unit, 0]) == CHAIN else 0.0
+    parted = PER_ROW_OF_DESKS * (rows - 1) if int(kept.rows[unit, 0]) == CHAIN else 0.0
     return float(_measure_places(desks, kept, boxes, unit, box[None])[0]) + parted
 
 
 def _measure_places(desks: Desks, kept: Kept, boxes: Floats, unit: int, places: Floats) -> Floats:
     """The faults (k,) of the desks of a unit at places (k, 5) among boxes (n, 5), in metres."""
     first = not desks.first or is_at_door(desks.problem, unit)
-    off = measure_off_wall(desks.problem, places, unit, LONGEST if first else AMID)
+    off = measure_off_wall(desks.problem, places, unit, MOST_OFF_WALL if first else AMID)
     seen = look_rows(DESK_ROWS, desks.problem)
     return off + measure_places(seen, kept, boxes, unit, places)
 
@@ -69,13 +69,13 @@ def measure_off_wall(problem: HallProblem, boxes: Floats, unit: int, most: float
     middles, (width, depth) = boxes[:, :2], boxes[:, 3:, None].swapaxes(0, 1)
     front = np.stack([np.cos(boxes[:, 2]), np.sin(boxes[:, 2])], axis=1)
     row = int(problem.units.spans[unit, 0])
-    staff = max(float(problem.units.clear[row, 2]), STAFF)
+    staff = max(float(problem.units.clear[row, 2]), STAFF_DEPTH)
     side = 0.5 * width * np.stack([front[:, 1], -front[:, 0]], axis=1)
     edges = _find_edges(problem, row, float(boxes[:, 3].max(initial=0.0)))
     adrift = far_from(edges, middles - 0.5 * depth * front) - staff
     aside = np.minimum(far_from(edges, middles - side), far_from(edges, middles + side))
-    adrift = np.where(boxes[:, 3] <= SHORT, np.minimum(adrift, aside), adrift)
-    found: Floats = np.minimum(np.maximum(adrift - BEHIND, 0.0), most)
+    adrift = np.where(boxes[:, 3] <= SHORT_ROW, np.minimum(adrift, aside), adrift)
+    found: Floats = np.minimum(np.maximum(adrift - LOOSE_BACK, 0.0), most)
     return found
 
 
@@ -85,7 +85,7 @@ def _find_edges(problem: HallProblem, row: int, wide: float) -> Floats:
     ground, units = problem.ground, problem.units
     zone = int(units.zones[np.searchsorted(units.spans[:, 1], row, side="right")])
     walls = ground.stretches[ground.stretches[:, 4] == zone, :4]
-    if (_lengths(walls) > wide + NEXT).any():
+    if (_lengths(walls) > wide + FROM_CORNER).any():
         return ground.edges
     return ground.zone_edges[slice(*ground.zone_spans[zone])]
 
@@ -116,7 +116,7 @@ def propose_desks(desks: Desks, kept: Kept, boxes: Floats) -> Iterator[Kept]:
             places = np.concatenate([places, _spread(problem, unit)])
         if broken:
             sat = "seats_behind_desk" in broken
-            places = np.concatenate([places, _turn_round(box, ROUND if sat else 0.0)])
+            places = np.concatenate([places, _turn_round(box, ROUND_DESKS if sat else 0.0)])
         faults = _measure_places(desks, kept, boxes, unit, places)
         better = np.flatnonzero(faults < _fault(desks, kept, boxes, unit))
         for number in _spaced(places, better[np.argsort(faults[better], kind="stable")]):
@@ -126,7 +126,7 @@ def propose_desks(desks: Desks, kept: Kept, boxes: Floats) -> Iterator[Kept]:
 def _turn_round(box: Floats, most: float) -> Floats:
     """Boxes (n, 5) of desks turned half round, where they stand and up to ``most`` metres ahead
     or behind."""
-    steps = STEP * np.arange(-int(most / STEP), int(most / STEP) + 1)
+    steps = WALL_PITCH * np.arange(-int(most / WALL_PITCH), int(most / WALL_PITCH) + 1)
     places = np.tile(box, (len(steps), 1))
     places[:, :2] += steps[:, None] * np.array([np.cos(box[2]), np.sin(box[2])])
     places[:, 2] += np.pi
@@ -159,23 +159,23 @@ def _places(problem: HallProblem, boxes: Floats, unit: int) -> Floats:
     other ``boxes`` (n, 5)."""
     first, last = (int(row) for row in problem.units.spans[unit])
     zone, sizes = int(problem.units.zones[unit]), problem.units.sizes[first:last]
-    staff = max(float(problem.units.clear[first, 2]), STAFF)
+    staff = max(float(problem.units.clear[first, 2]), STAFF_DEPTH)
     box = np.array([0.0, 0.0, 0.0, sizes[:, 0].sum(), sizes[:, 1].max()])
     others = np.delete(boxes[:, :2], np.arange(first, last), axis=0)
     behind, found = problem.ground.stretches, [np.zeros((0, 5))]
     behind = behind[behind[:, 4] == zone, :4]
-    if not (_lengths(behind) > box[3] + NEXT).any():
+    if not (_lengths(behind) > box[3] + FROM_CORNER).any():
         behind = _find_edges(problem, first, float(box[3]))
     for start, way, left, length in walk_edges(behind):
         heading = float(np.arctan2(left[1], left[0]))
-        aside = ((0.5 * np.pi, 0.05), (-0.5 * np.pi, 0.05)) if box[3] <= SHORT else ()
+        aside = ((0.5 * np.pi, 0.05), (-0.5 * np.pi, 0.05)) if box[3] <= SHORT_ROW else ()
         for turn, off in ((0.0, staff), *aside):
             wide, deep = (box[3], box[4]) if turn == 0.0 else (box[4], box[3])
-            near, far = 0.5 * wide + NEXT, length - 0.5 * wide
-            along = np.arange(near, far, STEP)
+            near, far = 0.5 * wide + FROM_CORNER, length - 0.5 * wide
+            along = np.arange(near, far, WALL_PITCH)
             along = np.append(along, _lines((others - start) @ way, near, far))
             first = off + 0.5 * deep
-            offs = np.append(first, _lines((others - start) @ left, first, first + BEHIND))
+            offs = np.append(first, _lines((others - start) @ left, first, first + LOOSE_BACK))
             t, d = (grid.ravel() for grid in np.meshgrid(along, offs))
             places = np.zeros((len(t), 5))
             places[:, :2] = start + t[:, None] * way + d[:, None] * left

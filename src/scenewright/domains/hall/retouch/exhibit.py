@@ -18,12 +18,12 @@ from scenewright.domains.hall.terms.state import Kept, PreparedHall, State
 from scenewright.domains.hall.terms.visitors import MAIN, RAYS, STAGE, TABLE
 from scenewright.geometry.inside import lie_inside
 
-OFF, MOST, NEAR, HIDDEN = 1.0, 10.0, 1.5, 60.0
+PER_OFF, MOST_OFF_PLACE, IN_PLACE, PER_HIDDEN = 1.0, 10.0, 1.5, 60.0
 """What a metre off the place of the main exhibit counts, metres beyond which more count no more
 and within which it has its place, and what more the energy counts where it is hidden."""
-ALONG, ACROSS = 0.15, 2.0
+PER_ALONG, ACROSS = 0.15, 2.0
 """Costs of a metre along the axis of the entrance, and of one off it."""
-BESIDE, ROUND = 0.5, 0.8
+AXIS_BESIDE, RIM = 0.5, 0.8
 """How far off the middle of a zone the axis of the entrance may pass for its main exhibit to stand
 on it, as a share of the root of its floor, and metres between that and its edge."""
 SLIDES = (0.0, -0.8, 0.8, -1.6, 1.6, -2.4, 2.4, -3.2, 3.2, -4.0, 4.0)
@@ -55,7 +55,7 @@ def find_exhibit(problem: HallProblem) -> MainExhibit | None:
     (area, middle), axis = find_middle(edges), np.zeros(2)
     for door, inward in zip(problem.visitors.entrances[:1], problem.visitors.inward, strict=True):
         on_axis = door + float((middle - door) @ inward) * inward
-        near = float(np.hypot(*(on_axis - middle))) <= BESIDE * np.sqrt(area)
+        near = float(np.hypot(*(on_axis - middle))) <= AXIS_BESIDE * np.sqrt(area)
         spots = (on_axis + along * inward for along in SLIDES) if near else ()
         for spot in (spot for spot in spots if _has_room(problem, mains[0], edges, spot)):
             middle, axis = spot, inward
@@ -76,7 +76,7 @@ def _has_room(problem: HallProblem, unit: int, edges: Floats, point: Floats) -> 
     size = problem.units.sizes[int(problem.units.spans[unit, 0])]
     lines = shapely.multilinestrings(shapely.linestrings(edges.reshape(-1, 2, 2)))
     far = float(shapely.distance(shapely.points(point), lines))
-    return bool(lie_inside(edges, point[:1], point[1:])[0]) and far >= 0.5 * max(size) + ROUND
+    return bool(lie_inside(edges, point[:1], point[1:])[0]) and far >= 0.5 * max(size) + RIM
 
 
 def find_middle(edges: Floats) -> tuple[float, Floats]:
@@ -102,7 +102,7 @@ def stand_aside(
     """Metres from the main exhibit of a layout to its place; 0 without one."""
     if exhibit is None or int(kept.rows[exhibit.unit, 0]) != SINGLE:
         return 0.0
-    return OFF * min(_measure_way(exhibit, kept), MOST)
+    return PER_OFF * min(_measure_way(exhibit, kept), MOST_OFF_PLACE)
 
 
 def charge_hiding(
@@ -117,7 +117,7 @@ def charge_hiding(
     if exhibit is None or p.main < 0 or not len(s.shade):
         return 0.0
     hidden = int(np.bitwise_or.reduce(s.shade.astype(np.int64)))
-    return -HIDDEN * hidden.bit_count() / RAYS
+    return -PER_HIDDEN * hidden.bit_count() / RAYS
 
 
 def _measure_way(exhibit: MainExhibit, kept: Kept) -> float:
@@ -127,12 +127,12 @@ def _measure_way(exhibit: MainExhibit, kept: Kept) -> float:
     if not exhibit.axis.any():
         return float(np.hypot(*off))
     along, across = off @ exhibit.axis, off @ (exhibit.axis[1], -exhibit.axis[0])
-    return float(np.hypot(ALONG * along, ACROSS * across))
+    return float(np.hypot(PER_ALONG * along, ACROSS * across))
 
 
 def find_placed(exhibit: MainExhibit | None, kept: Kept) -> list[int]:
     """The main exhibit where it has its place."""
-    near = exhibit is not None and _measure_way(exhibit, kept) <= NEAR
+    near = exhibit is not None and _measure_way(exhibit, kept) <= IN_PLACE
     return [exhibit.unit] if exhibit is not None and near else []
 
 

@@ -20,15 +20,15 @@ from scenewright.domains.hall.terms.visitors import FIRST
 
 MOST = 12
 """Gates of one row at most."""
-NEAREST, FARTHEST = 1.6, 3.5
+NEAREST, FARTHEST_GATE = 1.6, 3.5
 """Metres from a door or a border between which gates stand."""
-ASIDE, MOST_ASIDE, TURNED, PARTED = 0.5, 9.0, 2.0, 1.0
+PER_GATE_ASIDE, MOST_ASIDE, GATES_ALONG, PER_ROW_OF_GATES = 0.5, 9.0, 2.0, 1.0
 """What a metre off the middle of the way counts and beyond how many more count no more, what a row
 along the way counts, and each row of gates but the first; metres."""
-SHUT, BARRED, MOST_BARRED, FREE = 1.0, 0.5, 3.0, 0.05
+SHUT, BARRED, MOST_BARRED, RAIL_FREE = 1.0, 0.5, 3.0, 0.05
 """What it counts that their rails cannot stand, and each metre of them that cannot, the most that
 counts, and how much of them others may stand in; metres."""
-CROWDED, NEEDED = 0.5, 0.8
+PER_CROWDED, NEEDED = 0.5, 0.8
 """Cost of a metre of their rails on floor that others need, and how much of it they need."""
 FORGIVEN = 0.97
 """What is forgiven of the free floor of gates that doors need too: farther off is still better."""
@@ -83,15 +83,15 @@ def measure_gates(problem: HallProblem, kept: Kept, boxes: Floats, unit: int) ->
     turned = 1.0 - abs(
         float(np.cos(kept.pose[unit, 2]) * way[0] + np.sin(kept.pose[unit, 2]) * way[1])
     )
-    parted = PARTED * (int(kept.rows[unit, 1]) - 1) if len(mine) > 1 else 0.0
-    far = min(max(NEAREST - ahead, ahead - FARTHEST, 0.0), MOST_ASIDE)
-    total = ASIDE * min(aside, MOST_ASIDE) + TURNED * turned + far + parted
+    parted = PER_ROW_OF_GATES * (int(kept.rows[unit, 1]) - 1) if len(mine) > 1 else 0.0
+    far = min(max(NEAREST - ahead, ahead - FARTHEST_GATE, 0.0), MOST_ASIDE)
+    total = PER_GATE_ASIDE * min(aside, MOST_ASIDE) + GATES_ALONG * turned + far + parted
     if turned > 0.01 or parted:
         return total + MOST_BARRED
     row = find_row(problem, boxes, unit)
     barred, crowded = min(measure_rails(problem, row, side) for side in (-1, 1))
-    total += CROWDED * min(crowded, MOST_BARRED)
-    return total + (min(SHUT + BARRED * barred, MOST_BARRED) if barred > FREE else 0.0)
+    total += PER_CROWDED * min(crowded, MOST_BARRED)
+    return total + (min(SHUT + BARRED * barred, MOST_BARRED) if barred > RAIL_FREE else 0.0)
 
 
 def find_row(problem: HallProblem, boxes: Floats, unit: int) -> RowOfGates:
@@ -139,10 +139,10 @@ def propose_gates(problem: HallProblem, kept: Kept, boxes: Floats) -> Iterator[K
         way_in = find_way_in(problem, unit)
         start, way = way_in.start, way_in.way
         left = np.array([-way[1], way[0]])
-        steps = [s for s in list_steps(problem, boxes, unit, units) if abs(s) > FREE]
+        steps = [s for s in list_steps(problem, boxes, unit, units) if abs(s) > RAIL_FREE]
         for step, aside in product(steps, (0.0, *NUDGES)):
             yield shift(kept, unit, step * way + aside * left)
-        if faults[unit] <= FREE:
+        if faults[unit] <= RAIL_FREE:
             continue
         frame = np.array([*start, np.arctan2(way[1], way[0])])
         for pose in before(frame, STEPS, SHIFTS if len(units) == 1 else FEWER, np.pi):

@@ -18,10 +18,10 @@ from scenewright.domains.hall.terms.table import FACING
 MOST, DRAWN, TRIES, SETTLED = 4, 40, 60, 2
 """Groups that give way at most, how often new places are drawn for them, tries each time, and how
 many of the layouts drawn are settled."""
-TOUCH, SHARED = 0.05, 0.15
+SHARED_FLOOR, SHARED = 0.05, 0.15
 """Square metres a footprint and the free floor of another may share, and the part for which what
 two free floors share counts."""
-TURNED = 0.3
+TURNED_MORE = 0.3
 """By how much of the term that gave way may look away from what it looks at."""
 STEPS = (0.6, 0.3, 0.15)
 """Metres by which what gave way is moved on for less energy."""
@@ -47,7 +47,7 @@ def make_room(chain: HallChain, before: Kept, kept: Kept, yielding: list[int]) -
         if placed.all():
             one = kept_of(s)
             energy = bring_back(p, s, work, one)
-            if (s.costs[FACING, yielding] <= looked + TURNED).all():
+            if (s.costs[FACING, yielding] <= looked + TURNED_MORE).all():
                 found.append((energy, drawn, one))
     return [_settle(chain, one, yielding) for _, _, one in sorted(found)[:SETTLED]]
 
@@ -95,7 +95,7 @@ def _in_the_way(chain: HallChain, moved: list[int]) -> list[int]:
     return [
         unit
         for unit, (first, last) in enumerate(chain.p.spans)
-        if unit not in moved and (shared[first:last] > TOUCH).any()
+        if unit not in moved and (shared[first:last] > SHARED_FLOOR).any()
     ]
 
 

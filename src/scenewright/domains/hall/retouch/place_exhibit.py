@@ -19,7 +19,7 @@ from scenewright.domains.hall.solvers.outcome import MeasuredLayout
 from scenewright.engine.draws import streams
 from scenewright.engine.solve import Budget
 
-ASIDE, BETTER = 2.0, 0.5
+WORTH_MOVING, BETTER = 2.0, 0.5
 """Metres of fault from which on it is worth it, and the part of it that has to be left at most."""
 SETTLED, STEPS = 8, 4000
 """How many layouts settle at most until one is better, and in how many steps."""
@@ -30,7 +30,11 @@ def place_exhibit(search: HallSearch, fitted: Fitted, layout: MeasuredLayout) ->
     leaves nothing out of reach."""
     problem, touch = fitted.problem, retouch_named("exhibit")
     one = SeenTouch(touch, touch.look(problem))
-    if layout.loose or not len(layout.boxes) or one.fault(layout.kept, layout.boxes) <= ASIDE:
+    if (
+        layout.loose
+        or not len(layout.boxes)
+        or one.fault(layout.kept, layout.boxes) <= WORTH_MOVING
+    ):
         return layout
     chain = begin_chain(problem, layout.kept, streams(0, 1)[0])
     now = weigh_layout(chain, one, layout.kept)

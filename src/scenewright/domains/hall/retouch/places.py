@@ -16,14 +16,14 @@ from scenewright.domains.hall.terms.state import Kept
 ALL_OVER, WALL_STEP, WALL_PLACES, CLOSE = 9, 0.5, 200, 0.02
 """Places along each side of a zone, metres between those along its walls, how many of these at
 most, and what is left between a wall and a back at it, in metres."""
-EDGES, LEAST, WIDEST = (1.0, 0.75, 0.5), 0.3, 2.6
+EDGES, LEAST_STRIP, WIDEST = (1.0, 0.75, 0.5), 0.3, 2.6
 """Widths of the strips round rows, in those of their gaps, the least of them, and how wide gaps are
 made; metres."""
 FEWER, MORE = 2, 1
 """How many rows fewer and more are tried."""
 NUDGES, TURNS = (0.15, 0.3, 0.5, 0.8, 1.2), 8
 """Metres by which a unit is moved a little, and in how many directions."""
-BESIDE = 0.05
+ACROSS_WAY = 0.05
 """Metres by which two things overlap across a way at least for one to bound the other along it."""
 
 
@@ -125,7 +125,7 @@ def fill_floor(
         return
     (first, most), number = find_layers(problem, unit), int(count_objects(problem)[unit])
     size, used = problem.units.sizes[slice(*problem.units.spans[unit])].max(0), kept.rows[unit, 1]
-    loose = kept.layers[first, ALONG] > LEAST
+    loose = kept.layers[first, ALONG] > LEAST_STRIP
     for rows in range(max(int(used) - FEWER, 1), min(int(used) + MORE, most, number) + 1):
         columns = -(-number // rows)
         if -(-number // columns) != rows:
@@ -145,8 +145,8 @@ def share_room(room: Floats, many: Floats, size: Floats, edges: Floats) -> Float
     gaps wide, or the least; metres."""
     left = room - many * size
     even = left / (many - 1 + 2.0 * edges)
-    tight = (left - 2.0 * LEAST) / np.maximum(many - 1, 1)
-    gaps: Floats = np.minimum(np.where(even * edges < LEAST, tight, even), WIDEST)
+    tight = (left - 2.0 * LEAST_STRIP) / np.maximum(many - 1, 1)
+    gaps: Floats = np.minimum(np.where(even * edges < LEAST_STRIP, tight, even), WIDEST)
     return gaps
 
 
@@ -183,8 +183,8 @@ def _find_free(problem: HallProblem, boxes: Floats, unit: int, axes: Floats) -> 
     others = np.delete(np.arange(len(seen)), np.arange(first, last))
     bounds = np.array([ring.min(0), ring.max(0)])
     for k in range(2):
-        over = low[others, 1 - k] < end[1 - k] - BESIDE
-        across = others[over & (high[others, 1 - k] > begin[1 - k] + BESIDE)]
+        over = low[others, 1 - k] < end[1 - k] - ACROSS_WAY
+        across = others[over & (high[others, 1 - k] > begin[1 - k] + ACROSS_WAY)]
         middle = 0.5 * (begin[k] + end[k])
         bounds[0, k] = high[across, k][high[across, k] <= middle].max(initial=bounds[0, k])
         bounds[1, k] = low[across, k][low[across, k] >= middle].min(initial=bounds[1, k])

@@ -17,13 +17,13 @@ from scenewright.domains.hall.retouch.tills import find_tills
 from scenewright.domains.hall.terms.state import Kept
 from scenewright.domains.hall.terms.visitors import GUIDE
 
-DEEP, WORTH = 2.0, 3.0
+DEEP, PER_QUEUE = 2.0, 3.0
 """Metres that are free before the lanes, over all of them, and what each that lacks counts."""
-BEHIND = 1.0
+TILL_BEHIND = 1.0
 """Metres between tills and the point inside the way out at least where they move towards it."""
 STEPS = (0.0, 0.2, 0.4, 0.6)
 """Metres by which tills move towards the way out that are tried."""
-BESIDE = 0.1
+ACROSS_LANES = 0.1
 """Metres across the lanes by which something stands before them that counts."""
 
 
@@ -58,7 +58,9 @@ def _read_lanes(problem: HallProblem, unit: int, tills: Floats) -> Lanes:
 def measure_queues(problem: HallProblem, kept: Kept, boxes: Floats) -> float:
     """What the metres count that floor before lanes lacks (:data:`DEEP`), by the nearest object."""
     lanes = find_lanes(problem, kept, boxes)
-    return WORTH * sum(float(_measure_lack(problem, boxes, one).max(initial=0.0)) for one in lanes)
+    return PER_QUEUE * sum(
+        float(_measure_lack(problem, boxes, one).max(initial=0.0)) for one in lanes
+    )
 
 
 def _measure_lack(problem: HallProblem, boxes: Floats, lanes: Lanes) -> Floats:
@@ -70,7 +72,7 @@ def _measure_lack(problem: HallProblem, boxes: Floats, lanes: Lanes) -> Floats:
     counts = np.diff(problem.units.spans, axis=1)[:, 0]
     guides = (problem.visitors.roles.astype(int) & GUIDE).astype(bool)
     guides[lanes.unit] = True
-    before = (over > BESIDE) & (ahead.max(1) > 0.0) & ~np.repeat(guides, counts)
+    before = (over > ACROSS_LANES) & (ahead.max(1) > 0.0) & ~np.repeat(guides, counts)
     lack: Floats = np.where(before, np.maximum(DEEP - ahead.min(1), 0.0), 0.0)
     return lack
 
@@ -81,7 +83,7 @@ def propose_queues(problem: HallProblem, kept: Kept, boxes: Floats) -> Iterator[
     owner = np.repeat(np.arange(len(problem.units.spans)), count_objects(problem))
     for lanes in find_lanes(problem, kept, boxes):
         lack = _measure_lack(problem, boxes, lanes)
-        for back in (step for step in STEPS if not step or lanes.behind - step >= BEHIND):
+        for back in (step for step in STEPS if not step or lanes.behind - step >= TILL_BEHIND):
             near = sorted({int(unit) for unit in owner[lack > back]})
             moved = shift(kept, [lanes.unit], -back * lanes.ahead)
             whole = max(float(lack.max()) - back, 0.0)

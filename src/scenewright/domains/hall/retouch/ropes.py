@@ -23,13 +23,13 @@ GAPS = (1.0, 1.3)
 """Metres between what they guard and the ropes, nearest and farthest."""
 LANES = (1.0, 1.25)
 """Widths of the lanes between lines of ropes that are tried, in metres."""
-TURNED, ALONG, ASIDE, MOST_OFF = 2.0, 0.6, 0.5, 3.0
+ROPES_ACROSS, PER_TURNED_ROPE, PER_ROPE_ASIDE, MOST_OFF = 2.0, 0.6, 0.5, 3.0
 """What ropes across what they should stand along count, those along a desk instead of up to it,
 what a metre beside it does, and metres beyond which more count no more."""
-NEARER, LONG = 5.0, 4.0
-"""Cost of each metre by which ropes along a desk, or before one longer than ``LONG`` metres, are
+NEARER, LONG_DESK = 5.0, 4.0
+"""Cost of each metre by which ropes along a desk, or before one longer than ``LONG_DESK``, are
 too near for anybody to pass between."""
-ANCHORS, WIDEST, SECOND = 12, 0.75, 0.6
+ANCHORS, NEARLY_WIDEST, SECOND = 12, 0.75, 0.6
 """How many objects at walls are looked at; the share of the widest row of desks down to which
 people queue at other rows of the zone too; and what ropes before a shorter row count."""
 
@@ -75,7 +75,7 @@ def find_anchors(problem: HallProblem, kept: Kept, boxes: Floats, unit: int) -> 
     if desks:
         whole = [box_round(row) for u in desks for row in _split_rows(mine[u])]
         widest = max(float(box[3]) for box in whole)
-        less = [SECOND * (box[3] < WIDEST * widest) for box in whole]
+        less = [SECOND * (box[3] < NEARLY_WIDEST * widest) for box in whole]
         queues = [Anchor(box, True, one) for box, one in zip(whole, less, strict=True)]
         return queues + [one._replace(less=SECOND) for one in alone]
     lanes = [u for u in beside if roles[u] & LANE]
@@ -159,12 +159,18 @@ def measure_before(ropes: Floats, anchor: Anchor) -> float:
     gap = float(off @ front) - 0.5 * (box[4] + seen[4])
     aside = abs(float(off @ (front[1], -front[0]))) - 0.5 * max(box[3] - seen[3], 0.0)
     near = max(GAPS[0] - 0.3 - gap, 0.0)
-    if along < 0.7 or box[3] > LONG:
+    if along < 0.7 or box[3] > LONG_DESK:
         near = NEARER * max(GAPS[0] - 0.1 - gap, 0.0)
     far = max(near, gap - GAPS[1] - 0.3)
     deeper = max(float(seen[4]) - float(ropes[0, 4]), 0.0)
-    turned = ALONG * (1.0 - along) if anchor.queue else TURNED * along + min(deeper, MOST_OFF)
-    return anchor.less + turned + min(far, MOST_OFF) + ASIDE * min(max(aside, 0.0), MOST_OFF)
+    turned = (
+        PER_TURNED_ROPE * (1.0 - along)
+        if anchor.queue
+        else ROPES_ACROSS * along + min(deeper, MOST_OFF)
+    )
+    return (
+        anchor.less + turned + min(far, MOST_OFF) + PER_ROPE_ASIDE * min(max(aside, 0.0), MOST_OFF)
+    )
 
 
 def propose_ropes(problem: HallProblem, kept: Kept, boxes: Floats) -> Iterator[Kept]:

@@ -18,14 +18,14 @@ from scenewright.domains.hall.terms.visitors import FIRST, GUIDE, MAIN, SPEAKER,
 SQUARE, STRAIGHT = 0.9, 0.02
 """The share of its bounds a zone has to fill, and by how much a group may be turned (radians), for
 strips beside it to be looked at."""
-SMALL, STRIP, MORE = 1.0, 2.0, 0.6
+SMALL_GROUP, STRIP, MORE = 1.0, 2.0, 0.6
 """Square metres the objects of a group stand on that fills floor, how wide a strip beside all of
 them may be where they have no gaps, and by how much it may be wider than these; metres."""
-WIDEST, MOST = 2.6, 5.0
+WIDEST, MOST_OF_STRIP = 2.6, 5.0
 """How wide gaps are made, and metres beyond what a strip may have that count at most."""
-BARE = 2.0
+BARE_STRIP = 2.0
 """Metres beyond what a strip may have from which on each counts twice: it is seen at once."""
-NEAR, GAP = 0.6, 0.1
+NEAR_BORDER, LEAST_GAP = 0.6, 0.1
 """How near the border of their zone things at walls stand, and the least that is a gap; metres."""
 ASIDE = (0.0, 0.5, -0.5)
 """Metres beside the middle of the strips that are tried."""
@@ -43,8 +43,8 @@ class Side(NamedTuple):
     def fault(self) -> float:
         """Metres by which the strips are too wide."""
         most = max(self.gap, STRIP) + MORE
-        wide = [min(max(strip - most, 0.0), MOST) for strip in (self.before, self.behind)]
-        return sum(far + max(far - BARE, 0.0) for far in wide)
+        wide = [min(max(strip - most, 0.0), MOST_OF_STRIP) for strip in (self.before, self.behind)]
+        return sum(far + max(far - BARE_STRIP, 0.0) for far in wide)
 
 
 def measure_spread(columns: Columns, kept: Kept, boxes: Floats) -> float:
@@ -64,7 +64,7 @@ def _find_movable(columns: Columns, kept: Kept) -> list[int]:
     floor = np.add.reduceat(units.sizes.prod(1), units.spans[:, 0])
     square = np.abs(np.sin(2.0 * kept.pose[:, 2])) < STRAIGHT
     free = ~(roles & (FIRST | TILL | GUIDE | SPEAKER | MAIN)).astype(bool)
-    good = free & square & (floor >= SMALL) & (kept.rows[:, 0] != WALL) & (units.targets < 0)
+    good = free & square & (floor >= SMALL_GROUP) & (kept.rows[:, 0] != WALL) & (units.targets < 0)
     good[units.targets[units.targets >= 0]] = False
     return [int(unit) for unit in np.flatnonzero(good) if _is_open(columns, int(unit))]
 
@@ -103,8 +103,8 @@ def _measure_side(low: Floats, high: Floats, free: Ints, walls: Ints, bounds: Fl
     """The strips and the gap of what is ``free`` (n,) between ``bounds`` (2,) and the objects at
     ``walls`` (n,)."""
     first, last = float(low[free].min()), float(high[free].max())
-    begin = high[walls & (low < bounds[0] + NEAR) & (high <= first)].max(initial=bounds[0])
-    end = low[walls & (high > bounds[1] - NEAR) & (low >= last)].min(initial=bounds[1])
+    begin = high[walls & (low < bounds[0] + NEAR_BORDER) & (high <= first)].max(initial=bounds[0])
+    end = low[walls & (high > bounds[1] - NEAR_BORDER) & (low >= last)].min(initial=bounds[1])
     order = np.argsort(low[free], kind="stable")
     reach = np.maximum.accumulate(high[free][order])
     gap = (low[free][order][1:] - reach[:-1]).max(initial=0.0)

@@ -17,7 +17,7 @@ from scenewright.engine.draws import streams
 
 AT_WALL = 0.02
 """Gap between a free-standing stage and its wall, in metres."""
-WIDE, OFF_WALL, OFF_MIDDLE, MOST = 2.0, 0.5, 0.15, 4.0
+WIDE_STAGE, OFF_WALL, OFF_MIDDLE, MOST = 2.0, 0.5, 0.15, 4.0
 """Width from which a stage belongs at the middle of its wall, in metres, what a metre off the wall
 and off its middle count, and the metres beyond which more count no more."""
 SIDES = (0.0, -1.0, 1.0)
@@ -47,7 +47,7 @@ def measure_stage(problem: HallProblem, boxes: Floats, stage: int) -> float:
     back = np.array([x, y]) - 0.5 * depth * front
     zone = int(problem.units.zones[stage])
     middle = problem.ground.zone_bounds[zone].reshape(2, 2).mean(0)
-    found = [OFF_WALL * MOST] if width >= WIDE else [0.0]
+    found = [OFF_WALL * MOST] if width >= WIDE_STAGE else [0.0]
     for start, way, left, length in walk_walls(problem, stage):
         if left @ front > 0.99:
             along, off = float((back - start) @ way), float((back - start) @ left)

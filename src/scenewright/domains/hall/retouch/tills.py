@@ -17,7 +17,7 @@ from scenewright.domains.hall.retouch.row_groups import GROUPS
 from scenewright.domains.hall.retouch.weigh_rows import find_ways_out, look_rows, measure_rows
 from scenewright.domains.hall.terms.state import Kept
 
-TURNED = 3.0
+PER_TURNED_LANES = 3.0
 """Cost of lanes that lead along the wall of the way out, in metres."""
 STEPS = (2.0, 2.6, 3.4, 4.4)
 SHIFTS = tuple(0.6 * k for k in range(-16, 17))
@@ -42,7 +42,7 @@ def measure_tills(problem: HallProblem, tills: Floats) -> float:
     metres."""
     middle, ways = box_round(tills)[:2], find_ways_out(problem)
     out = ways[int(np.hypot(*(ways[:, :2] - middle).T).argmin()), 2]
-    turned = TURNED * (1.0 - abs(float(np.sin(tills[0, 2] - out))))
+    turned = PER_TURNED_LANES * (1.0 - abs(float(np.sin(tills[0, 2] - out))))
     door, inward = problem.visitors.entrances[0], problem.visitors.inward[0]
     x, y = door + 0.5 * WAY_LENGTH * inward
     strip = np.array([x, y, np.arctan2(inward[1], inward[0]), WAY_WIDTH, WAY_LENGTH])

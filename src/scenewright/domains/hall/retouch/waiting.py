@@ -16,10 +16,10 @@ from scenewright.domains.hall.retouch.places import CLOSE, all_over, along_walls
 from scenewright.domains.hall.terms.state import Kept, PreparedHall, State
 from scenewright.domains.hall.terms.visitors import FIRST, MACHINE, TILL, WAITING
 
-NEAR, FAR, RATE = 4.0, 20.0, 0.1
+WAITING_NEAR, FARTHEST_SEAT, RATE = 4.0, 20.0, 0.1
 """Metres from a desk within which one waits for it, metres beyond which more count no more, and
 what each between counts."""
-BESIDE, BEHIND, AHEAD, STAFF = 2.2, 3.0, 0.6, 2.0
+STAFF_BESIDE, STAFF_BEHIND, AHEAD, AMONG_STAFF = 2.2, 3.0, 0.6, 2.0
 """Metres beside, behind and ahead of the front of a desk in which nobody waits, and what counts
 who does, in metres."""
 LOOSE, ADRIFT = 0.3, 2.0
@@ -80,9 +80,11 @@ def _measure(desks: Floats, seats: Floats) -> float:
     ahead = (off * front).sum(2)
     aside = np.abs(off[..., 0] * front[:, 1] - off[..., 1] * front[:, 0])
     beyond = np.maximum(aside - 0.5 * desks[:, 3], 0.0)
-    staff = (ahead < AHEAD) & (ahead > -desks[:, 4] - BEHIND) & (beyond < BESIDE)
+    staff = (ahead < AHEAD) & (ahead > -desks[:, 4] - STAFF_BEHIND) & (beyond < STAFF_BESIDE)
     far = np.hypot(ahead, beyond).min(1).mean()
-    return STAFF * bool(staff.any()) + RATE * float(np.clip(far - NEAR, 0.0, FAR))
+    return AMONG_STAFF * bool(staff.any()) + RATE * float(
+        np.clip(far - WAITING_NEAR, 0.0, FARTHEST_SEAT)
+    )
 
 
 def forgive_backs(

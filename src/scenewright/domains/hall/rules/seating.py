@@ -6,7 +6,7 @@ from scenewright.arranging.rows import FRONT, WHOLE, Example, Place, Row, apart,
 from scenewright.domains.hall.measures import KEPT_OFF, UNSEEN
 from scenewright.domains.hall.rules.classes import BY_WALLS, LOUNGE_ROW, LOUNGE_SEAT, OTHERS
 
-CLOSE = 2.0  # metres to a wall at which nobody wants to look
+CLOSE_WALL = 2.0  # metres to a wall at which nobody wants to look
 _SEEN = "seen at first glance in halls laid out, 2026"
 _SEAT = Place("lounge seat", 1.0, 2.0, 0.0, 0.8, 0.8)
 
@@ -21,8 +21,8 @@ SEATING = (
         ),
     ),
     Row(
-        "seats_look_at_wall", LOUNGE_ROW, clear(FRONT, UNSEEN, grade=WHOLE), BY_WALLS, CLOSE, 3.0,
-        "{of} looks at {to} within {metres} m", _SEEN,
+        "seats_look_at_wall", LOUNGE_ROW, clear(FRONT, UNSEEN, grade=WHOLE), BY_WALLS, CLOSE_WALL,
+        3.0, "{of} looks at {to} within {metres} m", _SEEN,
         example=Example(
             broken=(Place("row of lounge seats", 2.5, 3.0, 90.0, 3.0, 0.8),),
             held=(Place("row of lounge seats", 2.5, 3.0, -90.0, 3.0, 0.8),),

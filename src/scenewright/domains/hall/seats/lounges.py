@@ -17,10 +17,10 @@ from scenewright.domains.hall.seats.low_tables import CATEGORY as TABLE
 
 SOFA = "sofa"
 """Kinds at the back of a lounge."""
-KNEES, BESIDE, ROW = 0.45, 0.2, 3
+LOUNGE_KNEES, LOUNGE_BESIDE, ROW = 0.45, 0.2, 3
 """Metres between a low table and the seats at it and between two chairs, and most chairs in a row
 across from a sofa."""
-LITTLE = 0.03
+LOUNGE_LITTLE = 0.03
 """Metres by which the way past a table to a sofa is wider than the route."""
 CLEARANCE = (0.3, 0.6, 0.0, 0.6)
 """Metres free before a lounge, at its left, back and right: one comes in at an end."""
@@ -106,18 +106,18 @@ def _arrange(
     """The pieces of a lounge about the middle of its table, the sofas first; these stand out at the
     open end, on the left, as far as one needs to come before them past the table."""
     across = 0 if len(sofas) > 1 else min(len(chairs), 2 if len(chairs) < ROW + 1 else ROW)
-    past = 0.5 * (table.size.width + route) + LITTLE
+    past = 0.5 * (table.size.width + route) + LOUNGE_LITTLE
     sofas = [s._replace(along=min(0.5 * s.size.width - past, 0.0)) for s in sofas]
     row, end = [*sofas[1:], *chairs[:across]], chairs[across:]
-    deep = 0.5 * table.size.depth + KNEES
+    deep = 0.5 * table.size.depth + LOUNGE_KNEES
     back = sofas[0]._replace(ahead=-deep - 0.5 * sofas[0].size.depth)
     before = [
         part._replace(along=part.along + at, ahead=deep + 0.5 * part.size.depth, turn=math.pi)
         for part, at in _line_up(row)
     ]
-    wide = 0.5 * table.size.width + KNEES
+    wide = 0.5 * table.size.width + LOUNGE_KNEES
     if len(end) > 1:
-        wide = max(wide, *(s.along + 0.5 * s.size.width + BESIDE for s in sofas))
+        wide = max(wide, *(s.along + 0.5 * s.size.width + LOUNGE_BESIDE for s in sofas))
     beside = [
         part._replace(along=wide + 0.5 * part.size.depth, ahead=at, turn=0.5 * math.pi)
         for part, at in _line_up(end)
@@ -127,10 +127,10 @@ def _arrange(
 
 def _line_up(parts: list[LoungePart]) -> Iterator[tuple[LoungePart, float]]:
     """Seats side by side, and how far the middle of each is from that of their row."""
-    at = -0.5 * (sum(part.size.width for part in parts) + BESIDE * (len(parts) - 1))
+    at = -0.5 * (sum(part.size.width for part in parts) + LOUNGE_BESIDE * (len(parts) - 1))
     for part in parts:
         yield part, at + 0.5 * part.size.width
-        at += part.size.width + BESIDE
+        at += part.size.width + LOUNGE_BESIDE
 
 
 def _reach(parts: Iterable[LoungePart]) -> tuple[float, float, float, float]:

@@ -23,7 +23,7 @@ from scenewright.geometry.boxes import Frame, common_area, make_frame
 
 CATEGORY, TABLES = "coffee_table", "/tables"
 """The kind between seats, and the ending of its function."""
-SHORT, LONG, HEIGHT = 0.6, 1.1, 0.42
+SHORT_TABLE, LONG_TABLE, LOW_TABLE_HEIGHT = 0.6, 1.1, 0.42
 """Side and length of a low table, for up to three seats and for more, and its height, in metres."""
 TOUCH = 1e-4
 
@@ -95,7 +95,7 @@ def _table(
         for p in seats
     ]
     x, y = (float(v) for v in np.mean(ahead, axis=0))
-    size = Size(SHORT, SHORT if len(seats) < 4 else LONG, HEIGHT)
+    size = Size(SHORT_TABLE, SHORT_TABLE if len(seats) < 4 else LONG_TABLE, LOW_TABLE_HEIGHT)
     asset = catalog.choose(CATEGORY, size)
     return Piece(
         id=f"{group.id}/{CATEGORY}_{number + 1}",

@@ -6,7 +6,7 @@ import numpy as np
 
 from scenewright.domains.hall.problem import Floats
 
-TURNED, SHARE = 60.0, 0.1
+MOST_TURNED, SHARE = 60.0, 0.1
 """Degrees by which a seat looks past what it is to look at, and the share of the seats of one
 demand that may."""
 
@@ -32,4 +32,4 @@ def measure_turns(seats: Floats, shown: Floats) -> Floats:
 
 def count_away(seats: Floats, shown: Floats) -> int:
     """How many of some seats (n, 5) look past what is shown (5,) by more than they may."""
-    return int((measure_turns(seats, shown) > TURNED).sum())
+    return int((measure_turns(seats, shown) > MOST_TURNED).sum())

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from scenewright.domains.hall.solvers.blocks import UNIT, GroupBlock, Option
 
 Floats = NDArray[np.float64]
-SLACK = 0.01
+CELL_SLACK = 0.01
 UNEVEN = 0.2
 """Weight of cells of unequal size, against cells too small for the clearance."""
 
@@ -41,7 +41,7 @@ class CellSubdivision(NamedTuple):
 def options_for(members: CellObjects, share: float, most: int = 24) -> list[Option]:
     """Ways to lay a group out in columns and rows, with ``share`` of the clearances kept."""
     n, options = len(members.sizes), []
-    wide, deep = needs(members, share).max(axis=0) + SLACK
+    wide, deep = needs(members, share).max(axis=0) + CELL_SLACK
     counts = sorted({-(-n // rows) for rows in range(1, n + 1)})
     picked = np.unique(np.linspace(0, len(counts) - 1, min(len(counts), most)).astype(int))
     for columns in (counts[i] for i in picked):
@@ -84,8 +84,8 @@ def divide(block: GroupBlock, members: CellObjects, rng: np.random.Generator) ->
 
 def _break(least: Floats, length: float, rng: np.random.Generator) -> Floats:
     """Cuts (k + 1,) of a length into pieces of ``least`` (k,) metres, the rest shared at random."""
-    spare = max(length - float(least.sum()) - SLACK * len(least), 0.0)
-    pieces = least + SLACK + spare * rng.dirichlet(np.ones(len(least)))
+    spare = max(length - float(least.sum()) - CELL_SLACK * len(least), 0.0)
+    pieces = least + CELL_SLACK + spare * rng.dirichlet(np.ones(len(least)))
     return np.concatenate([[0.0], np.cumsum(pieces)])
 
 
@@ -105,7 +105,7 @@ def misfit(cells: CellSubdivision, block: GroupBlock, members: CellObjects) -> f
     wished, bodies = needs(members, 1.0)[cells.order], members.sizes[cells.order]
     if turned:
         wished, bodies = wished[:, ::-1], bodies[:, ::-1]
-    if (rooms < bodies + 0.5 * SLACK).any():
+    if (rooms < bodies + 0.5 * CELL_SLACK).any():
         return math.inf
     spare = rooms - wished
     lacking = np.minimum(spare, 0.0)

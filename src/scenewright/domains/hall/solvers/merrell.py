@@ -43,7 +43,7 @@ from scenewright.geometry.compiled import compiled, inlined
 
 HOT, DECAY, COLD = 1000.0, 0.99, 0.001
 ITERATIONS = 1 + math.ceil(math.log(COLD / HOT) / math.log(DECAY))
-FAR, NEAR = 3.0, 0.03
+FAR_MOVE, NEAR_MOVE = 3.0, 0.03
 
 
 @inlined
@@ -184,7 +184,7 @@ def merrell(
     while n and not watch.over(done, float(tally[3]), stand) and (bounded or age < ITERATIONS):
         share = watch.share(done) if bounded else age / ITERATIONS
         moves = min(n, budget.steps - done) if budget.steps else n
-        heat, reach = HOT * (COLD / HOT) ** share, FAR * (NEAR / FAR) ** share
+        heat, reach = HOT * (COLD / HOT) ** share, FAR_MOVE * (NEAR_MOVE / FAR_MOVE) ** share
         sweep(p, s, ways, stream, moves, heat, reach, middle, doors, tally, best)
         done, age = done + moves, age + 1
     return ObjectLayout(boxes_of(s._replace(frames=best)), float(tally[3]), done)

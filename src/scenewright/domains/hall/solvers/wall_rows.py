@@ -12,7 +12,7 @@ from scenewright.core.layout import corners
 from scenewright.domains.hall.solvers.cells import CellObjects
 from scenewright.domains.hall.terms.state import Floats
 
-OFF, CORNER, STEP, MOST = 0.003, 0.1, 0.1, 1.0
+WALL_ROW_OFF, CORNER, WALL_ROW_STEP, FARTHEST_STEP = 0.003, 0.1, 0.1, 1.0
 """How far backs stand off the wall, what stays free in corners, steps past what is in the way,
 and the greatest gap between neighbours, in metres."""
 
@@ -43,7 +43,7 @@ def wall_row(members: CellObjects, walls: Floats, free: Any) -> Floats | None:
     on its ``free`` floor, with the widest even gap of at most 1 m that finds room; None if the
     walls are too short."""
     order = np.argsort(-walls[:, 4], kind="stable")
-    for gap in MOST * np.array([1.0, 0.7, 0.5, 0.3, 0.2, 0.1, 0.05, 0.0]):
+    for gap in FARTHEST_STEP * np.array([1.0, 0.7, 0.5, 0.3, 0.2, 0.1, 0.05, 0.0]):
         found = _walk_walls(members, walls[order], free, float(gap))
         if found is not None:
             return found
@@ -65,12 +65,12 @@ def _walk_walls(members: CellObjects, walls: Floats, free: Any, gap: float) -> F
                 boxes.append(box)
                 i, t = i + 1, t + width + gap
             else:
-                t += STEP
+                t += WALL_ROW_STEP
     return np.array(boxes) if i == len(members.sizes) else None
 
 
 def _at(wall: Floats, along: float, width: float, depth: float) -> Floats:
-    dx, dy, off = wall[2], wall[3], 0.5 * depth + OFF
+    dx, dy, off = wall[2], wall[3], 0.5 * depth + WALL_ROW_OFF
     return np.array(
         [
             wall[0] + dx * along - dy * off,

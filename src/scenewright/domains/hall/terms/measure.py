@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from scenewright.domains.hall.patterns import NUMBER, SINGLE, WALL
-from scenewright.domains.hall.terms.state import STEP, Floats, PreparedHall, Scratch, State
+from scenewright.domains.hall.terms.state import STATE_STEP, Floats, PreparedHall, Scratch, State
 from scenewright.domains.hall.terms.table import access_cost, proportion_cost
 from scenewright.geometry.boxes import (
     Frame,
@@ -226,7 +226,7 @@ def span_in_strip(frame: Frame, border: Floats, half: float) -> tuple[float, flo
 def block(work: Scratch, cells: int, low: float, high: float) -> None:
     """Mark the cells of a border between two distances from its start."""
     if low <= high:
-        first, last = math.floor(low / STEP + 1e-6), math.ceil(high / STEP - 1e-6)
+        first, last = math.floor(low / STATE_STEP + 1e-6), math.ceil(high / STATE_STEP - 1e-6)
         for k in range(max(first, 0), min(last, cells)):
             work.cells[k] = 1
 
@@ -265,7 +265,7 @@ def passage(p: PreparedHall, s: State, work: Scratch, link: int) -> float:
         for c in range(cells):
             run = 0 if work.cells[c] else run + 1
             best = max(best, run)
-    return best * STEP
+    return best * STATE_STEP
 
 
 @compiled

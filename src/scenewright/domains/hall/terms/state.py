@@ -16,7 +16,7 @@ Bytes = NDArray[np.uint8]
 
 _NONE: Floats = np.zeros(0)
 
-STEP = 0.05
+STATE_STEP = 0.05
 """Length of a border's cells in metres."""
 LINE = 0.01
 """Cell size, in metres: objects whose centres share a cell stand in one line."""

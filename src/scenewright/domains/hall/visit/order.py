@@ -24,7 +24,7 @@ LEAVE_ZONE, LEAVE_GROUP = 15.0, 4.0
 """Seconds a tour may lose so as to see a zone, or a group, in one go."""
 MANY = 600
 """Where there are many groups, each has fewer stops, so that there are not many more in all."""
-CROWDED = 10.0
+CROWDED_STOPS = 10.0
 """Most metres of detour that avoiding a stop in a narrow place is worth."""
 
 
@@ -134,7 +134,7 @@ def _slide(floor: WalkingFloor, choices: list[Cells]) -> list[int]:
         apart = np.hypot(*(here[:, None] - last[None]).transpose(2, 0, 1))
         slow = floor.slow.ravel()[cells]
         before.append(np.argmin(cost + apart, axis=1))
-        cost = (cost + apart).min(axis=1) + np.minimum(slow, CROWDED)
+        cost = (cost + apart).min(axis=1) + np.minimum(slow, CROWDED_STOPS)
     best = [int(np.argmin(cost))]
     for row in before[::-1]:
         best.append(int(row[best[-1]]))

@@ -21,7 +21,7 @@ Cells = NDArray[np.int64]
 SIDES = ("front", "left", "back", "right")
 AWAY = (0.5, 0.7, 1.0, 1.4)
 """How far before a side a visitor may stand, in metres."""
-ALONG = 2.0
+STOP_ALONG = 2.0
 """A long object is looked at from places this far apart, in metres."""
 IN_VIEW = 3.0
 """What is visible from any place within this many metres counts as seen from here: one place
@@ -29,9 +29,9 @@ covers about 6 m of a row."""
 MOST, MOST_OF_SEATS = 6, 2
 SHARE = 1 / 8
 """Least share of a group's objects a further place must add."""
-WIDE = 1e4
+NO_WIDTH = 1e4
 """A way of more seconds leads through a place narrower than asked for."""
-CLOSE, TOUCHING = 0.2, 0.05
+STOP_CLOSE, STOP_TOUCHING = 0.2, 0.05
 """Sight begins so close to an object; nothing is seen through what is nearer than the latter to
 the line of sight, in metres."""
 SEATS = ("chair", "seat", "stool")
@@ -83,7 +83,7 @@ def _views(
     for k, (box, piece) in enumerate(zip(boxes, members, strict=True)):
         kind = catalog.kinds.get(piece.category)
         for side in (kind and kind.reached_from) or SIDES:
-            lines.append(_before(box, SIDES.index(side), max(CLOSE, clear.cell)))
+            lines.append(_before(box, SIDES.index(side), max(STOP_CLOSE, clear.cell)))
             owners += [k] * len(lines[-1])
     starts, points = np.split(np.concatenate(lines), [1], axis=1)
     owner = np.repeat(np.array(owners, np.int64), len(AWAY))
@@ -97,7 +97,7 @@ def _before(box: Floats, side: int, close: float) -> Floats:
     """Points (k, 5, 2) before one side of a box: ``close`` and at the distances to stand at."""
     heading = box[2] + side * np.pi / 2
     wide, deep = (box[3], box[4]) if side % 2 == 0 else (box[4], box[3])
-    count = max(int(np.ceil(wide / ALONG)), 1)
+    count = max(int(np.ceil(wide / STOP_ALONG)), 1)
     across = ((np.arange(count) + 0.5) / count - 0.5) * wide
     u, v = np.meshgrid(across, deep / 2 + np.array([close, *AWAY]), indexing="ij")
     x = box[0] + u * np.sin(heading) + v * np.cos(heading)
@@ -118,7 +118,7 @@ def _in_sight(clear: DistanceRaster, starts: Floats, points: Floats) -> NDArray[
     """Whether nothing lies between two points, looked at every 10 cm."""
     seen = np.ones(len(points), bool)
     for share in np.linspace(0.0, 1.0, 12, endpoint=False):
-        seen &= _look_up(clear, starts + share * (points - starts))[0] > TOUCHING
+        seen &= _look_up(clear, starts + share * (points - starts))[0] > STOP_TOUCHING
     return seen
 
 
@@ -126,7 +126,7 @@ def _usable(views: Views, times: Floats, half: float) -> Views:
     """The places one can walk to: those in the open, by a way that is nowhere too narrow, if
     there are such."""
     took = times[views.cells]
-    for wanted in ((took < WIDE) & (views.room >= half), took < WIDE):
+    for wanted in ((took < NO_WIDTH) & (views.room >= half), took < NO_WIDTH):
         if wanted.any():
             return _some(views, wanted)
     return _some(views, np.isfinite(took))

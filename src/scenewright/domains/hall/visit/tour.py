@@ -26,9 +26,9 @@ from scenewright.geometry.travel import TravelSearch, make_search, round_off, st
 Floats = NDArray[np.float64]
 Cells = NDArray[np.int64]
 
-STEP, FINE = 0.5, 0.25
+TOUR_STEP, FINE = 0.5, 0.25
 """Distance of the points of a tour, and of those that are rounded off, at most, in metres."""
-BEHIND, TURN = 1.2, 16.0
+TOUR_BEHIND, TURN = 1.2, 16.0
 """Metres behind a visitor, and the seconds a metre there costs more, so that tours go on ahead."""
 SWERVE, ROUNDS = 0.6, 40
 
@@ -99,15 +99,15 @@ def _line(search: TravelSearch, floor: WalkingFloor, cells: list[int]) -> tuple[
 def _onward(floor: WalkingFloor, line: Points) -> WalkingFloor:
     """The floor for one who came along a line and would rather not turn round: slow behind."""
     along = _lengths(line)
-    if along[-1] < BEHIND:
+    if along[-1] < TOUR_BEHIND:
         return floor
-    x, y = (np.interp(along[-1] - BEHIND, along, line[:, axis]) for axis in (0, 1))
+    x, y = (np.interp(along[-1] - TOUR_BEHIND, along, line[:, axis]) for axis in (0, 1))
     clear = floor.clear
     column, row = int((x - clear.x0) / clear.cell), int((y - clear.y0) / clear.cell)
-    reach = math.ceil(BEHIND / clear.cell)
+    reach = math.ceil(TOUR_BEHIND / clear.cell)
     rows = np.arange(max(row - reach, 0), min(row + reach + 1, len(floor.slow)))
     columns = np.arange(max(column - reach, 0), min(column + reach + 1, floor.slow.shape[1]))
-    near = np.hypot(rows[:, None] - row, columns - column) * clear.cell < 0.9 * BEHIND
+    near = np.hypot(rows[:, None] - row, columns - column) * clear.cell < 0.9 * TOUR_BEHIND
     slow = floor.slow.copy()
     slow[np.ix_(rows, columns)] += TURN * near
     return floor._replace(slow=slow)
@@ -139,7 +139,7 @@ def _smooth(line: Points, at: Cells, clear: DistanceRaster, least: float) -> tup
     round_off(points, home, clear, least + clear.cell / 2, SWERVE, ROUNDS)
     share = np.searchsorted(np.linspace(0, along[-1], len(home)), along[at] - 1e-9)
     grown = _lengths(points)
-    done = _resample_line(points, grown, STEP)
+    done = _resample_line(points, grown, TOUR_STEP)
     marks = np.rint(grown[share] / max(grown[-1], 1e-9) * (len(done) - 1)).astype(np.int64)
     return done, marks
 

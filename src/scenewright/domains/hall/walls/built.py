@@ -14,11 +14,11 @@ from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.terms.state import Kept
 from scenewright.domains.hall.zoning.borders import floor_of
 
-CEILING, TALLEST = 0.3, 4.0
+UNDER_CEILING, TALLEST = 0.3, 4.0
 """Metres a partition stays below the ceiling, and its greatest height."""
 BUILT_AT_WALL = 0.15
 """Most metres from a wall to the back of an object at it."""
-SHORTEST = 0.3
+SHORTEST_PIECE = 0.3
 """Shorter walls are not built, in metres."""
 
 
@@ -38,7 +38,7 @@ def partitions(
         start = start + off * np.array([-way[1], way[0]])
         low, high = clip_span(floor, start, way, (float(span[0]), float(span[1])), thick)
         middle = start + way * (low + high) / 2
-        if high - low < SHORTEST or not _holds(backs, middle, way, 0.5 * (high - low), thick):
+        if high - low < SHORTEST_PIECE or not _holds(backs, middle, way, 0.5 * (high - low), thick):
             continue
         found.append(_make_wall(hall, len(found) + 1, middle, way, high - low, thick, catalog))
     return found
@@ -54,7 +54,7 @@ def _make_wall(
     catalog: Catalog,
 ) -> Piece:
     """One wall along a ``way`` about its middle."""
-    height = min(max(hall.space.height - CEILING, 2.0), TALLEST, hall.space.height)
+    height = min(max(hall.space.height - UNDER_CEILING, 2.0), TALLEST, hall.space.height)
     size = Size(length, thick, height)
     asset = catalog.choose("partition", size)
     heading = math.remainder(math.atan2(way[0], -way[1]), 2.0 * math.pi)

@@ -9,7 +9,7 @@ from scenewright.core.layout import corners
 from scenewright.domains.hall.problem import Floats
 from scenewright.domains.hall.walls.partitions import SHORTEST, Host
 
-OFF = 0.005
+OFF_OPENING = 0.005
 """How far a wall stays off that floor, in metres."""
 
 
@@ -24,7 +24,7 @@ def clear_hosts(hosts: tuple[Host, ...], taken: Floats, thickness: float) -> tup
     [((2.1, 6.1), (2.1, 9.0))]
     """
     closed = shapely.union_all(shapely.polygons(corners(taken)))
-    closed = closed.buffer(0.5 * thickness + OFF, join_style="mitre")
+    closed = closed.buffer(0.5 * thickness + OFF_OPENING, join_style="mitre")
     found = (_clear_host(host, closed) for host in hosts)
     return tuple(host for host in found if host is not None)
 

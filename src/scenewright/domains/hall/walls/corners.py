@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from scenewright.domains.hall.problem import Floats
 from scenewright.domains.hall.zoning.borders import WallStretch
 
-BEHIND, OFF, AT = 0.12, 0.1, 0.05
+CORNER_BEHIND, CORNER_OFF, AT = 0.12, 0.1, 0.05
 """Metres behind the start of a stretch and off its wall at which another wall is looked for, and
 from a corner that count as in it."""
 
@@ -28,7 +28,7 @@ def corner_share(wall: WallStretch, floor: shapely.Polygon) -> float:
     """
     start, way = np.array([wall.x0, wall.y0]), np.array([wall.x1 - wall.x0, wall.y1 - wall.y0])
     way = way / np.hypot(*way)
-    probe = start - BEHIND * way + OFF * np.array([-way[1], way[0]])
+    probe = start - CORNER_BEHIND * way + CORNER_OFF * np.array([-way[1], way[0]])
     if shapely.contains_xy(floor, *probe):
         return 0.0
     rings = [shapely.get_coordinates(ring) for ring in (floor.exterior, *floor.interiors)]

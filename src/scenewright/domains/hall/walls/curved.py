@@ -27,7 +27,7 @@ HOLLOW = 0.04
 """Metres that may lie between the middle of a back and a wall that bulges behind it."""
 BULGE = 0.2
 """Metres of it behind the middle of what is as wide as a place from which on none is on a curve."""
-SPARE = 0.02
+CURVE_SPARE = 0.02
 """Metres by which a place is wider than its object, and between two places."""
 
 
@@ -83,7 +83,7 @@ def _places(line: Floats, bend: float, need: WallNeed, total: float) -> list[Wal
     """Places along a line (k, 2) that bends by ``bend`` radians to the left."""
     length = float(np.hypot(*np.diff(line, axis=0).T).sum())
     inner = max(1.0 - need.depth * bend / length, 0.3) if bend > 0.0 else 1.0
-    pitch = need.width / inner + SPARE
+    pitch = need.width / inner + CURVE_SPARE
     most = int(length / pitch)
     if most == 0:
         return []
@@ -98,7 +98,7 @@ def _places(line: Floats, bend: float, need: WallNeed, total: float) -> list[Wal
 
 def _place(line: shapely.LineString, at: float, width: float, outward: bool) -> WallStretch:
     """A place about the point ``at`` metres along a line: a chord of it, or a tangent."""
-    half = 0.5 * width + 0.5 * SPARE
+    half = 0.5 * width + 0.5 * CURVE_SPARE
     if outward and _bulge(line, at, half) > HOLLOW:
         at = _within_piece(line, at, half)
     reach = half if outward else 0.01

@@ -22,15 +22,15 @@ from scenewright.domains.hall.problem import Floats
 from scenewright.domains.hall.zoning.assign import Unit
 from scenewright.domains.hall.zoning.borders import Border
 
-BETWEEN = 1.0
+WALL_BETWEEN = 1.0
 SHORTEST = 1.2
-ASIDE, ROAM = 3.0, 6.0
+HOST_ASIDE, ROAM = 3.0, 6.0
 """How far a wall may stand off its border, and one within a zone off the middle, in metres."""
-SPARE = 0.3
+SPARE_WALL = 0.3
 """Metres by which a gap exceeds its passage, and a wall the need of its objects."""
 
 
-TRIMS, OUTSIDE = (0.0, 0.1, 0.2, 0.3), 1e-4
+TRIMS, BEYOND_BORDER = (0.0, 0.1, 0.2, 0.3), 1e-4
 """Metres taken off both ends of a wall where a slanting wall of the hall cuts its corner, and
 square metres of it that may lie outside."""
 
@@ -50,7 +50,7 @@ class Host(NamedTuple):
 def wall_needed(wish: HallDemand, count: int, printed: bool) -> float:
     """Metres of wall for some objects of a demand."""
     side = wish.clearance[1] + wish.clearance[3]
-    between = BETWEEN if printed or side > 0.0 else 0.0
+    between = WALL_BETWEEN if printed or side > 0.0 else 0.0
     return sum(size.width for size in wish.sizes[:count]) + between * (count + 1)
 
 
@@ -106,7 +106,7 @@ def hosts(
         if span is None or most is None:
             continue
         row = (*border.start, *border.end, float(border.first), float(border.second))
-        found.append(Host(row, span, most, (0.0, 0.0) if spare else (-ASIDE, ASIDE)))
+        found.append(Host(row, span, most, (0.0, 0.0) if spare else (-HOST_ASIDE, HOST_ASIDE)))
         left[[border.first, border.second]] -= span[1] - span[0]
     return tuple(found)
 
@@ -125,13 +125,13 @@ def standing_hosts(zones: tuple[Zone, ...], lack: Floats, gap: float) -> tuple[H
         way = way / np.hypot(*way)
         middle, far = np.array(shape.centroid.coords[0]), np.hypot(*np.ptp(zone.outline, axis=0))
         line = shapely.LineString([middle - far * way, middle + far * way])
-        inner = line.intersection(shape.buffer(-gap - SPARE))
+        inner = line.intersection(shape.buffer(-gap - SPARE_WALL))
         pieces = [p for p in shapely.get_parts(inner).tolist() if p.length >= SHORTEST]
         if not pieces:
             continue
         best = max(pieces, key=lambda piece: piece.length)
         (x0, y0), (x1, y1) = best.coords[0], best.coords[-1]
-        half = 0.5 * min(max(0.5 * lack[number] + SPARE, SHORTEST), best.length)
+        half = 0.5 * min(max(0.5 * lack[number] + SPARE_WALL, SHORTEST), best.length)
         span = (0.5 * best.length - half, 0.5 * best.length + half)
         row = (x0, y0, x1, y1, float(number), float(number))
         found.append(Host(row, span, (0.0, float(best.length)), (-ROAM, ROAM)))
@@ -157,7 +157,7 @@ def refit_host(
         if high - low < SHORTEST:
             break
         wall = shapely.ops.substring(line, low, high).buffer(0.5 * thickness, cap_style="flat")
-        if wall.difference(floor).area < OUTSIDE:
+        if wall.difference(floor).area < BEYOND_BORDER:
             span = min(max(host.span[0], low), high), min(max(host.span[1], low), high)
             row = (*border.start, *border.end, *host.row[4:])
             return host._replace(row=row, span=span, most=(low, high))
@@ -189,12 +189,12 @@ def _span(border: Border, gap: float, want: float) -> tuple[float, float] | None
     """Where a wall may stand on a border: all of it, or its middle between two gaps, or beside
     one gap; as long as it needs to be."""
     length = _length(border)
-    need = want + SPARE
+    need = want + SPARE_WALL
     if gap == 0.0:
         return (0.0, min(need, length)) if length >= SHORTEST else None
-    room = length - 2 * (gap + SPARE)
+    room = length - 2 * (gap + SPARE_WALL)
     if room >= max(SHORTEST, min(need, 0.6 * length)):
         half = 0.5 * min(need, room)
         return (0.5 * length - half, 0.5 * length + half)
-    room = length - gap - SPARE
+    room = length - gap - SPARE_WALL
     return (0.0, min(need, room)) if room >= SHORTEST else None

@@ -28,7 +28,7 @@ from scenewright.domains.hall.zoning.cuts import GRID, Frame, frame_of, into, ou
 from scenewright.domains.hall.zoning.search import ZoningGround, rank_divisions
 
 LEAST_ZONE = 1.0
-MARGIN = 1e-3
+ZONE_MARGIN = 1e-3
 PASSAGE = 1.2
 DECIMALS = 11
 
@@ -131,7 +131,7 @@ def _ground(
     free = [index for index in range(len(wishes)) if index not in fixed]
     floor = _to_hall_frame(frame, floor_of(space))
     taken = shapely.union_all(
-        [shape.buffer(MARGIN, join_style="mitre") for shape in fixed.values()]
+        [shape.buffer(ZONE_MARGIN, join_style="mitre") for shape in fixed.values()]
     )
     rest = floor.difference(taken, grid_size=GRID) if fixed else floor
     parts = [p for p in shapely.get_parts(rest).tolist() if p.area >= LEAST_ZONE] if free else []

@@ -35,7 +35,7 @@ from scenewright.domains.hall.zoning.shifted_zones import BorderLine, border_lin
 from scenewright.domains.hall.zoning.zones import HallPlan
 from scenewright.engine.draws import streams
 
-SLACK = 1.5
+BORDER_SLACK = 1.5
 """How far the borders of a proposed zone may move, in metres, unless its brief says otherwise."""
 
 
@@ -55,7 +55,7 @@ def read_slack(room: Room, hall: HallContext) -> Floats:
     found = []
     for name in hall.names:
         zone = asked.get(name)
-        usual = 0.0 if zone is not None and zone.outline is not None else SLACK
+        usual = 0.0 if zone is not None and zone.outline is not None else BORDER_SLACK
         found.append(usual if zone is None or zone.slack is None else zone.slack)
     return np.array(found, np.float64)
 

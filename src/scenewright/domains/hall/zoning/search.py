@@ -25,7 +25,7 @@ from scenewright.domains.hall.zoning.trees import (
     placed_tree,
 )
 
-BESIDE = 0.02
+SHARED_BORDER = 0.02
 
 
 class ZoningGround(NamedTuple):
@@ -198,12 +198,12 @@ def _apart(one: shapely.Polygon, two: shapely.Polygon, width: float) -> float:
     x0, y0, x1, y1 = one.bounds
     u0, v0, u1, v1 = two.bounds
     gap = math.hypot(max(u0 - x1, x0 - u1, 0.0), max(v0 - y1, y0 - v1, 0.0))
-    if gap > BESIDE:
+    if gap > SHARED_BORDER:
         return 1.0 + min(gap / 10.0, 1.0)
     border = one.intersection(two).length
     if border == 0.0:  # beside a zone with an outline, which is kept a millimetre away
-        border = one.buffer(BESIDE, quad_segs=1).intersection(two).length / 2
-    return max(1.0 - border / (width + BESIDE), 0.0)
+        border = one.buffer(SHARED_BORDER, quad_segs=1).intersection(two).length / 2
+    return max(1.0 - border / (width + SHARED_BORDER), 0.0)
 
 
 def _away(shape: shapely.Polygon, door: Points) -> float:

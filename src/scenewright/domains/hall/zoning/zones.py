@@ -35,12 +35,12 @@ from scenewright.domains.hall.zoning.zone_wishes import check_names, wishes_of
 
 __all__ = ["Border", "HallPlan", "WallStretch", "borders_of", "wall_stretches", "zones_of"]
 
-OUTSIDE = 0.02
-OVERLAP = 0.02
+OUTSIDE_FLOOR = 0.02
+ZONE_OVERLAP = 0.02
 NEGLIGIBLE = 0.05
 LEAST_WAY = 0.5
 """Metres of a door that holes must leave free."""
-GRID = 1e-7
+ZONE_GRID = 1e-7
 """Overlays of outlines that run along each other need a grid: without, GEOS 3.14 now and then
 returns all or nothing."""
 
@@ -110,7 +110,7 @@ def borders_of(plan: HallPlan, space: Space) -> tuple[Border, ...]:
 def given_zones(brief: Brief, number: int, space: Space) -> dict[str, Zone]:
     """The zones whose outline the brief states, by id, cut to the floor."""
     floor, shell = floor_of(space), shapely.Polygon(space.outline)
-    reach = OUTSIDE + (brief.wall_thickness if brief.outlines == "centre" else 0.0)
+    reach = OUTSIDE_FLOOR + (brief.wall_thickness if brief.outlines == "centre" else 0.0)
     found: dict[str, shapely.Polygon] = {}
     zones: dict[str, Zone] = {}
     for index, wish in enumerate(brief.rooms[number].zones):
@@ -120,10 +120,10 @@ def given_zones(brief: Brief, number: int, space: Space) -> dict[str, Zone]:
         try:
             shape = outlines.polygon(wish.outline)
             _check_inside(shape, shell, reach)
-            part = _one_piece(shape.intersection(floor, grid_size=GRID))
+            part = _one_piece(shape.intersection(floor, grid_size=ZONE_GRID))
             _check_apart(part, found)
-            taken = shapely.union_all(list(found.values()), grid_size=GRID)
-            part = _one_piece(part.difference(taken, grid_size=GRID))
+            taken = shapely.union_all(list(found.values()), grid_size=ZONE_GRID)
+            part = _one_piece(part.difference(taken, grid_size=ZONE_GRID))
             made = zone_of(part, (wish.id, wish.name), space)
             if not shapely.Polygon(made.outline, made.holes).is_valid:  # hairs along a wall
                 part = _one_piece(shapely.set_precision(part, 2 * outlines.SAME_POINT))
@@ -188,7 +188,7 @@ def _unbuilt_links(brief: Brief, number: int, space: Space) -> tuple[ZoneLink, .
 
 
 def _check_inside(shape: shapely.Polygon, shell: shapely.Polygon, reach: float) -> None:
-    points = shapely.points(shapely.get_coordinates(shape.difference(shell, grid_size=GRID)))
+    points = shapely.points(shapely.get_coordinates(shape.difference(shell, grid_size=ZONE_GRID)))
     away = shapely.distance(points, shell)
     if len(away) and away.max() > reach:
         far = points[int(away.argmax())]
@@ -219,8 +219,8 @@ def _one_piece(shape: shapely.Geometry) -> shapely.Polygon:
 
 def _check_apart(shape: shapely.Polygon, found: dict[str, shapely.Polygon]) -> None:
     for name, other in found.items():
-        shared = shape.intersection(other, grid_size=GRID)
-        if shared.area > OVERLAP:
+        shared = shape.intersection(other, grid_size=ZONE_GRID)
+        if shared.area > ZONE_OVERLAP:
             middle = shared.representative_point()
             raise InputError(
                 f"overlaps zone '{name}' by {shared.area:.2f} m² "
@@ -239,7 +239,7 @@ def _given_links(
         width = brief.passage_width if link.width is None else link.width
         first, second = sorted(order[name] for name in link.between)
         length = lengths.get((first, second), 0.0)
-        if length < width - OUTSIDE:
+        if length < width - OUTSIDE_FLOOR:
             where = place(brief, number, f"links[{index}]")
             raise InputError(_no_passage(link.between, length, width), _WIDEN, place=where)
         widest[first, second] = max(width, widest.get((first, second), 0.0))
