@@ -7,6 +7,7 @@ import json
 import re
 import sys
 from dataclasses import replace
+from functools import cache
 from math import cos, sin
 from pathlib import Path
 from typing import Any, get_args
@@ -41,9 +42,15 @@ def arrange(domain: str, brief: sw.Brief, seed: int = 0) -> sw.Solution:
     return sw.solve(brief, seed=seed, steps=STEPS[domain], preset=QUICK.get(domain, "default"))
 
 
+@cache
+def arranged(domain: str) -> sw.Solution:
+    """The sample of a domain, solved once."""
+    return arrange(domain, sw.read(f"sample:{SAMPLES[domain]}"))
+
+
 @pytest.fixture(scope="module", params=SAMPLES)
 def solved(request: pytest.FixtureRequest) -> sw.Solution:
-    return arrange(request.param, sw.read(f"sample:{SAMPLES[request.param]}"))
+    return arranged(request.param)
 
 
 def groups(solution: sw.Solution) -> list[list[sw.Piece]]:
@@ -242,7 +249,7 @@ def test_what_is_moved_stays_where_it_was_put(solved: sw.Solution) -> None:
 
 
 def test_buildings_in_the_way_of_a_moved_one_make_room() -> None:
-    site = arrange("site", sw.read("sample:site-courtyards"))
+    site = arranged("site")
     one, *others = (group[0] for group in groups(site))
     near = min(others, key=lambda p: abs(p.pose.x - one.pose.x) + abs(p.pose.y - one.pose.y))
     after, changes = adjust(site, move={one.id: (*near.pose[:2], near.pose.heading)}, steps=2)
@@ -255,7 +262,7 @@ def test_buildings_in_the_way_of_a_moved_one_make_room() -> None:
 
 @pytest.mark.parametrize("domain", ["hall", "site", "village", "extend"])
 def test_swaps_are_for_homes(domain: str) -> None:
-    solution = arrange(domain, sw.read(f"sample:{SAMPLES[domain]}"))
+    solution = arranged(domain)
     one, other = (group[0].id for group in groups(solution)[:2])
     with pytest.raises(InputError, match="move both instead"):
         adjust(solution, swap=[(one, other)])
