@@ -7,7 +7,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from scenewright.domains.hall.retouch.stands import measure_backs, propose_turns
 
 import scenewright
 from hall_chains import posed
@@ -19,6 +18,7 @@ from scenewright.domains.hall.patterns import RADIATION
 from scenewright.domains.hall.retouch import retouch_layout
 from scenewright.domains.hall.retouch.columns import find_columns
 from scenewright.domains.hall.retouch.spread import measure_spread, propose_spread
+from scenewright.domains.hall.retouch.weigh_rows import look_rows, measure_rows
 from scenewright.domains.hall.solvers.chains import begin_chain, layout_of
 from scenewright.domains.hall.solvers.outcome import StartedHall
 from scenewright.domains.hall.solving import problems
@@ -113,16 +113,15 @@ def test_stands_turn_their_fronts_to_who_comes_in() -> None:
     stands = {"id": "stands", "category": "exhibit_island", "count": 6, "size": [3, 2, 3]}
     _, _, fitted = posed(one_room(20, 14, {**stands, "patterns": ["grid"]}))
     door, units = fitted.problem.visitors.entrances[0], fitted.problem.units
-    watching = units._replace(targets=np.zeros_like(units.targets))
+    watching = fitted.problem._replace(units=units._replace(targets=np.zeros_like(units.targets)))
     faults = []
     for turn in (0.0, math.pi):
         pose = fitted.start.pose + np.array([0.0, 0.0, turn, 0.0])
         kept = fitted.start._replace(pose=pose)
         layout = layout_of(begin_chain(fitted.problem, kept, streams(0, 1)[0]))
-        faults.append(measure_backs(fitted.problem, kept, layout.boxes))
-        looking = fitted.problem._replace(units=watching)
-        assert measure_backs(looking, kept, layout.boxes) == 0.0
-        assert not list(propose_turns(looking, kept, layout.boxes))
+        seen, looking = (look_rows(("stand_away",), one) for one in (fitted.problem, watching))
+        faults.append(measure_rows(seen, kept, layout.boxes))
+        assert measure_rows(looking, kept, layout.boxes) == 0.0
         turned = retouch_layout(fitted.problem, layout)
         way = door - turned.boxes[:, :2]
         front = np.column_stack([np.cos(turned.boxes[:, 2]), np.sin(turned.boxes[:, 2])])
