@@ -139,7 +139,7 @@ def mark_cells(grid: FloorGrid, shape: Shape) -> tuple[Window, Flags]:
     )
     shapely.prepare(shape)
     window = slice(first[1], last[1]), slice(first[0], last[0])
-    return window, shapely.contains_xy(shape, *np.meshgrid(x, y))
+    return window, shapely.contains_xy(shape, x[None, :], y[:, None])
 
 
 def _count_sides(bodies: Bodies, ground: JoinedFloor, grid: FloorGrid) -> SideCount:

@@ -45,6 +45,8 @@ from scenewright.domains.home.rules.weigh_home import sum_rows
 
 COMPACT = 2.5  # of front, of a kitchen that leaves its wall to others, metres
 MACHINE = 0.64  # of wall for a washing machine beside a run, metres
+LIVED_IN_FROM = 10.0
+"""In a smaller room with a kitchen, square metres, nothing else finds a place after another one."""
 MANY = 12
 """Forms and places in which a table is tried beside a run, or beside seats and screen."""
 Judges = Callable[[int], RoomJudge]
@@ -87,7 +89,7 @@ def _lay_out_kitchen(
     parts = parts_of(best.placed, run) if run else ()
     if run is None or all(p.name != name for p in parts) or not may_reform(task, best.placed):
         return
-    if is_sound(task, run, best.placed) and not mere:
+    if not mere and (task.ground.area < LIVED_IN_FROM or is_sound(task, run, best.placed)):
         return
     own = most if mere else sum_faults(task, parts) - least
     rest = without_spare(tuple(p for p in best.placed if all(p is not part for part in parts)))
