@@ -28,7 +28,7 @@ AREA, FEWEST, MOST = 4.0, 2, 4
 """Square metres of free floor to one place that is visited, and how many there are in a room."""
 FINE, SWERVE, ROUNDS = 0.1, 0.5, 60
 """Metres between the points that are rounded off, how far they move at most, how often."""
-AHEAD, STEADY = 0.8, 0.35
+AHEAD, STEADY = 0.8, 0.45
 """How far ahead a camera looks along its way, and how far its turns are spread, in metres."""
 PITCH = float(np.deg2rad(-8.0))
 
