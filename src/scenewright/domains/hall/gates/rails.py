@@ -9,6 +9,7 @@ import numpy as np
 import shapely
 
 from scenewright.core.layout import corners
+from scenewright.core.same import once
 from scenewright.domains.hall.measures import DOOR_OUTSIDE
 from scenewright.domains.hall.problem import Floats, HallProblem
 from scenewright.domains.hall.terms.visitors import FIRST
@@ -38,6 +39,7 @@ class WayIn(NamedTuple):
     width: float
 
 
+@once(64)
 def find_way_in(problem: HallProblem, unit: int) -> WayIn:
     """The way into the zone of a unit: by the main entrance, else another door of it, else over the
     middle of the linked border nearest to the entrance; where a zone has several doors people come

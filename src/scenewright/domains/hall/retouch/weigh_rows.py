@@ -11,7 +11,7 @@ from scenewright.arranging.degrees import IS_FLOOR, KIND, NUMBER, OF_GROUP, PART
 from scenewright.arranging.row_arrays import Table, compile_rows
 from scenewright.arranging.rows import COLUMNS, ENTRANCES, EXITS, WAY_IN, Class, Row
 from scenewright.arranging.weighing import MOST, Broken, weigh, weigh_rows
-from scenewright.core.same import Same
+from scenewright.core.same import Same, once
 from scenewright.domains.hall.measures import WAY_LENGTH, WAY_WIDTH
 from scenewright.domains.hall.problem import Floats, HallProblem, Ints
 from scenewright.domains.hall.retouch.arrivals import box_round
@@ -29,14 +29,9 @@ class HallRows(NamedTuple):
     problem: HallProblem
 
 
+@once(64)
 def look_rows(ids: tuple[str, ...], problem: HallProblem) -> HallRows:
     """What the rows with some ids have to know of a problem, once for all."""
-    return _look_rows(ids, Same(problem))
-
-
-@lru_cache(maxsize=64)
-def _look_rows(ids: tuple[str, ...], known: Same[HallProblem]) -> HallRows:
-    problem = known.value
     return HallRows(tuple(row for row in ROWS if row.id in ids), read_parts(problem), problem)
 
 
