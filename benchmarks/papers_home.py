@@ -10,15 +10,12 @@ from __future__ import annotations
 
 import statistics
 from collections.abc import Callable, Iterator
-from functools import partial
 from typing import Any
 
 from benchmarks.comparison import ratio
-from benchmarks.designer_rooms import files
 from benchmarks.home_methods import Method, lay_out
 from benchmarks.home_peers import Ended
 from benchmarks.home_rooms import Case
-from benchmarks.papers_home_designer import designed
 from benchmarks.papers_home_rooms import BOXED, FOUR, ROOMS, case_of
 from benchmarks.papers_home_tables import (
     BESIDE,
@@ -31,7 +28,6 @@ from benchmarks.papers_home_tables import (
     TIME,
     markdown_lines,
 )
-from scenewright.domains.home.energy import evaluate
 from scenewright.domains.home.problem import Problem
 from scenewright.domains.home.solvers import SOLVERS
 from scenewright.domains.home.solvers.paper_annealing import paper_sa
@@ -56,7 +52,9 @@ PRINTED = {
 """Mean, least and most of tables 1 and 2."""
 
 
-def _solver(name: str, pieces: bool = False) -> Method:
+def solver_of(name: str, pieces: bool = False) -> Method:
+    """A solver of homes as a method, by name."""
+
     def run(problem: Problem, budget: Budget, seed: int) -> Ended:
         found = SOLVERS[name].run(problem, budget, seed)
         return Ended(found.layouts[0].boxes, found.layouts[0].energy, found.evaluations)
@@ -73,28 +71,25 @@ def _annealing(moves: int) -> Method:
 
 
 METHODS = {
-    GA: _solver("paper-ga"),
+    GA: solver_of("paper-ga"),
     SA: _annealing(8),
     SA1: _annealing(1),
-    MERRELL: _solver("merrell", pieces=True),
+    MERRELL: solver_of("merrell", pieces=True),
 }
 
 
 def records(quick: bool = False, progress: Progress | None = None) -> Iterator[Record]:
-    """Every method in every room against ours, then the designer's layouts against the GA's and
-    ours, all under the printed cost."""
+    """Every method in every room against ours, under the printed cost."""
     usual = (ROOMS[0], ROOMS[4]) if quick else (*ROOMS, FOUR)
     boxed = [room._replace(name=room.name + BOXED) for room in usual if room.name in WITH_BOXES]
     chosen = (*usual, *boxed)
     runs = QUICK if quick else RUNS
     for number, room in enumerate(chosen):
         if progress:
-            progress(number / (len(chosen) + 1), room.name)
+            progress(number / len(chosen), room.name)
         rows = measure(case_of(room), runs)
         for name in rows:
             yield from _compared(room.name, name, rows)
-    if not quick:
-        yield from designer_records(runs)
 
 
 def measure(case: Case, runs: int) -> dict[str, list[Row]]:
@@ -103,7 +98,7 @@ def measure(case: Case, runs: int) -> dict[str, list[Row]]:
     for name, method in METHODS.items():
         lay_out(method, case, Budget(steps=50, threads=1), 0)
         rows[name] = [lay_out(method, case, Budget(threads=1), seed) for seed in range(runs)]
-    ours = _solver("anneal")
+    ours = solver_of("anneal")
     lay_out(ours, case, Budget(steps=50, threads=1), 0)
     seconds = statistics.fmean(row["seconds"] for row in rows[GA])
     for name, budget in (
@@ -139,33 +134,3 @@ def _compared(room: str, name: str, rows: dict[str, list[Row]]) -> Iterator[Reco
             layouts=round(statistics.fmean(row["layouts"] for row in rows[name])),
             printed=printed,
         )
-
-
-def designer_records(runs: int) -> Iterator[Record]:
-    """Rooms of the six furnished homes: the printed cost of the designer's groups, the mean of the
-    GA's and of ours for the same groups."""
-    for case, boxes in (pair for path in files() for pair in designed(path)):
-        was = float(evaluate(case.problem, boxes[None])[0])
-        solvers = (
-            (GA, METHODS[GA], Budget()),
-            (EVALUATIONS, _solver("anneal"), Budget(steps=4000)),
-        )
-        for name, method, budget in solvers:
-            run = partial(lay_out, method, case, budget._replace(threads=1))
-            costs = [float(run(seed)["energy"]) for seed in range(runs)]
-            yield Record(
-                case=case.name,
-                metric=f"printed cost, mean of the {name}"
-                if name == GA
-                else f"printed cost, {name}",
-                unit="cost",
-                ours=round(statistics.fmean(costs), 4),
-                baseline=round(was, 4),
-                baseline_name="designer",
-                ratio=ratio(round(statistics.fmean(costs), 4), round(was, 4), "s"),
-                runs=runs,
-                least=round(min(costs), 4),
-                most=round(max(costs), 4),
-                layouts=4000,
-                printed=(0.012, 0.2848, 0.2848),
-            )
