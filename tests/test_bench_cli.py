@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -140,10 +141,22 @@ def test_only_benchmarks_of_real_plans_are_rescaled(capsys: pytest.CaptureFixtur
     assert "benchmark 'tiny' has no plans to rescale" in capsys.readouterr().err
 
 
+def test_all_is_asked_of_benchmarks_that_have_parts(capsys: pytest.CaptureFixture[str]) -> None:
+    save_benchmark(more=", everything=False", count="2 * int(everything)")
+    assert cli.run(["bench", "tiny", "--json", "--all"]) == 0
+    assert len(json.loads(capsys.readouterr().out)) == 2
+    save_benchmark()
+    sys.modules.pop("benchmarks.tiny")
+    assert cli.run(["bench", "tiny", "--all"]) == 2
+    assert "leave --all out" in capsys.readouterr().err
+
+
 def test_benchmarks_are_the_modules_that_can_be_run(root: Path) -> None:
     found = cli_bench.names(root / "benchmarks")
     assert {"home", "hall", "site", "r2v", "batch", "designer"} <= set(found)
     assert not {"home_methods", "hall_malls"} & set(found)
+    text = (root / "benchmarks" / "papers.py").read_text("utf-8")
+    assert set(re.findall(r'PaperPart\(".*", "(\w+)"\)', text)) <= set(found)
 
 
 def test_records_of_stages_come_one_by_one() -> None:
