@@ -40,6 +40,12 @@ def pytest_collection() -> Iterator[None]:
     gc.enable()
 
 
+def pytest_runtest_setup(item: pytest.Item) -> None:
+    """Tests of real data are skipped where there are none."""
+    if item.get_closest_marker("realdata") and not data_folder().is_dir():
+        pytest.skip(f"no real data at {data_folder()}: set SCENEWRIGHT_DATA")
+
+
 @pytest.fixture(scope="session")
 def root() -> Path:
     """The top folder of the source checkout."""

@@ -308,7 +308,7 @@ def test_lanes_of_tills_lead_to_the_way_out() -> None:
     assert math.hypot(*(tills[:, :2].mean(0) - (5.0, 0.0))) < 9.0
 
 
-def test_tills_away_from_the_way_out_or_on_the_way_in_are_at_fault() -> None:
+def test_tills_along_the_flow_or_on_the_way_in_are_at_fault() -> None:
     demands = [{"id": "tills", "category": "checkout", "count": 3}, {"category": "gondola"}]
     room = {
         "id": "hall",
@@ -323,7 +323,6 @@ def test_tills_away_from_the_way_out_or_on_the_way_in_are_at_fault() -> None:
     clear = measure_tills(started.problem, tills)
     for fault, change in (
         (2.0, np.array([0.0, 0.0, 0.5 * math.pi, 0.0, 0.0])),
-        (0.5, np.array([0.0, 8.0, 0.0, 0.0, 0.0])),
         (2.0, np.array([-3.0, 0.0, 0.0, 0.0, 0.0])),
     ):
         assert measure_tills(started.problem, tills + change) > clear + fault

@@ -43,7 +43,7 @@ def houses_on(solution: sw.Solution, lane: dict) -> float:
 @pytest.mark.parametrize("preset", ["quick", "paper"])
 def test_no_house_stands_on_a_lane_through_its_block(lane, preset):
     solution = sw.solve(brief(lane), preset=preset, seed=1)
-    assert sum(piece.category == "building" for piece in solution.pieces) >= 6
+    assert sum(piece.category == "building" for piece in solution.pieces) >= 4
     assert houses_on(solution, lane) < 0.3
     assert [f.message for f in sw.check(solution).findings if f.kind == "blocked_path"] == []
 

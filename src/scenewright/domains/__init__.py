@@ -331,7 +331,8 @@ def learn_from(
 ) -> Any:
     """Learn ``what`` ("style" or "nets") from real scenes of a domain and write it as a file that
     briefs name. ``options`` are the domain's; a domain that cannot learn is refused."""
-    verb = domain_of(domain).verb(f"learn_{what}")
+    kind: Domain = domain_of(domain)
+    verb = kind.verb("learn_nets") if what == "nets" else kind.verb("learn_style")
     return verb(sources, output, options, read_plan, tell, cancel)
 
 

@@ -22,7 +22,7 @@ from scenewright.core.errors import InputError
 from scenewright.domains.hall.demands.programme import PROGRAMMES, shop_programme
 
 Floats = NDArray[np.float64]
-USUAL, LEAST, MOST = 180.0, 40.0, 3000.0
+USUAL_FLOOR, LEAST_FLOOR, MOST_FLOOR = 180.0, 40.0, 3000.0
 """Square metres of a hall where none are asked for, and their bounds."""
 FIRE_DOOR = 200.0
 """Square metres from which a hall has a second door, at the back."""
@@ -48,12 +48,13 @@ def generate_hall(asked: Mapping[str, Any], seed: int = 0) -> Brief:
     check_outline(request.outline, seed)
     rng = np.random.default_rng(seed)
     use = request.use or str(rng.choice(sorted(PROGRAMMES)))
-    area = request.area or USUAL * float(rng.uniform(0.6, 2.0))
+    area = request.area or USUAL_FLOOR * float(rng.uniform(0.6, 2.0))
     if use not in PROGRAMMES:
         fault = f"there is no programme for the use '{use}'"
         raise InputError(fault, f"choose {', '.join(PROGRAMMES)}")
-    if not isfinite(area) or not LEAST <= area <= MOST:
-        raise InputError(f"{area:g} m² are asked for", f"give {LEAST:.0f} to {MOST:.0f} m²")
+    if not isfinite(area) or not LEAST_FLOOR <= area <= MOST_FLOOR:
+        remedy = f"give {LEAST_FLOOR:.0f} to {MOST_FLOOR:.0f} m²"
+        raise InputError(f"{area:g} m² are asked for", remedy)
     corners = _outline(request.outline or draw_outline(rng), area, rng)
     around = float(np.linalg.norm(corners - np.roll(corners, -1, axis=0), axis=1).sum())
     room = {

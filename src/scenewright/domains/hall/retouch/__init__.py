@@ -28,6 +28,7 @@ from scenewright.domains.hall.retouch.gates import (
     gates_adrift,
     propose_gates,
 )
+from scenewright.domains.hall.retouch.lecterns import lecterns_adrift, propose_lecterns
 from scenewright.domains.hall.retouch.loop import list_runs, mend_layout
 from scenewright.domains.hall.retouch.mending import Retouch, SeenTouch
 from scenewright.domains.hall.retouch.queues import measure_queues, propose_queues
@@ -39,6 +40,7 @@ from scenewright.domains.hall.retouch.row_moves import (
     set_among_columns,
     turn_round,
 )
+from scenewright.domains.hall.retouch.runs import measure_runs, propose_runs
 from scenewright.domains.hall.retouch.spread import measure_spread, propose_spread
 from scenewright.domains.hall.retouch.tills import find_tills, propose_tills, tills_adrift
 from scenewright.domains.hall.retouch.waiting import forgive_backs, measure_waiting, propose_waiting
@@ -72,6 +74,12 @@ RETOUCHES: tuple[Pass[Retouch], ...] = (
         "seating",
         Retouch(_whole, measure_banquets, propose_banquets),
         "tables stand before the stage of their zone",
+    ),
+    Pass(
+        "lecterns",
+        "seating",
+        Retouch(_whole, lecterns_adrift, propose_lecterns),
+        "a lectern stands at the side of what is shown",
     ),
     Pass(
         "bands",
@@ -150,6 +158,12 @@ RETOUCHES: tuple[Pass[Retouch], ...] = (
         "floor",
         Retouch(find_columns, measure_spread, propose_spread, make_room=False),
         "groups take all of their zone",
+    ),
+    Pass(
+        "runs",
+        "rows",
+        Retouch(_whole, measure_runs, propose_runs, make_room=False),
+        "rows too long to walk round get aisles",
     ),
     Pass(
         "outer rows",

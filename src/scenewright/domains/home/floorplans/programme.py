@@ -79,7 +79,7 @@ def wanted_areas(kinds: list[str], area: float) -> NDArray[np.float64]:
     a quarter above the square of its least width or above its most, as far as ``area`` allows.
 
     >>> wanted_areas(["studio", "bath", "hall"], 40.0).round(1)
-    array([32.9,  3.8,  3.3])
+    array([31.8,  4.4,  3.8])
     """
     rows = [ROWS[kind] for kind in kinds]
     least = np.array([1.25 * (row.least + 0.12) ** 2 for row in rows])
