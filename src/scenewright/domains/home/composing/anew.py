@@ -1,7 +1,7 @@
 """Rooms with a fault that no single change mends, composed anew: what is at fault chooses first.
 
-A faulty kitchen, or a bed and a wardrobe together (:mod:`.places.pairs`), is put at its best places
-as if the room were empty, in the forms with least wrong; all others follow, the essential and the
+The faulty group is put at its best places as if the room were empty, in the forms with least wrong
+(a bed and a wardrobe together: :mod:`.places.pairs`); all others follow, the essential and the
 largest first, each where the room so far costs least beside those before it. A way that leaves one
 of them without a place, or comes to as many faults as the room has, is given up.
 """
@@ -70,7 +70,7 @@ def compose_anew(task: RoomTask, best: JudgedRoom, barred: frozenset[str]) -> Ju
         there = any(p.name == name for p in best.placed)
         if name in tried or not there or task.cancelled():
             continue
-        lay_out = _lay_out_pair if name in paired else _lay_out_kitchen
+        lay_out = _lay_out_pair if name in paired else _lay_out_anew
         found = list(lay_out(task, best, barred, name))
         price = price_of_spare(best.placed, found[0].placed, rule) if found else 0.0
         best = take_best(task, best, found, barred, price)
@@ -78,23 +78,32 @@ def compose_anew(task: RoomTask, best: JudgedRoom, barred: frozenset[str]) -> Ju
     return best
 
 
-def _lay_out_kitchen(
+def _lay_out_anew(
     task: RoomTask, best: JudgedRoom, barred: frozenset[str], name: str
 ) -> Iterator[JudgedRoom]:
-    """The whole room from each of the best kitchens without second runs, where one of the name is
-    at fault; a group of any other kind has its places from the passes before."""
-    least, mere = task.preset.settings.composing.least, is_mere_kitchen(task)
+    """The whole room from each of the best places of one group; from those of a kitchen without
+    second runs."""
+    least = task.preset.settings.composing.least
     most = sum_faults(task, best.placed) - least
+    first = next(p for p in best.placed if p.name == name)
     run = next(iter(find_run(best.placed)), None)
-    parts = parts_of(best.placed, run) if run else ()
-    if run is None or all(p.name != name for p in parts) or not may_reform(task, best.placed):
+    kitchen = parts_of(best.placed, run) if run else ()
+    cooks = any(first is part for part in kitchen) and may_reform(task, best.placed)
+    parts = kitchen if cooks else (first,)
+    own = most if cooks and is_mere_kitchen(task) else sum_faults(task, parts) - least
+    small = task.ground.area < LIVED_IN_FROM
+    if run and cooks and not is_mere_kitchen(task) and (small or is_sound(task, run, best.placed)):
         return
-    if not mere and (task.ground.area < LIVED_IN_FROM or is_sound(task, run, best.placed)):
-        return
-    own = most if mere else sum_faults(task, parts) - least
-    rest = without_spare(tuple(p for p in best.placed if all(p is not part for part in parts)))
-    orders = [(judge_in_order(task, (as_whole(run), *o)), o) for o in _list_orders(task, rest)]
-    for start in _list_kitchens(task, run, own, best.placed):
+    starts = (
+        _list_kitchens(task, run, own, best.placed)
+        if run and cooks
+        else list_starts(task, first, barred)
+    )
+    rest = [p for p in best.placed if all(p is not part for part in parts)]
+    rest = list(without_spare(tuple(rest))) if cooks else rest
+    leader = as_whole(run) if run and cooks else first
+    orders = [(judge_in_order(task, (leader, *o)), o) for o in _list_orders(task, rest, cooks)]
+    for start in starts:
         better = sum_faults(task, start.placed) < own
         tried = (follow(task, judges, start, o, barred, most) for judges, o in orders if better)
         whole = next((room for room in tried if room is not None), None)
@@ -102,21 +111,21 @@ def _lay_out_kitchen(
             yield whole
 
 
-def _list_orders(task: RoomTask, rest: Placed) -> list[Placed]:
-    """In which order others follow: the essential first, then the table, then the largest; in a
-    kitchen where the largest table leaves a wardrobe no
+def _list_orders(task: RoomTask, rest: list[FurnishedGroup], cooks: bool) -> list[Placed]:
+    """In which order others follow; in a kitchen where the largest table leaves a wardrobe no
     place, also all else before the table."""
-    usual = tuple(sorted(rest, key=_turn))
-    if not is_mere_kitchen(task):
+    usual = tuple(sorted(rest, key=lambda p: _turn(p, cooks)))
+    if not (cooks and is_mere_kitchen(task)):
         return [usual]
     last = tuple(sorted(usual, key=lambda p: p.wish.group in TABLES))
     same = all(a is b for a, b in zip(usual, last, strict=True))
     return [usual] if same else [usual, last]
 
 
-def _turn(group: FurnishedGroup) -> tuple[int, bool, float]:
-    wish = group.wish
-    return wish.rank, wish.group not in TABLES, -float(group.dressed.box[3:].prod())
+def _turn(group: FurnishedGroup, cooks: bool) -> tuple[int, bool, float]:
+    """Who follows first: the essential, after a kitchen (``cooks``) the table, the largest."""
+    away = cooks and group.wish.group not in TABLES
+    return group.wish.rank, away, -float(group.dressed.box[3:].prod())
 
 
 def _list_kitchens(
