@@ -175,14 +175,14 @@ def _one(brief: Any) -> Record:
         solved = time.perf_counter()
         spaces = plan.spaces(brief)
         report = check(solution, spaces=spaces)
-        found = _summary(solution, report, spaces)
+        found = summarise(solution, report, spaces)
     except Exception as error:
         found = {"crash": f"{type(error).__name__}: {error}".splitlines()[0]}
     ended = time.perf_counter()
     return found | {"solve": solved - started, "check": ended - solved}
 
 
-def _summary(solution: Any, report: Any, spaces: Any) -> Record:
+def summarise(solution: Any, report: Any, spaces: Any) -> Record:
     """What the tally needs of one flat: faults by kind with the first told; the usable rooms by
     function with what each lacks, and what of that is told as left out, with a reason; and the
     rooms that no door leads into, a fault of the plan."""

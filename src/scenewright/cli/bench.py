@@ -10,7 +10,7 @@ import json
 import re
 import signal
 import sys
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, redirect_stdout
 from importlib import import_module
 from pathlib import Path
@@ -30,6 +30,17 @@ SUFFIXES = (".json", ".md")
 """What records can be written as."""
 RECORDS = re.compile(r"^def records\(\s*quick\b", re.MULTILINE)
 """How a module that is a benchmark is known."""
+
+
+MORE = {
+    "full": ("--full", "benchmark '{}' always measures everything"),
+    "rescaled": ("--rescaled", "benchmark '{}' has no plans to rescale"),
+    "everything": ("--all", "benchmark '{}' has no more than it measures"),
+    "seed": ("--seed", "benchmark '{}' draws nothing by a seed"),
+    "count": ("--count", "benchmark '{}' draws no set"),
+    "sheets": ("--sheets", "benchmark '{}' lays out no pictures"),
+}
+"""What some benchmarks can be asked: the option, and what is said where one cannot."""
 
 
 class Measured(NamedTuple):
@@ -76,10 +87,12 @@ def check_page(name: str, page: Path | None) -> None:
 
 
 def write_into(
-    page: Path, name: str, extent: Extent, rescaled: bool, records: Sequence[Record]
+    page: Path, name: str, extent: Extent, asked: Mapping[str, Any], records: Sequence[Record]
 ) -> None:
     """Write the table of a benchmark in its place in a page, with what it was made by."""
-    words = ["" if extent == "usual" else f" --{extent}", " --rescaled" if rescaled else ""]
+    words = ["" if extent == "usual" else f" --{extent}"]
+    given = ((word, value) for word, value in asked.items() if word not in ("everything", "sheets"))
+    words += [f" --{w}" if v is True else f" --{w} {v}" for w, v in given if v not in (None, False)]
     command = f"scenewright bench {name}{''.join(words)}"
     import_module("benchmarks.page_tables").write_into(page, name, command, records)
 
@@ -98,16 +111,14 @@ def measure(
     name: str,
     extent: Extent,
     progress: Callable[[float, str], None],
-    rescaled: bool = False,
-    everything: bool = False,
+    asked: Mapping[str, Any] | None = None,
 ) -> Measured:
     """Run one benchmark to its end or until Ctrl-C or SIGTERM; whatever it prints goes to the
-    standard error. ``rescaled``: with its real plans brought to their true scale; ``everything``:
-    with all that belongs to it."""
+    standard error. ``asked``: what else its ``records`` is to be given (:data:`MORE`)."""
     records: list[Record] = []
     try:
         with _termination_interrupts(), redirect_stdout(sys.stderr):
-            for record in _run(name, extent, progress, rescaled, everything):
+            for record in _run(name, extent, progress, asked or {}):
                 missing = [key for key in KEYS if key not in record]
                 if missing:
                     raise RuntimeError(f"bench {name}: a record lacks {', '.join(missing)}")
@@ -129,25 +140,17 @@ def _missing_package(name: str, error: ModuleNotFoundError) -> InputError | Modu
 
 
 def _run(
-    name: str,
-    extent: Extent,
-    progress: Callable[[float, str], None],
-    rescaled: bool,
-    everything: bool,
+    name: str, extent: Extent, progress: Callable[[float, str], None], asked: Mapping[str, Any]
 ) -> Iterable[Record]:
     _open_folder(name)
     function = import_module(f"benchmarks.{name}").records
-    known, more = inspect.signature(function).parameters, dict[str, bool]()
-    for word, asked, refusal in (
-        ("full", extent == "full", f"benchmark '{name}' always measures everything"),
-        ("rescaled", rescaled, f"benchmark '{name}' has no plans to rescale"),
-        ("everything", everything, f"benchmark '{name}' has no more than it measures"),
-    ):
-        if asked and word not in known:
-            option = "--all" if word == "everything" else f"--{word}"
-            raise InputError(refusal, f"leave {option} out")
-        if asked:
-            more[word] = True
+    known = inspect.signature(function).parameters
+    more = {word: value for word, value in asked.items() if value not in (None, False)}
+    more |= {"full": True} if extent == "full" else {}
+    for word in more:
+        if word not in known:
+            option, refusal = MORE[word]
+            raise InputError(refusal.format(name), f"leave {option} out")
     return function(extent == "quick", progress, **more)
 
 

@@ -309,16 +309,15 @@ def bench(
         ),
     ],
     quick: Annotated[bool, typer.Option("--quick", help="Fewer runs.")] = False,
-    full: Annotated[
-        bool, typer.Option("--full", help="All measurements, however long they take.")
-    ] = False,
+    full: Annotated[bool, typer.Option("--full", help="All, however long it takes.")] = False,
     rescaled: Annotated[
         bool,
         typer.Option("--rescaled", help="Real flats at their true scale: hinged doors of 0.75 m."),
     ] = False,
-    everything: Annotated[
-        bool, typer.Option("--all", help="With all that belongs to it, such as papers.")
-    ] = False,
+    everything: Annotated[bool, typer.Option("--all", help="All that belongs to it.")] = False,
+    seed: Annotated[int | None, typer.Option(min=0, help="Draws the set it measures.")] = None,
+    count: Annotated[int | None, typer.Option(min=1, help="How many are drawn.")] = None,
+    sheets: Annotated[Path | None, typer.Option(help="A folder for pictures to look at.")] = None,
     outputs: Annotated[
         list[Path] | None,
         typer.Option("-o", "--output", metavar="OUT", help="A .json or .md; may be repeated."),
@@ -337,11 +336,13 @@ def bench(
     extent = cli_bench.extent_of(quick, full)
     cli_bench.check_outputs(outputs or ())
     cli_bench.check_page(name, into)
+    drawn: dict[str, object] = {"seed": seed, "count": count, "sheets": sheets}
+    more = drawn | {"rescaled": rescaled, "everything": everything}
     with show_progress(terminal.console(stderr=True), quiet) as progress:
-        measured = cli_bench.measure(name, extent, progress, rescaled, everything)
+        measured = cli_bench.measure(name, extent, progress, more)
     cli_bench.write(outputs or (), name, measured.records)
     if into is not None and not measured.interrupted:
-        cli_bench.write_into(into, name, extent, rescaled, measured.records)
+        cli_bench.write_into(into, name, extent, more, measured.records)
     if as_json:
         tables.print_json(list(measured.records))
     elif not quiet:
