@@ -36,17 +36,19 @@ def _tally(furnished: list[Home]) -> list[Record]:
     pairs = [pair for home in furnished for pair in home.rooms]
     return [
         _record("energy", *_energy(pairs)),
-        *(_record(row.name, *_kept(row, pairs)) for row in GUIDELINES),
+        *(_record(row.name, *count_kept(row, pairs)) for row in GUIDELINES),
     ]
 
 
-def homes(count: int, progress: Progress | None = None, seed: int = 0) -> Iterator[Home]:
-    """The homes, each furnished again."""
+def homes(
+    count: int, progress: Progress | None = None, seed: int = 0, asked: bool = True
+) -> Iterator[Home]:
+    """The homes, each furnished again; as by default where not ``asked`` for the same groups."""
     chosen = files()[:count]
     for number, path in enumerate(chosen):
         if progress:
             progress(number / len(chosen), path.stem)
-        yield furnish(path, seed)
+        yield furnish(path, seed, asked)
 
 
 def _record(name: str, ours: int, theirs: int, count: int) -> Record:
@@ -78,7 +80,8 @@ def values(row: Guideline, pairs: list[Pair]) -> list[tuple[Pair, float, float]]
     return [(pair, a, b) for pair, a, b in found if a is not None and b is not None]
 
 
-def _kept(row: Guideline, pairs: list[Pair]) -> tuple[int, int, int]:
+def count_kept(row: Guideline, pairs: list[Pair]) -> tuple[int, int, int]:
+    """In how many rooms each, ours first, is at least as good by a guideline, and of how many."""
     missed = [(row.missed(a), row.missed(b)) for _, a, b in values(row, pairs)]
     ours = sum(a <= b + row.slack for a, b in missed)
     theirs = sum(b <= a + row.slack for a, b in missed)
@@ -98,7 +101,7 @@ def lines(pairs: list[Pair]) -> Iterator[str]:
     yield "|---|---|---|---|---|---|---|---|"
     for row in GUIDELINES:
         found = values(row, pairs)
-        ours, theirs, count = _kept(row, pairs)
+        ours, theirs, count = count_kept(row, pairs)
         middle = [float(np.median([v[k] for v in found])) if found else 0.0 for k in (1, 2)]
         yield (
             f"| {row.name}: {row.doc} | {row.low:g} – {row.high:g} {row.unit} | {row.source} "

@@ -2,11 +2,12 @@
 
 ``python -m benchmarks.designer_blind OUT [SEED]`` writes to the folder OUT a sheet (SVG) for every
 home, in which each numbered room stands as A and as B, one the designer's and one ours, in random
-order, and ``key.json``, which tells them apart. Judge the sheets before the key is opened, a line a
-room (``7 A``: the better one, ``7 -``: neither), then ``python -m benchmarks.designer_blind OUT
-VERDICTS`` tells who was preferred where. Both are drawn alike: shipped models without a style;
-lamps, curtains and what hangs on walls, which ours has everywhere and the homes as furnished hardly
-anywhere, are left out of both.
+order, and ``key.json``, which tells them apart. Ours is furnished as by default: nothing that the
+designer put there is asked for. Judge the sheets before the key is opened, a line a room (``7 A``:
+the better one, ``7 -``: neither), then ``python -m benchmarks.designer_blind OUT VERDICTS`` tells
+who was preferred where. Both are drawn alike: shipped models without a style; lamps, curtains and
+what hangs on walls, which ours has everywhere and the homes as furnished hardly anywhere, are left
+out of both.
 """
 
 from __future__ import annotations
@@ -123,7 +124,7 @@ def tell(folder: Path, verdicts: Path) -> None:
 
 def main(folder: Path, seed: int = 0) -> None:
     """Write the sheets and the key."""
-    found = list(homes(6))
+    found = list(homes(6, asked=False))
     pairs = shuffle_pairs(found, seed)
     folder.mkdir(parents=True, exist_ok=True)
     for home in found:

@@ -2,7 +2,8 @@
 
 Six example homes of Sweet Home 3D. What is built in there stays in both; the groups of the rest are
 found as :mod:`scenewright.domains.home.learned.learning` finds them and asked for in the emptied
-rooms.
+rooms, beside the groups for which other pieces stand; or nothing is asked for, and the rooms are
+furnished as by default.
 """
 
 from __future__ import annotations
@@ -31,46 +32,18 @@ from scenewright.domains.home.attempt import floor_of
 from scenewright.domains.home.build_problem import build_problem
 from scenewright.domains.home.energy import explain
 from scenewright.domains.home.ground import ground_of
+from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.learned.learning import FurnishedSpace, GroupOccurrence, found_in
 from scenewright.domains.home.presets import PRESETS
-from scenewright.domains.home.programme import Wish, part_of
+from scenewright.domains.home.programme import PROGRAMME, STANDS_FOR, Wish, part_of
 from scenewright.domains.home.solving import solve
 from scenewright.formats import read
 
 Floats = NDArray[np.float64]
 
 
-class Also(NamedTuple):
-    """A piece, and the group asked for where it stands in no group that was found (designers let
-    chairs stand where nobody could sit down), unless one of ``instead`` was. What is stated for
-    ``rooms`` of some functions is asked for beside other groups only. Less than :data:`SMALL`
-    metres high it does not count."""
-
-    piece: str
-    group: str
-    instead: tuple[str, ...]
-    rooms: tuple[str, ...] = ()
-
-
 SMALL = 0.25
-BEDS = ("sleeping", "single", "bunk")
-DESKS = ("desk", "kids_desk")
-ALSO: tuple[Also, ...] = (
-    Also("double_bed", "sleeping", BEDS),
-    Also("bunk_bed", "bunk", BEDS),
-    Also("single_bed", "single", BEDS),
-    Also("hob_cabinet", "kitchenette", ("kitchen", "kitchenette")),
-    Also("tv", "media", ("media",)),
-    Also("tv_stand", "media", ("media",)),
-    Also("sofa", "seating", ("seating",)),
-    Also("corner_sofa", "seating", ("seating",)),
-    Also("dining_table", "dining_wall", ("dining", "dining_wall", "desk")),
-    Also("round_table", "dining_wall", ("dining", "dining_wall", "desk")),
-    Also("coffee_table", "kids_desk", DESKS, ("bedroom",)),
-    Also("base_cabinet", "linen", ("linen",), ("bathroom",)),
-    Also("plant", "plant", ("plant",), ("living", "bedroom")),
-    Also("plant", "planter", ("planter",), ("balcony",)),
-)
+"""What is lower does not count, in metres."""
 KITCHEN = frozenset(("hob_cabinet", "sink_cabinet", "fridge"))
 """What makes a whole kitchen, in however many runs a designer has it."""
 
@@ -112,9 +85,10 @@ def files() -> list[Path]:
     return data_files("furnished_homes_sh3d", "*.xml")
 
 
-def furnish(path: Path, seed: int) -> Home:
-    """A home as it was and as we furnish it with the same groups."""
-    full, bare = read(path, keep=True), read(path)
+def furnish(path: Path, seed: int, asked: bool = True, groups: Sequence[str] = ()) -> Home:
+    """A home as it was and as we furnish it with the same groups; as by default where not
+    ``asked``; with the files of learned ``groups``."""
+    full, bare = read(path, keep=True), read(path, groups=list(groups))
     homes = list(spaces(bare))
     stood = {
         s.id: tuple(fixed_pieces(room, s, shipped()))
@@ -124,16 +98,16 @@ def furnish(path: Path, seed: int) -> Home:
         s.id: tuple(fixed_pieces(room, s, shipped()))
         for s, room in zip(homes, bare.rooms, strict=True)
     }
-    found = {s.id: _found(path.stem, s, stood[s.id], stays[s.id]) for s in homes}
-    asks = {s.id: _asked(s, found[s.id], stood[s.id]) for s in homes}
-    brief = bare.model_copy(
-        update={
-            "rooms": [
-                room.model_copy(update={"ask": asks[s.id]})
-                for s, room in zip(homes, bare.rooms, strict=True)
-            ]
-        }
-    )
+    free = {s.id: _free(stood[s.id], stays[s.id]) for s in homes}
+    found = {
+        s.id: tuple(found_in(FurnishedSpace(path.stem, s, free[s.id]), shipped())) for s in homes
+    }
+    asks = {s.id: _asked(s, found[s.id], free[s.id]) for s in homes}
+    wishes = [asks[s.id] if asked else None for s in homes]
+    rooms = [
+        room.model_copy(update={"ask": wish}) for room, wish in zip(bare.rooms, wishes, strict=True)
+    ]
+    brief = bare.model_copy(update={"rooms": rooms})
     ours = solve(brief, seed=seed)
     was = replace(
         ours,
@@ -142,37 +116,46 @@ def furnish(path: Path, seed: int) -> Home:
         patches=tuple(patch for s in homes for patch in _patches(s, found[s.id])),
     )
     reports = check(was), check(ours)
-    rooms = tuple(
+    pairs = tuple(
         _pair(path.stem, brief, s, stays[s.id], (was, ours), reports) for s in homes if asks[s.id]
     )
-    return Home(path.stem, was, ours, rooms)
+    return Home(path.stem, was, ours, pairs)
 
 
-def _found(
-    home: str, space: Space, stood: Sequence[Piece], stays: Sequence[Piece]
-) -> tuple[GroupOccurrence, ...]:
-    """The groups of a room among what does not stay."""
+def _free(stood: Sequence[Piece], stays: Sequence[Piece]) -> tuple[Piece, ...]:
+    """What stands in a room and does not stay."""
     left = {(p.category, p.pose) for p in stays}
-    free = tuple(p for p in stood if (p.category, p.pose) not in left)
-    return tuple(found_in(FurnishedSpace(home, space, free), shipped()))
+    return tuple(p for p in stood if (p.category, p.pose) not in left)
 
 
-def _asked(space: Space, found: Sequence[GroupOccurrence], stood: Sequence[Piece]) -> list[Ask]:
-    """The groups found, those of which none usable was, one seating for several armchairs, a chair
-    of a balcony for one, and one kitchen for its parts."""
+def _asked(space: Space, found: Sequence[GroupOccurrence], free: Sequence[Piece]) -> list[Ask]:
+    """The groups found, those that other free pieces stand for, and one kitchen for its parts."""
     counts = Counter(one.case.function for one in found)
-    kinds = {p.category for p in stood if p.size.height > SMALL}
-    if counts["reading"] > 1:
-        counts["seating"], counts["reading"] = 1, 0
-    if "balcony" in space.functions:
-        counts["lounger"], counts["reading"] = counts["reading"], 0
+    kinds = {p.category for p in free if p.size.height > SMALL}
     if kinds >= KITCHEN:
         counts["kitchen"], counts["kitchenette"], counts["fridge"] = 1, 0, 0
-    for row in ALSO:
-        here = not row.rooms or (counts.total() and not {*row.rooms}.isdisjoint(space.functions))
-        if here and row.piece in kinds and not any(counts[name] for name in row.instead):
-            counts[row.group] += 1
+    for kind in sorted(kinds):
+        group = group_of(kind, space.functions, frozenset(+counts))
+        counts[group] += bool(group)
     return [Ask(group=name, count=n, required=True) for name, n in counts.items() if n]
+
+
+def group_of(kind: str, functions: Sequence[str], found: frozenset[str]) -> str:
+    """The group that a piece of a kind stands for, of those usual in rooms of some functions,
+    first what is for that kind; none where one of them was found.
+
+    >>> group_of("single_bed", ("bedroom",), frozenset()), group_of("tv", ("living",), frozenset())
+    ('single', 'media')
+    >>> group_of("single_bed", ("bedroom",), frozenset({"bunk"}))
+    ''
+    """
+    groups = [group for group, kinds in STANDS_FOR.items() if kind in kinds]
+    names = [n for n in PROGRAMME if any(n == f or n.endswith(f"_{f}") for f in functions)]
+    usual = {row.group for name in names for row in PROGRAMME[name]}
+    chosen = [group for group in groups if group in usual]
+    if found.intersection(groups) or not chosen:
+        return ""
+    return max(chosen, key=lambda group: kind in GROUPS[group].essential)
 
 
 def _patches(space: Space, found: Sequence[GroupOccurrence]) -> Iterator[Patch]:

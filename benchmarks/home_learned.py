@@ -49,7 +49,7 @@ def records(quick: bool = False, progress: Progress | None = None) -> Iterator[R
     """How far each way is from the designers; ``quick`` takes two homes and one seed."""
     chosen = files()[: 2 if quick else 6]
     seeds = range(1 if quick else 3)
-    theirs = [_furnished(path) for path in files()]
+    theirs = [list_furnished(path) for path in files()]
 
     def runs() -> Iterator[list[Run]]:
         for number, path in enumerate(chosen):
@@ -65,7 +65,7 @@ def records(quick: bool = False, progress: Progress | None = None) -> Iterator[R
     return tally(runs(), told)
 
 
-def _furnished(path: Path) -> list[FurnishedSpace]:
+def list_furnished(path: Path) -> list[FurnishedSpace]:
     """A home as its designer left it."""
     brief = read(path, keep=True)
     return [
