@@ -141,6 +141,17 @@ def test_only_benchmarks_of_real_plans_are_rescaled(capsys: pytest.CaptureFixtur
     assert "benchmark 'tiny' has no plans to rescale" in capsys.readouterr().err
 
 
+def test_a_set_is_drawn_by_any_seed_where_one_is_drawn(capsys: pytest.CaptureFixture[str]) -> None:
+    save_benchmark(more=", seed=7, count=0", count="seed + 2 * count")
+    for words, count in (([], 7), (["--seed", "0", "--count", "1"], 2)):
+        assert cli.run(["bench", "tiny", "--json", *words]) == 0
+        assert len(json.loads(capsys.readouterr().out)) == count
+    save_benchmark()
+    sys.modules.pop("benchmarks.tiny")
+    assert cli.run(["bench", "tiny", "--seed", "0"]) == 2
+    assert "benchmark 'tiny' draws nothing by a seed" in capsys.readouterr().err
+
+
 def test_all_is_asked_of_benchmarks_that_have_parts(capsys: pytest.CaptureFixture[str]) -> None:
     save_benchmark(more=", everything=False", count="2 * int(everything)")
     assert cli.run(["bench", "tiny", "--json", "--all"]) == 0

@@ -91,8 +91,8 @@ def write_into(
 ) -> None:
     """Write the table of a benchmark in its place in a page, with what it was made by."""
     words = ["" if extent == "usual" else f" --{extent}"]
-    given = ((word, value) for word, value in asked.items() if word not in ("everything", "sheets"))
-    words += [f" --{w}" if v is True else f" --{w} {v}" for w, v in given if v not in (None, False)]
+    given = {w: v for w, v in _given(asked).items() if w not in ("everything", "sheets")}
+    words += [f" --{w}" if v is True else f" --{w} {v}" for w, v in given.items()]
     command = f"scenewright bench {name}{''.join(words)}"
     import_module("benchmarks.page_tables").write_into(page, name, command, records)
 
@@ -145,13 +145,18 @@ def _run(
     _open_folder(name)
     function = import_module(f"benchmarks.{name}").records
     known = inspect.signature(function).parameters
-    more = {word: value for word, value in asked.items() if value not in (None, False)}
+    more = _given(asked)
     more |= {"full": True} if extent == "full" else {}
     for word in more:
         if word not in known:
             option, refusal = MORE[word]
             raise InputError(refusal.format(name), f"leave {option} out")
     return function(extent == "quick", progress, **more)
+
+
+def _given(asked: Mapping[str, Any]) -> dict[str, Any]:
+    """What was asked for; a seed of 0 is."""
+    return {word: value for word, value in asked.items() if not (value is None or value is False)}
 
 
 def _open_folder(name: str) -> None:
