@@ -36,13 +36,16 @@ def generate(
     count: Annotated[
         int, typer.Option(min=1, max=MOST, help="Plans of as many seeds, from --seed on.")
     ] = 1,
+    seed_range: Annotated[
+        str, typer.Option("--seeds", metavar="FIRST:END", help="Plans of a range of seeds.")
+    ] = "",
     outputs: Annotated[
         list[Path] | None,
         typer.Option(
             "-o",
             "--output",
             metavar="OUT",
-            help="A .json for the brief, a .svg to see it; with --count a folder.",
+            help="A .json for the brief, a .svg to see it; with --count or --seeds a folder.",
             autocompletion=completion.outputs,
         ),
     ] = None,
@@ -54,32 +57,44 @@ def generate(
     from scenewright.workflow.generate import generate as make
 
     asked = {"rooms": rooms, "area": area, "storeys": storeys, "outline": outline, "use": use}
-    seeds = range(seed, seed + count)
+    seeds = _seeds(seed_range, seed, count)
     with recorded_run():
-        if count > 1:
+        if count > 1 or seed_range:
             lines = _fill_folder(kind, outputs or [], seeds, asked)
-            briefs = count
         else:
             brief = make(kind, seed=seed, **asked)
             made = plan_valid(brief)
             write_plan(brief, made, outputs or [])
             lines = [*describe_plan(brief, made), *(f"wrote {path}" for path in outputs or [])]
-            briefs = 1
     if as_json:
         given = {key: value for key, value in asked.items() if value is not None}
-        tables.print_json({"kind": kind, "plans": briefs, "seeds": [seed, seeds[-1]], **given})
+        tables.print_json(
+            {"kind": kind, "plans": len(seeds), "seeds": [seeds[0], seeds[-1]], **given}
+        )
     elif not quiet:
         for line in lines:
             tables.print_line(tables.output_console(), line)
     return 0
 
 
+def _seeds(seed_range: str, seed: int, count: int) -> range:
+    """The seeds asked for, by ``--seeds`` or by ``--seed`` and ``--count``."""
+    from scenewright.workflow.manifest import seeds_of
+
+    if not seed_range:
+        return range(seed, seed + count)
+    if seed or count > 1:
+        raise InputError("--seeds says which seeds", "leave --seed and --count out")
+    return seeds_of(seed_range, MOST)
+
+
 def _fill_folder(
     kind: str, outputs: list[Path], seeds: range, asked: dict[str, int | float | str | None]
 ) -> list[str]:
-    """A brief a seed in a folder, all or none: ``KIND-SEED.json``."""
+    """A brief a seed in a folder, ``KIND-SEED.json``, and ``manifest.jsonl``: all or none."""
     from scenewright.formats import brief_json
     from scenewright.workflow.generate import generate as make
+    from scenewright.workflow.manifest import manifest_line
 
     if len(outputs) != 1 or outputs[0].suffix:
         raise InputError("several plans are written into a folder", "give -o FOLDER, once")
@@ -89,8 +104,11 @@ def _fill_folder(
     paths = [folder / f"{kind}-{seed}.json" for seed in seeds]
     first: Brief = make(kind, seed=seeds[0], **asked)
     folder.mkdir(parents=True, exist_ok=True)
-    with whole_together(paths) as partials:
-        for seed, partial in zip(seeds, partials, strict=True):
+    lines = []
+    with whole_together([*paths, folder / "manifest.jsonl"]) as partials:
+        for seed, path, partial in zip(seeds, paths, partials[:-1], strict=True):
             brief = first if seed == seeds[0] else make(kind, seed=seed, **asked)
             partial.write_text(brief_json.dumps(brief), encoding="utf-8")
+            lines.append(manifest_line(path.name, kind, seed, asked, brief))
+        partials[-1].write_text("".join(lines), encoding="utf-8")
     return [f"wrote {len(paths)} plans into {folder}"]

@@ -1,0 +1,58 @@
+"""The manifest of a set of generated plans: a JSON line a plan, and splits that share no plan."""
+
+from __future__ import annotations
+
+import json
+from hashlib import blake2b
+from typing import Any
+
+from scenewright._version import __version__
+from scenewright.core.brief import Brief
+from scenewright.core.errors import InputError
+from scenewright.formats import brief_json
+
+SHARES = (("train", 0.8), ("val", 0.9), ("test", 1.0))
+"""The splits, and up to what share of all hashes each reaches."""
+
+
+def seeds_of(text: str, most: int) -> range:
+    """The seeds of ``FIRST:END``, the end left out; ``most`` at once.
+
+    >>> seeds_of("3:6", 10)
+    range(3, 6)
+    """
+    first, colon, end = text.partition(":")
+    if not (colon and first.isdecimal() and end.isdecimal() and first.isascii() and end.isascii()):
+        raise InputError(f"--seeds '{text}' is no range", "give FIRST:END, such as 0:1000")
+    seeds = range(int(first), int(end))
+    if not seeds:
+        fault = f"--seeds {text} holds no seed: the end is left out"
+        raise InputError(fault, f"give FIRST:END with END above {first}")
+    if len(seeds) > most:
+        raise InputError(f"--seeds {text} is {len(seeds)} plans", f"ask for {most} at once")
+    return seeds
+
+
+def plan_hash(brief: Brief) -> str:
+    """A digest of all a brief says but its name: equal for equal plans, whatever their seed."""
+    said = json.loads(brief_json.dumps(brief))
+    said.pop("name", None)
+    return blake2b(json.dumps(said, sort_keys=True).encode(), digest_size=16).hexdigest()
+
+
+def split_of(digest: str) -> str:
+    """The split of a plan by its hash alone, so that one plan is never in two.
+
+    >>> split_of("00ff00ff"), split_of("ffffffff")
+    ('train', 'test')
+    """
+    share = int(digest[:8], 16) / 16**8
+    return next(name for name, end in SHARES if share < end)
+
+
+def manifest_line(file: str, kind: str, seed: int, asked: dict[str, Any], brief: Brief) -> str:
+    """A plan's line of the manifest: file, kind, seed, what was asked, version, hash and split."""
+    digest = plan_hash(brief)
+    given = {key: value for key, value in asked.items() if value is not None}
+    line = {"file": file, "kind": kind, "seed": seed, "asked": given, "version": __version__}
+    return json.dumps({**line, "plan": digest, "split": split_of(digest)}) + "\n"
