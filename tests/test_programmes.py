@@ -7,6 +7,7 @@ import math
 import pytest
 
 from scenewright.catalog.assets import shipped
+from scenewright.core.brief import Room
 from scenewright.core.scene import Size
 from scenewright.domains.hall.demands.programme import (
     PROGRAMMES,
@@ -15,6 +16,7 @@ from scenewright.domains.hall.demands.programme import (
     shop_kind,
     shop_programme,
 )
+from scenewright.domains.hall.desks.cash_desks import is_cash_desk, measure_cash_desk
 
 # Programmes
 
@@ -22,11 +24,11 @@ from scenewright.domains.hall.demands.programme import (
 def used(kind: str, floor_area: float, perimeter: float) -> float:
     total = 0.0
     for demand in shop_programme(kind, floor_area, perimeter):
-        assert demand.size
         assert demand.count
         assert isinstance(demand.clearance, tuple)
         front, left, back, right = demand.clearance
-        total += demand.count * (demand.size[0] + left + right) * (demand.size[1] + front + back)
+        width, depth, _ = demand.size or measure_cash_desk(shipped())
+        total += demand.count * (width + left + right) * (depth + front + back)
     return total / floor_area
 
 
@@ -83,3 +85,15 @@ def test_small_and_unknown_units_hold_nothing() -> None:
 )
 def test_kinds_by_tags(tags: dict[str, str], kind: str) -> None:
     assert shop_kind(tags) == kind
+
+
+@pytest.mark.parametrize(
+    ("kind", "desks"), [(k, k != "grocery") for k in ("clothes", "books", "generic", "grocery")]
+)
+def test_only_groceries_have_tills_with_belts(kind: str, desks: bool) -> None:
+    demands = shop_programme(kind, 600.0, 100.0)
+    tills = next(demand for demand in demands if demand.category == "checkout")
+    assert tills.count
+    assert tills.count > 1
+    room = Room(name="Shop", outline=[(0, 0), (30, 0), (30, 20)], demands=demands)
+    assert is_cash_desk(tills, room) is desks

@@ -30,7 +30,9 @@ _SERVED: Sides = (0.9, 0.3, 0.9, 0.3)
 class Fixture(NamedTuple):
     """One row of a programme: things of one ``size`` with free depths ``clear`` (front, left,
     back, right). One for every ``each`` square metres, or, where that is 0, as many as fit in
-    ``share`` of what the rows before leave. ``fills`` rows take what is left in the end."""
+    ``share`` of what the rows before leave. ``fills`` rows take what is left in the end. A size
+    that is not ``stated`` is for counting only: tills without belts are desks
+    (:mod:`..desks.cash_desks`)."""
 
     category: str
     size: tuple[float, float, float]
@@ -42,6 +44,7 @@ class Fixture(NamedTuple):
     fills: bool = False
     required: bool = False
     name: str = ""
+    stated: bool = True
 
     @property
     def used(self) -> float:
@@ -54,7 +57,8 @@ def _around(depth: float) -> Sides:
     return (depth, depth, depth, depth)
 
 
-_TILL = Fixture("checkout", (2.0, 0.9, 0.95), _SERVED, each=250, required=True)
+_BELT = Fixture("checkout", (2.0, 0.9, 0.95), _SERVED, each=150, required=True)
+_TILL = _BELT._replace(size=(1.6, 0.7, 1.2), each=250, stated=False)
 _WALL = Fixture("wall_shelving", (1.0, 0.45, 2.2), _FRONT, share=0.35, place="wall")
 _GONDOLA = Fixture(
     "gondola", (1.25, 0.9, 1.5), _BOTH, share=0.6, patterns=("chain",), fills=True, required=True
@@ -82,7 +86,7 @@ PROGRAMMES: dict[str, tuple[Fixture, ...]] = {
         _TABLE,
     ),
     "grocery": (
-        _TILL._replace(each=150),
+        _BELT,
         _BASKETS,
         Fixture("fridge_shelf", (1.25, 0.8, 2.0), (0.9, 0.0, 0.0, 0.0), share=0.15, place="wall"),
         _WALL._replace(share=0.2),
@@ -256,7 +260,7 @@ def _demand(row: Fixture, count: int, demand_id: str) -> Demand:
         name=row.name or row.category.replace("_", " ").capitalize(),
         category=row.category,
         count=count,
-        size=row.size,
+        size=row.size if row.stated else None,
         clearance=row.clear,
         place=row.place,
         patterns=list(row.patterns),
