@@ -7,6 +7,7 @@ from itertools import product
 
 from scenewright.core.catalog import Group, Member
 from scenewright.core.scene import Size
+from scenewright.domains.home.groups.sleeping import DEPTHS
 
 
 def toilet() -> Iterator[Group]:
@@ -116,9 +117,8 @@ def fitted_cabinets() -> Iterator[Group]:
 
 
 def fitted_closets() -> Iterator[Group]:
-    """Wardrobes of bathrooms as wide as what is left of a wall, 0.45 to 1.2 m, shallow ones and
-    such as end nearly where a bath beside them does."""
-    for deep, width in product((0.4, 0.6), range(9, 25)):
+    """Wardrobes of bathrooms as wide as what is left of a wall, 0.45 to 1.2 m."""
+    for deep, width in product(DEPTHS, range(9, 25)):
         wide = width / 20
         piece = Member("wardrobe", 0, 0, 0, 0, Size(wide, deep, 2.0))
         yield Group("wardrobe", f"{wide:.2f} m wardrobe", wide, deep + 0.01, (piece,))

@@ -1,7 +1,7 @@
 """The smallest forms of what a room is for: tried only where nothing of the usual sizes fits.
 
 They are real things at the lower end of what is sold (a bed of 0.7 x 1.6 m, a pantry kitchen, a
-shallow wardrobe); no room that holds a usual size is given one.
+narrow wardrobe); no room that holds a usual size is given one.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ from math import pi
 from scenewright.core.catalog import Group, Member
 from scenewright.core.scene import Size
 from scenewright.domains.home.groups.kitchen import short_runs, shortest_kitchenettes
+from scenewright.domains.home.groups.sleeping import DEPTHS
 
 
 def _bed() -> Iterator[Group]:
@@ -26,9 +27,10 @@ def _bed() -> Iterator[Group]:
 
 
 def _wardrobe() -> Iterator[Group]:
-    for width, depth in ((0.8, 0.4), (0.6, 0.4), (0.5, 0.5), (0.45, 0.4)):
-        piece = Member("wardrobe", 0, 0, 0, 0, Size(width, depth, 2.0))
-        yield Group("wardrobe", f"{width:.2f} m wardrobe", width, depth + 0.01, (piece,))
+    """Narrow ones as deep as all are: in a shallower one no hanger has room."""
+    for width in (0.5, 0.45):
+        piece = Member("wardrobe", 0, 0, 0, 0, Size(width, DEPTHS[0], 2.0))
+        yield Group("wardrobe", f"{width:.2f} m wardrobe", width, DEPTHS[0] + 0.01, (piece,))
 
 
 def _chest() -> Iterator[Group]:

@@ -11,7 +11,9 @@ from scenewright.core.scene import Size
 BED_LENGTH = 2.05
 SHORT_BED = 1.9  # a mattress of 140 x 190 cm without a footboard, metres
 NARROW = 0.34  # room for a narrow nightstand, metres
-SHALLOW = 14  # widest wardrobe that may be shallow, decimetres
+DEPTHS = (0.55, 0.6)
+"""Depths of wardrobes, metres: a hanger takes 0.45 m, doors and air round it 0.1 m (Neufert,
+Architects' Data)."""
 
 
 def sleeping() -> Iterator[Group]:
@@ -123,18 +125,17 @@ def _nightstand(x: float, back: float, index: int, wide: float = 0.42) -> list[M
 
 
 def wardrobe() -> Iterator[Group]:
-    """Wardrobes from 0.6 to 3.0 m, in steps of 0.2 m; a shallow one for narrow rooms."""
+    """Wardrobes from 0.6 to 3.0 m, in steps of 0.2 m, of both depths."""
     for width in (0.6, 0.8, 1.0, 1.2, 1.4, 1.6, 1.8, 2.0, 2.4, 2.8):
-        for depth in (0.5, 0.6):
+        for depth in DEPTHS:
             piece = Member("wardrobe", 0, 0, 0, 0, Size(width, depth, 2.2))
             yield Group("wardrobe", f"{width:.1f} m wardrobe", width, depth + 0.01, (piece,))
 
 
 def fitted_wardrobes() -> Iterator[Group]:
-    """Wardrobes made to measure, 1.0 to 3.0 m wide in steps of 0.1 m, 0.4 to 0.6 m deep; up to
-    1.4 m also 0.35 m deep, in which clothes hang on a rail that is pulled out."""
+    """Wardrobes made to measure, 1.0 to 3.0 m wide in steps of 0.1 m, of both depths."""
     for width in range(10, 31):
-        for depth in (0.35, 0.4, 0.5, 0.6) if width <= SHALLOW else (0.4, 0.5, 0.6):
+        for depth in DEPTHS:
             piece = Member("wardrobe", 0, 0, 0, 0, Size(width / 10, depth, 2.2))
             name = f"{width / 10:.1f} m fitted wardrobe"
             yield Group("wardrobe", name, width / 10, depth + 0.01, (piece,))

@@ -27,10 +27,6 @@ BEDROOM = (
         10.0, _NEAR, FLATS, late=True,
     ),
     Row(
-        "nightstand_at_run", stand("a nightstand", "nightstand"), apart(), _UNIT, 0.25, 6.0, _NEAR,
-        FLATS, late=True,
-    ),
-    Row(
         "sofa_at_foot", stand("a bed", *BEDS), clear(FRONT, each=True), stand("a sofa", *SOFAS),
         0.4, 4.0, _NEAR, FLATS, late=True,
     ),

@@ -16,9 +16,9 @@ from scenewright.arranging.rows import (
     keep_off,
     near,
 )
-from scenewright.catalog.classes import BEDS, EATING_TABLES, RUN
+from scenewright.catalog.classes import BEDS, DESKS, EATING_TABLES, RUN
 from scenewright.domains.home.groups.classes import TABLES
-from scenewright.domains.home.measures import ALIKE, RAISED
+from scenewright.domains.home.measures import ALIKE, ON_FLOOR, RAISED
 from scenewright.domains.home.rules.classes import (
     ANYTHING,
     BY_DOORS,
@@ -51,6 +51,12 @@ _BESIDE = beside(IN_LINE, ALIKE)
 _NEAR = "{of} is within {metres} m of {to}"
 _OPENS = "{of} has less than {metres} m before it, for {to}"
 _DRAWN = "{of} cannot be drawn back {metres} m for {to}"
+_STRANGER = Class(
+    "what is not of a kitchen",
+    frozenset((*DESKS, "nightstand", "wardrobe", "shoe_cabinet", "tv_stand")),
+    below=ON_FLOOR,
+    hung=frozenset(("wall_shelf",)),
+)
 _WASHER = Class("a washing machine", groups=frozenset(("washer",)), floor=True)
 _TABLE = stand("a table", *EATING_TABLES)
 _BY_TABLE = ("dining_table", "round_table", "dining_chair", "stool")
@@ -99,6 +105,10 @@ KITCHEN = (
         "fridge_front", stand("a fridge", "fridge"), clear(FRONT, each=True),
         stand("a cupboard or low table", *CUPBOARDS, "side_table", "coffee_table"), 0.4, 6.0,
         _OPENS, NKBA, late=True,
+    ),
+    Row(
+        "stranger_at_run", _STRANGER, apart(), stand("a unit", *RUN), 0.3, 6.0, _NEAR, FLATS,
+        late=True,
     ),
     Row(
         "table_at_bed", _TABLE, apart(), stand("a bed", *BEDS), 0.3, 5.0, _NEAR, FLATS,

@@ -11,12 +11,11 @@ from scenewright.arranging.rows import (
     Example,
     Place,
     Row,
-    apart,
     clear,
     keep_off,
     no_back,
 )
-from scenewright.catalog.classes import RUN, SOFAS, SOFT_SEATS
+from scenewright.catalog.classes import SOFAS, SOFT_SEATS
 from scenewright.domains.home.groups.classes import RUNS, TABLES
 from scenewright.domains.home.measures import ON_FLOOR, RAISED
 from scenewright.domains.home.rules.classes import ANYTHING, AT_WINDOWS, BY_WALLS, stand
@@ -41,7 +40,6 @@ _AT_SIGHT = Class(
     below=ON_FLOOR,
     parts=WALLS,
 )
-_SCREEN = stand("a screen", "tv_stand", "wall_shelf")._replace(hung=frozenset(("wall_shelf",)))
 _LOOKS = "{of} looks at {to} within {metres} m"
 
 LIVING = (
@@ -62,10 +60,6 @@ LIVING = (
         "beside_run", Class("a screen", groups=frozenset(("media",)), floor=True),
         keep_off(0.0, FLAT), Class("a unit of the kitchen", groups=RUNS, below=RAISED), APART,
         "beside_run", "{of} is within {metres} m of {to}", FLATS,
-    ),
-    Row(
-        "screen_at_run", _SCREEN, apart(), stand("a unit of the kitchen", *RUN), 0.3, 6.0,
-        "{of} is within {metres} m of {to}", FLATS, late=True,
     ),
     Row(
         "armchair_front", _ARMCHAIR, clear(FRONT, each=True), ANYTHING, 0.4, 5.0, _LOOKS, PANERO,
