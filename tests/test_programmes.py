@@ -97,3 +97,9 @@ def test_only_groceries_have_tills_with_belts(kind: str, desks: bool) -> None:
     assert tills.count > 1
     room = Room(name="Shop", outline=[(0, 0), (30, 0), (30, 20)], demands=demands)
     assert is_cash_desk(tills, room) is desks
+
+
+@pytest.mark.parametrize(("area", "every"), [(110.0, 0), (900.0, 10)])
+def test_long_rows_of_goods_have_aisles_across(area: float, every: int) -> None:
+    rows = next(d for d in shop_programme("books", area, 100.0) if d.category == "book_stack")
+    assert (rows.aisle.every if rows.aisle else 0) == every

@@ -11,12 +11,15 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Literal, NamedTuple
 
-from scenewright.core.brief.zones import Demand
+from scenewright.core.brief.zones import AisleBrief, Demand
 
 UTILISATION = 0.52
 """Share of the floor that footprints and clearances may take together, at most."""
 WALL_SHARE = 0.45
 """Share of the walls that things may stand at; the rest is doors, windows and corners."""
+LONGEST_RUN, CROSS_AISLE, RUNS = 10.0, 1.5, 8
+"""Metres of goods in a row between two aisles across it, at most, how wide these are, and how many
+such runs there are at least: of less goods the search makes shorter rows (measured, 2026)."""
 SMALLEST_SHOP = 30.0
 LARGEST_SHOP = 20_000.0
 """Square metres of floor beyond which amounts no longer grow: some 6000 objects."""
@@ -255,6 +258,7 @@ def _counts(rows: tuple[Fixture, ...], left: float, area: float, wall: float) ->
 
 
 def _demand(row: Fixture, count: int, demand_id: str) -> Demand:
+    broken = AisleBrief(every=max(int(LONGEST_RUN / row.size[0]), 1), width=CROSS_AISLE)
     return Demand(
         id=demand_id,
         name=row.name or row.category.replace("_", " ").capitalize(),
@@ -265,4 +269,5 @@ def _demand(row: Fixture, count: int, demand_id: str) -> Demand:
         place=row.place,
         patterns=list(row.patterns),
         required=row.required,
+        aisle=broken if row.clear == _BOTH and count >= RUNS * broken.every else None,
     )
