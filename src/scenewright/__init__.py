@@ -49,6 +49,7 @@ if TYPE_CHECKING:
     from scenewright.workflow.evolve import evolve
     from scenewright.workflow.generate import generate
     from scenewright.workflow.observe import observe
+    from scenewright.workflow.photograph import photograph
 if TYPE_CHECKING:
     from typing import Any
 
@@ -81,6 +82,7 @@ __all__ = [
     "generate",
     "losses",
     "observe",
+    "photograph",
     "read",
     "read_solution",
     "resolve",
@@ -102,6 +104,7 @@ _HOMES = {
     "arrange": "workflow.arrange:arrange",
     "evolve": "workflow.evolve:evolve",
     "observe": "workflow.observe:observe",
+    "photograph": "workflow.photograph:photograph",
     "batch": "batch:batch",
     "solve": "domains:solve",
     "resolve": "domains:resolve",

@@ -60,7 +60,7 @@ def render(
     flags = (rgb, depth, instance, semantic, normals)
     options: dict[str, Any] = {
         "cameras": cameras,
-        "size": _size(size),
+        "size": size_of(size),
         "fov": radians(fov),
         "eye": eye,
         "clearance": clearance,
@@ -96,7 +96,8 @@ def _observe(
     return document_of(made.taken)
 
 
-def _size(words: str) -> tuple[int, int]:
+def size_of(words: str) -> tuple[int, int]:
+    """Pixels of ``--size``."""
     parts = words.lower().split("x")
     if len(parts) != 2 or not all(part.isascii() and part.isdigit() for part in parts):
         raise InputError(f"--size '{words[:40]}' is no size", "give pixels, such as 640x480")

@@ -10,6 +10,7 @@ EXTRAS = {
     "dxf": ("ezdxf",),
     "gis": ("pyogrio", "osmium"),
     "learn": ("torch",),
+    "photo": ("pyoidn",),
     "pdf": ("fpdf", "fontTools", "fontpkg_noto_sans", "pypdfium2"),
     "peers": ("scipy", "cma", "pymoo", "deap"),
     "solve": ("ortools",),
@@ -29,7 +30,12 @@ def install_line(module: str) -> str:
     return f"pip install 'scenewright[{extra}]'" if extra else f"pip install {top}"
 
 
+def is_installed(module: str) -> bool:
+    """Whether a module can be imported, without importing it."""
+    return find_spec(module) is not None
+
+
 def require(module: str) -> None:
     """Raise the ModuleNotFoundError of a module that is not installed, without importing it."""
-    if find_spec(module) is None:
+    if not is_installed(module):
         raise ModuleNotFoundError(f"no module named {module!r}", name=module)

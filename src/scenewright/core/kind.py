@@ -89,7 +89,8 @@ class Kind:
     not this kind. ``essential`` names what it serves as where a room cannot do without (a *seat*,
     a *bed*). ``staff`` is the depth in metres of the floor for staff behind it, kept
     free in halls. ``forms`` is the furniture group it makes when groups are
-    learned, ``alone`` the group it makes alone.
+    learned, ``alone`` the group it makes alone. ``lumens`` is the light it gives when lit, of a
+    colour temperature of ``kelvin``.
 
     ``drawn_by`` lists the modules whose ``ASSETS`` draw it; a leading dot stands for
     ``scenewright.catalog.assets``.
@@ -115,6 +116,8 @@ class Kind:
     essential: tuple[str, ...] = ()
     forms: str = ""
     alone: OwnGroup | None = None
+    lumens: float = 0.0
+    kelvin: float = 2700.0
     drawn_by: tuple[str, ...] = ()
 
     @property

@@ -104,6 +104,12 @@ FORMATS = (
         ".credits.txt", "authors and licences of the models", writer="scenewright.formats.credits"
     ),
     Format(".png", "picture from above", writer="scenewright.formats.png", lacks=SEEN),
+    Format(
+        ".room.png",
+        "photographs of all rooms of a home or hall on one sheet",
+        writer="scenewright.formats.room_png",
+        lacks=SEEN,
+    ),
 )
 
 

@@ -68,9 +68,10 @@ def hits(
 
 
 def is_occluded(
-    caster: Caster, origins: ArrayLike, directions: ArrayLike, reach: float = np.inf
+    caster: Caster, origins: ArrayLike, directions: ArrayLike, reach: ArrayLike = np.inf
 ) -> NDArray[np.bool_]:
-    """Whether each ray meets anything nearer than ``reach``; faster than :func:`hits`.
+    """Whether each ray meets anything nearer than ``reach``, one for all or ``(n,)``; faster than
+    :func:`hits`.
 
     >>> roof = build([[0, 0, 2], [1, 0, 2], [0, 1, 2]], [[0, 1, 2]])
     >>> [bool(is_occluded(roof, [[0.2, 0.2, 0]], [[0, 0, 1]], reach)[0]) for reach in (3.0, 1.0)]
@@ -79,7 +80,8 @@ def is_occluded(
     start, way = _rays(origins, directions)
     if caster.tree is None or not len(start):
         return np.zeros(len(start), np.bool_)
-    far = np.full(len(start), min(reach, 1e30), np.float32)
+    far = np.empty(len(start), np.float32)
+    far[:] = np.minimum(reach, 1e30)
     blocked: NDArray[np.bool_] = caster.tree.run(start, way, far, query="OCCLUDED") >= 0
     return blocked
 

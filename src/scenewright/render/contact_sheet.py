@@ -37,7 +37,7 @@ def draw_sheet(entries: Sequence[SheetEntry], title: str, text: str) -> Pixels:
     >>> draw_sheet([SheetEntry(picture, "1", "")] * 12, "twelve", "").shape[2]
     3
     """
-    columns = math.ceil(math.sqrt(len(entries) * 4 / 3)) if entries else 1
+    columns = min(math.ceil(math.sqrt(len(entries) * 4 / 3)), len(entries)) or 1
     rows = math.ceil(len(entries) / columns)
     wide = max((entry.picture.shape[1] for entry in entries), default=200)
     high = max((entry.picture.shape[0] for entry in entries), default=0)

@@ -132,7 +132,7 @@ def observe(
         if output is not None:
             check_folder(Path(output), request.kinds, count)
         tell(0.0, "reading")
-        solution, plan = _solved(source, seed, steps, tell, cancel)
+        solution, plan = solve_source(source, seed, steps, tell, cancel)
         made = open_observations(solution, plan, request)
         if output is not None:
             views = _told(made, tell, cancel)
@@ -151,7 +151,7 @@ def _told(
         tell(SOLVING + (1 - SOLVING) * done, f"camera {number} of {len(made.viewpoints)}")
 
 
-def _solved(
+def solve_source(
     source: Solution | str | os.PathLike[str],
     seed: int,
     steps: int | None,
@@ -167,7 +167,7 @@ def _solved(
     if path.is_dir():
         raise InputError("is a folder", "give a saved solution or a plan", file=str(source))
     brief, plan = read_planned(source)
-    _check_rooms(brief.domain, plan.spaces)
+    check_rooms(brief.domain, plan.spaces)
     solve = domains.solve
     told = partial(_tell_share, tell)
     return solve(brief, plan=plan, seed=seed, steps=steps, progress=told, cancel=cancel), plan
@@ -248,8 +248,8 @@ def open_observations(
 ) -> Observations:
     """The world of a solution with the cameras of a request in it."""
     scene = domains.scene_of(solution, plan)
-    _check_rooms(solution.brief.domain, scene.spaces)
-    rooms = _named_rooms(scene, request.rooms)
+    check_rooms(solution.brief.domain, scene.spaces)
+    rooms = named_rooms(scene, request.rooms)
     world = build_world(scene, catalog_of(solution.brief.catalogs))
     given = [_by_hand(world, pose) for pose in request.poses]
     _, drawn, along = camera_counts(request)
@@ -267,13 +267,15 @@ def open_observations(
     return Observations(world, tuple(given), request, solution)
 
 
-def _check_rooms(domain: str, spaces: Sequence[Space]) -> None:
+def check_rooms(domain: str, spaces: Sequence[Space]) -> None:
+    """Raise :class:`InputError` where there are no rooms to stand in."""
     if not spaces or any(OPEN & set(space.functions) for space in spaces):
         fault = f"cameras stand in rooms, but the brief is of a {domain}"
         raise InputError(fault, "give a home or a hall")
 
 
-def _named_rooms(scene: Scene, names: Sequence[str]) -> frozenset[str]:
+def named_rooms(scene: Scene, names: Sequence[str]) -> frozenset[str]:
+    """The ids of rooms called by name or id; InputError for one that is not there."""
     found: set[str] = set()
     for name in names:
         same = [s.id for s in scene.spaces if name.lower() in (s.id.lower(), s.name.lower())]

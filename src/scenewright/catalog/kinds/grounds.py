@@ -69,6 +69,8 @@ KINDS = (
                 ja="街灯",
             ),
         ),
+        lumens=5000.0,
+        kelvin=3000.0,
         drawn_by=(".street_furniture",),
     ),
     Kind(

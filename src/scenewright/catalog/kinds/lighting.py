@@ -1,4 +1,5 @@
-"""Lamps."""
+"""Lamps. The light of each is that of the incandescent bulb it is sold to replace: 25, 40, 60, 75
+and 100 W give 249, 470, 806, 1,055 and 1,521 lm (Commission Regulation (EC) 244/2009, table 6)."""
 
 from __future__ import annotations
 
@@ -19,6 +20,7 @@ KINDS = (
                 ja="フロアランプ",
             ),
         ),
+        lumens=1055.0,
         drawn_by=(".lighting", ".styled.lamps"),
     ),
     Kind(
@@ -36,6 +38,7 @@ KINDS = (
                 ja="テーブルランプ",
             ),
         ),
+        lumens=470.0,
         drawn_by=(".lighting", ".styled.lamps"),
     ),
     Kind(
@@ -52,6 +55,7 @@ KINDS = (
                 ja="デスクライト",
             ),
         ),
+        lumens=470.0,
         drawn_by=(".lighting",),
     ),
     Kind(
@@ -68,6 +72,7 @@ KINDS = (
                 ja="ブラケットライト",
             ),
         ),
+        lumens=470.0,
         drawn_by=(".lighting",),
     ),
     Kind(
@@ -84,6 +89,7 @@ KINDS = (
                 ja="ペンダント",
             ),
         ),
+        lumens=806.0,
         drawn_by=(".lighting", ".styled.lamps"),
     ),
     Kind(
@@ -100,6 +106,7 @@ KINDS = (
                 ja="シーリング",
             ),
         ),
+        lumens=1521.0,
         drawn_by=(".lighting", ".styled.lamps"),
     ),
 )

@@ -1,0 +1,43 @@
+"""A photograph of each room: camera, light, film, picture."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from scenewright.core.catalog import Catalog
+from scenewright.core.space import Space
+from scenewright.render.observations.world import VisibleWorld
+from scenewright.render.photo.denoising import take_out_noise
+from scenewright.render.photo.developing import develop
+from scenewright.render.photo.following import expose
+from scenewright.render.photo.sources import find_sources
+from scenewright.render.photo.standpoints import stand_in_rooms
+from scenewright.render.picture import Pixels
+
+SIZE, SAMPLES = (1280, 800), 8
+
+
+class Photo(NamedTuple):
+    """A room and its picture ``(height, width, 3)`` in sRGB."""
+
+    space: Space
+    pixels: Pixels
+
+
+def photograph(
+    world: VisibleWorld,
+    catalog: Catalog,
+    rooms: frozenset[str] = frozenset(),
+    hour: str = "day",
+    size: tuple[int, int] = SIZE,
+    samples: int = SAMPLES,
+    seed: int = 0,
+) -> Iterator[Photo]:
+    """Each room by id (none given: all) from its best standpoint, in the order of the scene; a
+    room without a free place is left out. ``samples`` paths are followed a pixel; ``hour`` is one
+    of :data:`scenewright.render.photo.sources.HOURS`. The same seed gives the same picture."""
+    for space, floor, camera in stand_in_rooms(world, rooms, size, seed):
+        sources = find_sources(world, floor, catalog, hour, space.id)
+        film = expose(world, sources, camera, samples)
+        yield Photo(space, develop(take_out_noise(film)))

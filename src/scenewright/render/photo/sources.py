@@ -1,0 +1,200 @@
+"""Where light comes from: sun, sky through the openings of outer walls, and lamps.
+
+In kilolux and kilocandela a square metre. Lamps give what their kind states.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+
+from scenewright.building.door_uses import OPEN_AIR, classify_doors
+from scenewright.core.catalog import Catalog
+from scenewright.core.scene import Scene
+from scenewright.core.space import Opening, Space
+from scenewright.render.colour import linear_of
+from scenewright.render.items import things, to_level_coordinates
+from scenewright.render.lamps import color_of_kelvin, lamps_of
+from scenewright.render.observations.ceilings import CEILING
+from scenewright.render.observations.floor import WalkableFloor
+from scenewright.render.observations.world import VisibleWorld
+
+Singles = NDArray[np.float32]
+Floats = NDArray[np.float64]
+
+GLAZED = 0.8
+"""Share of light that two panes and a frame let through (EN 410: 0.80 to 0.82)."""
+SUN_RADIUS = 0.008
+"""Tangent of the radius of the sun's disc, softened a little by haze."""
+LOW_SUN, ASIDE = float(np.deg2rad(24.0)), float(np.deg2rad(38.0))
+"""Height of the sun, and how far it stands aside of the way out of the largest window."""
+LARGE, LUX, COOL = 60.0, 300.0, 3500.0
+"""Rooms larger than this, m², have rows of lights that give this illuminance (EN 12464-1, sales
+areas and exhibitions: 300 lx) of this colour temperature."""
+ROWS, MOST_LIGHTS = 3.0, 48
+"""Distance of lights in metres, and the most of them in a room."""
+BEYOND = 0.15
+"""What a source is expected to give to a room next door, as a share."""
+BESIDE = 0.3
+"""How far beside a wall's middle, in metres, it is asked which side is a room."""
+
+
+class Daylight(NamedTuple):
+    """Light of the sun, of the ground, the horizon and the zenith, linear colours; and how bright
+    what glows is, a unit of emission."""
+
+    sun: tuple[float, float, float]
+    ground: tuple[float, float, float]
+    horizon: tuple[float, float, float]
+    zenith: tuple[float, float, float]
+    glow: float
+
+
+HOURS = {
+    "day": Daylight((30.0, 25.0, 18.0), (1.2, 1.4, 0.8), (3.6, 3.7, 3.6), (1.7, 2.2, 3.0), 0.8),
+    "dusk": Daylight(
+        (0.0, 0.0, 0.0), (0.006, 0.007, 0.009), (0.075, 0.05, 0.04), (0.016, 0.025, 0.05), 0.5
+    ),
+}
+"""A late afternoon under a clear sky, and a quarter of an hour after sunset."""
+
+
+class Sources(NamedTuple):
+    """Sources as arrays for kernels: ``sun`` (4, 3), ``sky`` (3, 3), lamps and windows (k, 11),
+    the share of light that gets from room to room (r, r), the raster of rooms over its ground
+    (left, low, cell), and the finishes with what they glow."""
+
+    sun: Singles
+    sky: Singles
+    sources: Singles
+    links: Singles
+    rooms: NDArray[np.int32]
+    ground: Singles
+    table: Singles
+
+
+def find_sources(
+    world: VisibleWorld, floor: WalkableFloor, catalog: Catalog, hour: str, room: str
+) -> Sources:
+    """The sources of light of a level at an hour of :data:`HOURS`; the sun stands where it shines
+    in through the largest window of a room."""
+    light, scene = HOURS[hour], world.scene
+    numbers = {space.id: number for number, space in enumerate(floor.spaces)}
+    windows = np.array([*_windows(scene, floor, numbers)]).reshape(-1, 11)
+    windows[:, 1] *= float(np.mean(light.horizon))
+    lamps = np.array([*_lamps(scene, catalog, numbers)]).reshape(-1, 11)
+    lamps = np.vstack([lamps, *_light_rows(floor, np.vstack([lamps, windows]))])
+    side = _sun_side(windows, numbers.get(room, -1))
+    return Sources(
+        np.vstack([_sun_towards(side), [light.sun]]).astype(np.float32),
+        np.array([light.ground, light.horizon, light.zenith], np.float32),
+        np.vstack([lamps, windows]).astype(np.float32),
+        _links(scene.openings, numbers),
+        floor.room,
+        np.array([floor.clear.x0, floor.clear.y0, floor.clear.cell], np.float32),
+        _glowing(world.stage.table, light.glow),
+    )
+
+
+def _links(openings: Sequence[Opening], numbers: Mapping[str, int]) -> Singles:
+    """How much of a source is expected in another room: all in its own, some through a door."""
+    found = np.eye(len(numbers), dtype=np.float32)
+    for one in openings:
+        joined = [numbers[name] for name in one.spaces if name in numbers]
+        if len(joined) == 2 and one.kind != "window":
+            found[joined[0], joined[1]] = found[joined[1], joined[0]] = BEYOND
+    return found
+
+
+def _windows(
+    scene: Scene, floor: WalkableFloor, numbers: Mapping[str, int]
+) -> Iterator[list[float]]:
+    """Openings of a level to the open air: room, area, middle, 0, way out, width, height, what is
+    let in."""
+    rooms = {space.id: space for space in floor.spaces if OPEN_AIR.isdisjoint(space.functions)}
+    uses = classify_doors(scene.openings, scene.spaces)
+    for one in scene.openings:
+        inner = [rooms[name] for name in one.spaces if name in rooms]
+        clear = one.kind != "door" or uses.get(one.id) == "garden"
+        if len(inner) == 1 and clear and one.roof is None:
+            x, y = _way_out(one, inner[0])
+            middle, tall = floor.elevation + (one.sill + one.head) / 2, one.head - one.sill
+            place = [one.x, one.y, middle, 0.0]
+            number = numbers[inner[0].id]
+            yield [number, one.width * tall, *place, x, y, one.width, tall, GLAZED]
+
+
+def _way_out(opening: Opening, room: Space) -> tuple[float, float]:
+    x, y = -opening.uy, opening.ux
+    away = opening.thickness / 2 + BESIDE
+    floor = shapely.Polygon(room.outline)
+    inside = floor.contains(shapely.Point(opening.x + away * x, opening.y + away * y))
+    return (-x, -y) if inside else (x, y)
+
+
+def _sun_side(windows: Floats, room: int) -> float:
+    """The direction in plan in which the sun stands."""
+    mine = windows[windows[:, 0] == room] if (windows[:, 0] == room).any() else windows
+    if not len(mine):
+        return -np.pi / 3
+    row = mine[np.argmax(mine[:, 1])]
+    return float(np.arctan2(row[7], row[6])) + ASIDE
+
+
+def _sun_towards(turn: float) -> Floats:
+    """Two directions across the sun by its radius, and the one to it."""
+    level = np.cos(LOW_SUN)
+    to = np.array([level * np.cos(turn), level * np.sin(turn), np.sin(LOW_SUN)])
+    side = np.array([-np.sin(turn), np.cos(turn), 0.0])
+    return np.stack([SUN_RADIUS * side, SUN_RADIUS * np.cross(to, side), to])
+
+
+def _lamps(scene: Scene, catalog: Catalog, numbers: Mapping[str, int]) -> Iterator[list[float]]:
+    heights = {level.id: level.elevation for level in scene.levels}
+    for lamp in lamps_of(things(scene, catalog), catalog):
+        if lamp.item.space in numbers:
+            x, y, z = to_level_coordinates(lamp.item, np.array([lamp.at]))[0].tolist()
+            z += heights[lamp.item.level]
+            candela = lamp.lumens / (4 * np.pi) / 1000
+            light = [candela * share for share in lamp.color]
+            yield [numbers[lamp.item.space], candela, x, y, z, lamp.radius, *light, 0.0, 0.0]
+
+
+def _light_rows(floor: WalkableFloor, known: Floats) -> Iterator[Floats]:
+    """Rows of lights under the ceilings of rooms that are large or have no other light."""
+    for number, space in enumerate(floor.spaces):
+        shape = shapely.Polygon(space.outline, space.holes)
+        dark = not (known[:, 0] == number).any()
+        if OPEN_AIR.isdisjoint(space.functions) and (shape.area > LARGE or dark):
+            apart = max(ROWS, float(np.sqrt(shape.area / MOST_LIGHTS)))
+            places = _places_in(shape, apart)
+            candela = LUX / 1000 * shape.area / len(places) / np.pi
+            light = candela * np.array(color_of_kelvin(COOL))
+            z = floor.elevation + space.height - 0.12
+            for x, y in places:
+                yield np.array([number, candela, x, y, z, 0.05, *light, 0.0, 0.0])
+
+
+def _places_in(shape: shapely.Polygon, apart: float) -> Floats:
+    """Points of a grid inside a shape, at least one."""
+    x0, y0, x1, y1 = shape.bounds
+    columns, rows = (max(round(side / apart), 1) for side in (x1 - x0, y1 - y0))
+    x = x0 + (np.arange(columns) + 0.5) * (x1 - x0) / columns
+    y = y0 + (np.arange(rows) + 0.5) * (y1 - y0) / rows
+    grid = np.stack(np.meshgrid(x, y), -1).reshape(-1, 2)
+    inside = grid[shapely.contains_xy(shape, grid[:, 0], grid[:, 1])]
+    inner = shape.representative_point()
+    return inside if len(inside) else np.array([[inner.x, inner.y]])
+
+
+def _glowing(table: Singles, glow: float) -> Singles:
+    """The finishes with their glow in kilocandela a square metre; ceilings do not glow here."""
+    found = table.copy()
+    found[:, 5] *= glow
+    color = linear_of(np.array(CEILING.color)).astype(np.float32)
+    found[np.abs(found[:, :3] - color).max(1) < 1e-6, 5] = 0.0
+    return found
