@@ -25,8 +25,8 @@ from scenewright.cli import evolve as cli_evolve
 from scenewright.cli import fold as cli_fold
 from scenewright.cli import generate as cli_generate
 from scenewright.cli import learn as cli_learn
-from scenewright.cli import plan as cli_plan
 from scenewright.cli import photo as cli_photo
+from scenewright.cli import plan as cli_plan
 from scenewright.cli import render as cli_render
 from scenewright.cli.arguments import check_budget, check_repeated, check_words
 from scenewright.cli.faults import describe_usage_fault, drop_output, is_output_full, write_fault
@@ -286,15 +286,11 @@ def explain(
     return 0
 
 
-app.command()(cli_adjust.adjust)
-app.command()(cli_evolve.evolve)
-app.command()(cli_compare.compare)
-app.command()(cli_fold.fold)
-app.command()(cli_generate.generate)
-app.command()(cli_learn.learn)
-app.command()(cli_plan.plan)
-app.command()(cli_render.render)
-app.command()(cli_photo.photo)
+for verb in (
+    *(cli_adjust.adjust, cli_evolve.evolve, cli_compare.compare, cli_fold.fold),
+    *(cli_generate.generate, cli_learn.learn, cli_plan.plan, cli_render.render, cli_photo.photo),
+):
+    app.command()(verb)
 app.command("list")(listing.list_)
 app.command()(listing.schema)
 app.add_typer(cli_catalog.app, name="catalog")

@@ -173,32 +173,29 @@ def _light_up(
 ) -> None:
     """What sun, lamps and windows give where paths landed."""
     count = len(paths.rows)
-    starts, to_sun, from_sun, to_source, from_source = (
-        np.zeros((count, 3), np.float32) for _ in range(5)
-    )
-    reach = np.zeros(count, np.float32)
+    points, facing, body, dull = landed
+    starts, to_sun, from_sun, ways, brought = (np.zeros((count, 3), np.float32) for _ in range(5))
+    reach, far = np.zeros(count, np.float32), np.full(count, kernels.FAR, np.float32)
+    turn = (sample, bounce, paths.pixels)
+    kernels.ask_sun(*turn, points, facing, dull, sources.sun, starts, to_sun, from_sun)
     kernels.ask_sources(
-        sample,
-        bounce,
-        paths.pixels,
-        *landed,
-        paths.through,
-        sources.sun,
+        *turn,
+        facing,
+        dull,
         sources.sky,
         sources.sources,
         sources.links,
         sources.rooms,
         sources.ground,
         starts,
-        to_sun,
-        from_sun,
-        to_source,
+        ways,
         reach,
-        from_source,
+        brought,
     )
-    far = np.full(count, 1e4, np.float32)
     most = SPARK * float(sources.sky[1:].max()) if bounce else np.inf
-    for ways, ends, brought in ((to_sun, far, from_sun), (to_source, reach, from_source)):
-        asked = np.flatnonzero(brought.max(1) > 0)
-        hidden = rays.is_occluded(world.casters.solid, starts[asked], ways[asked], ends[asked])
-        kernels.gather_light(paths.rows[asked], brought[asked], hidden, most, film.light)
+    for way, ends, light in ((to_sun, far, from_sun), (ways, reach, brought)):
+        asked = np.flatnonzero(light.max(1) > 0)
+        hidden = rays.is_occluded(world.casters.solid, starts[asked], way[asked], ends[asked])
+        kernels.gather_light(
+            paths.rows, asked, hidden, paths.through, body, light, most, film.light
+        )

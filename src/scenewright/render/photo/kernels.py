@@ -19,6 +19,7 @@ from scenewright.render.light import OFFSET, _between, _cross
 
 Singles = NDArray[np.float32]
 Ints = NDArray[np.int32]
+Longs = NDArray[np.int64]
 Flags = NDArray[np.bool_]
 
 STEPS = (0.7548776662466927, 0.5698402909980532)
@@ -26,6 +27,8 @@ STEPS = (0.7548776662466927, 0.5698402909980532)
 TURNS = 2.0 * math.pi
 MIRROR = 0.6
 """Below this roughness a bounce off the surface of a thing is as off a mirror."""
+FAR = 1e4
+"""Beyond everything, in metres."""
 BESIDE = 0.15
 """How far before a surface, in metres, it is asked in which room that is."""
 
@@ -199,108 +202,128 @@ def _choose(
 
 
 @compiled
-def ask_sources(
+def ask_sun(
     sample: int,
     bounce: int,
     paths: Ints,
     points: Singles,
     facing: Singles,
-    body: Singles,
     dull: Singles,
-    through: Singles,
     sun: Singles,
+    starts: Singles,
+    to_sun: Singles,
+    from_sun: Singles,
+) -> None:
+    """For each landed ray, a ray to a point of the sun's disc, and the light it brings to a white
+    surface if nothing is in between. ``sun`` rows: two directions across it by its radius, the one
+    to it, its light. ``starts`` are ``points`` a little off their surfaces."""
+    for i in range(paths.shape[0]):
+        p, dim = paths[i], 2 + 8 * bounce
+        angle = TURNS * _random(p, sample, dim)
+        radius = math.sqrt(_random(p, sample, dim + 1))
+        across, along = radius * math.cos(angle), radius * math.sin(angle)
+        cosine = 0.0
+        for k in range(3):
+            starts[i, k] = points[i, k] + OFFSET * facing[i, k]
+            to_sun[i, k] = across * sun[0, k] + along * sun[1, k] + sun[2, k]
+            cosine += to_sun[i, k] * facing[i, k]
+        for k in range(3):
+            from_sun[i, k] = dull[i] / math.pi * max(cosine, 0.0) * sun[3, k]
+
+
+@inlined
+def _point_of(sources: Singles, j: int, u: float, v: float) -> tuple[float, float, float]:
+    """A point of a lamp's ball or a window."""
+    wide = sources[j, 5]
+    if wide > 0.0:
+        turn, height = TURNS * u, 2.0 * v - 1.0
+        level = math.sqrt(max(1.0 - height * height, 0.0)) * wide
+        x = sources[j, 2] + level * math.cos(turn)
+        return x, sources[j, 3] + level * math.sin(turn), sources[j, 4] + height * wide
+    aside = (u - 0.5) * sources[j, 8]
+    x = sources[j, 2] - sources[j, 7] * aside
+    return x, sources[j, 3] + sources[j, 6] * aside, sources[j, 4] + (v - 0.5) * sources[j, 9]
+
+
+@compiled
+def ask_sources(
+    sample: int,
+    bounce: int,
+    paths: Ints,
+    facing: Singles,
+    dull: Singles,
     sky: Singles,
     sources: Singles,
     links: Singles,
     rooms: Ints,
     ground: Singles,
     starts: Singles,
-    to_sun: Singles,
-    from_sun: Singles,
-    to_source: Singles,
+    ways: Singles,
     reach: Singles,
-    from_source: Singles,
+    brought: Singles,
 ) -> None:
-    """For each landed ray, a ray to a point of the sun's disc and one to a source, and the light
-    each brings if nothing is in between (zero where it cannot); out of doors the source is the sky.
+    """For each landed ray, a ray to a lamp or window drawn by what it may give, out of doors into
+    the sky, and the light it brings to a white surface if nothing is nearer than ``reach``.
 
-    ``sun`` rows: two directions across it by its radius, the one to it, its light. ``sources``
-    (k, 11): room, weight, middle, radius, and for lamps (radius above 0) their light, for windows
-    the way out in plan, width, height and the share of light let through. ``rooms`` is a raster of
-    room numbers over ``ground`` (left, low, cell), ``links`` (r, r) how far light gets from room
-    to room.
+    ``sources`` (k, 11): room, weight, middle, radius, and for lamps (radius above 0) their light,
+    for windows the way out in plan, width, height and the share of light let through. ``rooms`` is
+    a raster of room numbers over ``ground`` (left, low, cell), ``links`` (r, r) how far light gets
+    from room to room.
     """
     for i in range(paths.shape[0]):
         p, dim = paths[i], 2 + 8 * bounce
         nx, ny, nz = facing[i, 0], facing[i, 1], facing[i, 2]
-        x = points[i, 0] + OFFSET * nx
-        y = points[i, 1] + OFFSET * ny
-        z = points[i, 2] + OFFSET * nz
-        starts[i, 0], starts[i, 1], starts[i, 2] = x, y, z
-        angle = TURNS * _random(p, sample, dim)
-        radius = math.sqrt(_random(p, sample, dim + 1))
-        across, along = radius * math.cos(angle), radius * math.sin(angle)
-        cosine = 0.0
-        for k in range(3):
-            to_sun[i, k] = across * sun[0, k] + along * sun[1, k] + sun[2, k]
-            cosine += to_sun[i, k] * facing[i, k]
-        for k in range(3):
-            falling = max(cosine, 0.0) * sun[3, k]
-            from_sun[i, k] = through[i, k] * body[i, k] * dull[i] / math.pi * falling
-            from_source[i, k] = 0.0
-        to_source[i, 0], to_source[i, 1], to_source[i, 2], reach[i] = 0.0, 0.0, 1.0, 1e-3
+        x, y, z = starts[i, 0], starts[i, 1], starts[i, 2]
         u, v = _random(p, sample, dim + 2), _random(p, sample, dim + 3)
         room = _room_at(x + BESIDE * nx, y + BESIDE * ny, rooms, ground)
         if room < 0:
-            hx, hy, hz = _by_cosine(nx, ny, nz, u, v)
-            to_source[i, 0], to_source[i, 1], to_source[i, 2], reach[i] = hx, hy, hz, 1e4
+            ways[i, 0], ways[i, 1], ways[i, 2] = _by_cosine(nx, ny, nz, u, v)
+            reach[i] = FAR
             for k in range(3):
-                from_source[i, k] = through[i, k] * body[i, k] * dull[i] * _sky(hz, sky, k)
+                brought[i, k] = dull[i] * _sky(ways[i, 2], sky, k)
             continue
         j, chance = _choose(sources, links, room, x, y, z, _random(p, sample, dim + 4))
         if j < 0:
             continue
-        wide = sources[j, 5]
-        if wide > 0.0:
-            turn, height = TURNS * u, 2.0 * v - 1.0
-            level = math.sqrt(max(1.0 - height * height, 0.0)) * wide
-            dx = sources[j, 2] + level * math.cos(turn) - x
-            dy = sources[j, 3] + level * math.sin(turn) - y
-            dz = sources[j, 4] + height * wide - z
-        else:
-            dx = sources[j, 2] - sources[j, 7] * (u - 0.5) * sources[j, 8] - x
-            dy = sources[j, 3] + sources[j, 6] * (u - 0.5) * sources[j, 8] - y
-            dz = sources[j, 4] + (v - 0.5) * sources[j, 9] - z
-        square = max(dx * dx + dy * dy + dz * dz, 1e-4)
+        px, py, pz = _point_of(sources, j, u, v)
+        square = max((px - x) ** 2 + (py - y) ** 2 + (pz - z) ** 2, 1e-4)
         away = math.sqrt(square)
-        dx, dy, dz = dx / away, dy / away, dz / away
-        cosine = dx * nx + dy * ny + dz * nz
-        out = dx * sources[j, 6] + dy * sources[j, 7]
-        if cosine <= 0.0 or (wide <= 0.0 and out <= 0.0):
-            continue
-        to_source[i, 0], to_source[i, 1], to_source[i, 2] = dx, dy, dz
-        share = dull[i] * cosine / (math.pi * max(square, 0.02) * chance)
-        if wide > 0.0:
-            reach[i] = max(away - 2.0 * wide - 0.01, 1e-3)
-            for k in range(3):
-                from_source[i, k] = through[i, k] * body[i, k] * share * sources[j, 6 + k]
-            continue
-        reach[i] = 1e4 if dz >= 0.0 else away + 1.0
-        share *= sources[j, 10] * out * sources[j, 8] * sources[j, 9]
+        dx, dy, dz = (px - x) / away, (py - y) / away, (pz - z) / away
+        share = dull[i] * (dx * nx + dy * ny + dz * nz) / (math.pi * max(square, 0.02) * chance)
+        wide = sources[j, 5]
+        if wide <= 0.0:
+            share *= sources[j, 10] * sources[j, 8] * sources[j, 9]
+            share *= max(dx * sources[j, 6] + dy * sources[j, 7], 0.0)
+        ways[i, 0], ways[i, 1], ways[i, 2] = dx, dy, dz
+        reach[i] = away - 2.0 * wide - 0.01 if wide > 0.0 else (FAR if dz >= 0.0 else away + 1.0)
         for k in range(3):
-            from_source[i, k] = through[i, k] * body[i, k] * share * _sky(dz, sky, k)
+            light = sources[j, 6 + k] if wide > 0.0 else _sky(dz, sky, k)
+            brought[i, k] = max(share, 0.0) * light
 
 
 @compiled
-def gather_light(paths: Ints, brought: Singles, hidden: Flags, most: float, total: Singles) -> None:
-    """Add what is brought by rays that nothing stands in the way of, ``most`` at most."""
-    for i in range(paths.shape[0]):
-        if hidden[i]:
+def gather_light(
+    paths: Ints,
+    asked: Longs,
+    hidden: Flags,
+    through: Singles,
+    body: Singles,
+    brought: Singles,
+    most: float,
+    total: Singles,
+) -> None:
+    """Add what is brought by the rays ``asked`` that nothing stands in the way of, ``most`` at
+    most, by the colour of the surface and what the path lets through."""
+    for a in range(asked.shape[0]):
+        i = asked[a]
+        if hidden[a]:
             continue
-        top = max(max(brought[i, 0], brought[i, 1]), brought[i, 2])
+        top = 0.0
+        for k in range(3):
+            top = max(top, through[i, k] * body[i, k] * brought[i, k])
         less = most / top if top > most else 1.0
         for k in range(3):
-            total[paths[i], k] += brought[i, k] * less
+            total[paths[i], k] += through[i, k] * body[i, k] * brought[i, k] * less
 
 
 @compiled

@@ -87,9 +87,7 @@ def _own_things(world: VisibleWorld, scene: Scene, room: str) -> NDArray[np.floa
     return np.array([0.0, *(s * w for s, w in zip(shown, worths, strict=True))])
 
 
-def _worths(
-    world: VisibleWorld, eye: Floats, own: Floats
-) -> Iterator[tuple[float, float]]:
+def _worths(world: VisibleWorld, eye: Floats, own: Floats) -> Iterator[tuple[float, float]]:
     """Directions around a place, and how good the picture is."""
     turns = 2 * np.pi * np.arange(AROUND) / AROUND
     ways = np.stack(
