@@ -290,7 +290,8 @@ def known_packages(learning: bool) -> frozenset[str]:
     more solvers and of files; what learns may import what the extra of learning lists."""
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     listed = [*project["dependencies"]]
-    for extra in ["solve", "bim", "dxf", "pdf", "gis", "svg", "photo", *(["learn"] if learning else [])]:
+    extras = ["solve", "bim", "dxf", "pdf", "gis", "svg", "photo"]
+    for extra in [*extras, *(["learn"] if learning else [])]:
         listed += project["optional-dependencies"][extra]
     names = [re.split("[<>=!~ ;\\[]", line)[0] for line in listed]
     return frozenset({NAMED.get(name, name) for name in names} | sys.stdlib_module_names | OUR_OWN)

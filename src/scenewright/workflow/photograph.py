@@ -46,7 +46,7 @@ def photograph(
     ...     options = {"size": (32, 20), "samples": 1, "steps": 200}
     ...     made = photograph("sample:home-room", f"{folder}/a", **options)
     >>> [path.name for path in made]
-    ['living.png']
+    ['room.png']
     """
     check_photo(hour, size, samples, seed)
     tell = progress or (lambda _share, _words: None)

@@ -23,7 +23,7 @@ def develop(light: Singles) -> Pixels:
     films are shown with, which rolls off highlights.
 
     >>> develop(np.full((2, 2, 3), 7.0, np.float32)).ravel()[:3].tolist()
-    [0, 0, 0]
+    [125, 125, 125]
     """
     light = light * _balance(light)
     bright = light @ WEIGHTS
