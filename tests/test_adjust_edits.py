@@ -170,7 +170,7 @@ def test_a_change_that_nobody_needs_is_taken_back() -> None:
     """A group that was shifted for nothing is put back; one that must stay away has its reason."""
     task, groups = room_of(flat(), "bedroom")
     chest = next(g for g in groups if g.wish.group == "chest")
-    shifted = _shifted(chest, 0.02)
+    shifted = _shifted(chest, 0.05)
     rest = Rest(tuple(g for g in groups if g is not chest), _answer((shifted,)))
     kept, reasons = take_back(task, (), groups, rest)
     assert {p for g in kept.stay for p in g.pieces} == {p for g in groups for p in g.pieces}

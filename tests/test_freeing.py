@@ -39,9 +39,9 @@ def task():
 
 def wardrobe_at(task, x: float):
     """A wardrobe of a metre on the wall beside the lower basin, its middle at ``x``."""
-    case = next(c for c in cases("wardrobe").groups if (c.width, c.depth) == (1.0, 0.51))
+    case = next(c for c in cases("wardrobe").groups if (c.width, c.depth) == (1.0, 0.56))
     group = make_unplaced(task, (), Wish("wardrobe", 0, required=True), case)
-    box = np.array([x, 0.255, np.pi / 2, case.width, case.depth])
+    box = np.array([x, case.depth / 2, np.pi / 2, case.width, case.depth])
     dressed = dress_group(task, group, case, box, standing_of(task.fixed, flat_kinds(task.catalog)))
     assert dressed is not None
     return dressed

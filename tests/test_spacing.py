@@ -131,7 +131,7 @@ def test_no_wish_that_was_met_is_given_up_for_distance():
         "doors": [{"at": (2.6, 0), "width": 0.9}],
         "windows": [{"at": (0, 2.2), "width": 1.6}],
     }
-    solution = sw.solve(Brief.model_validate({"rooms": [room]}), seed=0)
+    solution = sw.solve(Brief.model_validate({"rooms": [room]}), seed=3)
     assert [wish["fulfilled"] for wish in check(solution).figures["wishes"]] == [True]
 
 
