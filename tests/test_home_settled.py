@@ -21,14 +21,14 @@ from scenewright.domains.home.composing.homewide.eating_places import (
     measure_places,
     set_table,
 )
-from scenewright.domains.home.composing.homewide.settling import is_home
+from scenewright.domains.home.composing.homewide.settling import is_home, list_yielding
 from scenewright.domains.home.composing.homewide.soft_seats import SOFT, add_soft_seat
 from scenewright.domains.home.composing.homewide.used_floor import measure_taken
 from scenewright.domains.home.composing.places.moving import dress_group, make_unplaced
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.domains.home.household import decide_household
 from scenewright.domains.home.presets import PRESETS
-from scenewright.domains.home.programme import Wish
+from scenewright.domains.home.programme import WELCOME, Wish
 from scenewright.domains.home.solving import prepare_rooms, solve
 
 NORTH = pi / 2
@@ -100,6 +100,20 @@ def test_a_table_for_two_grows_where_it_stands_and_is_not_doubled():
     answers = _serve(_flat(KITCHEN, *BEDROOMS, BATH), (two,))
     assert [measure_places(g.pieces) for g in answers[0].placed] == [4.0]
     assert not find_blocked(task, answers[0].placed)
+
+
+@pytest.mark.parametrize(("timed", "gone"), [(False, ["plant", "vanity"]), (True, ["plant"])])
+def test_what_is_welcome_and_holds_nothing_makes_room(timed, gone):
+    task = _tasks(_flat(KITCHEN, *BEDROOMS, BATH))[1]
+    names = ("plant", "vanity", "chest", "wardrobe")
+    each = [_stand(task, name, cases(name).groups[0].name, (7.0, 0.0)) for name in names]
+    placed = tuple(g._replace(wish=g.wish._replace(rank=WELCOME)) for g in each)
+    trials = list(list_yielding(placed, "soft seat", timed))
+    assert [lost.wish.group for _, (lost,) in trials] == gone
+    assert all(len(rest) == 3 for rest, _ in trials)
+    asked = tuple(g._replace(wish=g.wish._replace(required=True)) for g in placed)
+    needed = tuple(g._replace(wish=g.wish._replace(rank=1)) for g in placed[1:])
+    assert not list(list_yielding(asked + needed, "soft seat", timed))
 
 
 def test_a_table_that_was_asked_for_in_its_size_stays():

@@ -162,7 +162,7 @@ def _walk_home(
     household = decide_household(rooms, brief.residents)
     if again:
         found = meet_stated_needs(household, every, found, opened)
-    home = HomeState(every.tasks, opened, household)
+    home = HomeState(every.tasks, opened, household, timed=not again)
     mended = finish_home(home, found, MENDING)
     fewer = measure_shortage(household, mended) > measure_shortage(household, found)
     return finish_home(home, found if fewer else mended, (*SETTLING, *ALIGNING))

@@ -22,11 +22,13 @@ Answers = list[RoomAnswer]
 
 
 class HomeState(NamedTuple):
-    """The rooms of a home, who lives in it, and what opens its ways."""
+    """The rooms of a home, who lives in it, what opens its ways, and whether its seconds are
+    stated (``timed``)."""
 
     tasks: Sequence[RoomTask]
     opened: Opened
     household: Household | None = None
+    timed: bool = False
 
 
 HomePass = Callable[[HomeState, Answers], Answers]
@@ -40,7 +42,11 @@ def _of_rooms(run: Callable[[Sequence[RoomTask], Answers, Opened], Answers]) -> 
 def _set_table(home: HomeState, answers: Answers) -> Answers:
     if home.household is None:
         return answers
-    return set_table(home.household, home.tasks, answers, home.opened)
+    return set_table(home.household, home.tasks, answers, home.opened, home.timed)
+
+
+def _add_soft_seat(home: HomeState, answers: Answers) -> Answers:
+    return add_soft_seat(home.tasks, answers, home.opened, home.timed)
 
 
 MENDING: tuple[Pass[HomePass], ...] = tuple(
@@ -54,7 +60,7 @@ MENDING: tuple[Pass[HomePass], ...] = tuple(
 SETTLING: tuple[Pass[HomePass], ...] = (
     Pass("set table", "home settling", _set_table, "a table for all who live in the home"),
     Pass("kitchen tables", "home settling", _of_rooms(add_kitchen_tables), "one in bare kitchens"),
-    Pass("soft seat", "home settling", _of_rooms(add_soft_seat), "one in a home without any"),
+    Pass("soft seat", "home settling", _add_soft_seat, "one in a home without any"),
 )
 ALIGNING: tuple[Pass[HomePass], ...] = (
     Pass("mend rooms", "home aligning", _of_rooms(mend_rooms), "the worst row, its moves, again"),

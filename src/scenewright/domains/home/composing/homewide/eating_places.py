@@ -72,10 +72,15 @@ class DiningPlace(NamedTuple):
 
 
 def set_table(
-    household: Household, tasks: Sequence[RoomTask], answers: list[RoomAnswer], opened: Opened
+    household: Household,
+    tasks: Sequence[RoomTask],
+    answers: list[RoomAnswer],
+    opened: Opened,
+    timed: bool = False,
 ) -> list[RoomAnswer]:
     """The answers with a table for all residents where one stands in the way of nothing, the ways
-    of the home ``opened``; where there is none at all, that is missing by name."""
+    of the home ``opened``, unless ``timed`` also in the place of what is merely welcome; where
+    there is none at all, that is missing by name."""
     tables = frozenset(STANDS_FOR["dining"])
     if not is_home(tasks) or any(p.category in tables for task in tasks for p in task.fixed):
         return answers
@@ -84,7 +89,7 @@ def set_table(
     if there >= max(most, USUAL) or any(task.cancelled() for task in tasks):
         return answers
     rooms = _list_rooms(tasks, answers, there > 0.0)
-    for trial in islice(_list_trials(tasks, answers, rooms, there, most), WALKED):
+    for trial in islice(_list_trials(tasks, answers, rooms, there, most, timed), WALKED):
         found = try_in_home(*trial, answers, opened)
         if found is not None:
             return found
@@ -117,7 +122,7 @@ def _set_in(
 ) -> list[RoomAnswer]:
     """The answers with a table in one room, if one stands there."""
     answer = found[place.room]
-    trials = (t for n in (USUAL, LEAST) for t in _list_set(task, answer, place, n, False))
+    trials = (t for n in (USUAL, LEAST) for t in _list_set(task, answer, place, n))
     tried = (try_in_home(*trial, found, opened) for trial in islice(trials, WALKED))
     return next((each for each in tried if each is not None), found)
 
@@ -169,19 +174,21 @@ def _list_trials(
     rooms: Sequence[DiningPlace],
     there: float,
     most: int,
+    timed: bool,
 ) -> Iterator[tuple[int, RoomAnswer]]:
     """Rooms with more places at a table than are ``there``, each with its number: in the more
     fitting rooms first, those for ``most`` before ever fewer, beside all else before something
-    welcome gives way to a first one."""
-    yields = (False,) if there else (False, True)
+    welcome gives way to a first one or, unless ``timed``, to one for all."""
     enough = there >= most
+    yields = (False,) if enough or (timed and there) else (False, True)
     wanted = [float(USUAL)] if enough else _list_seats(max(most, USUAL), there)
     orders = product(range(len(EATEN_IN)), yields, wanted)
     for tier, gives, seats in orders:
         for place in rooms:
             wide = seats <= most or place.radius >= USUAL_FLOOR
             if place.tier == tier and wide:
-                yield from _list_set(tasks[place.room], answers[place.room], place, seats, gives)
+                here = tasks[place.room], answers[place.room]
+                yield from _list_set(*here, place, seats, gives, timed)
 
 
 def _list_seats(most: int, there: float) -> list[float]:
@@ -191,11 +198,16 @@ def _list_seats(most: int, there: float) -> list[float]:
 
 
 def _list_set(
-    task: RoomTask, answer: RoomAnswer, place: DiningPlace, seats: float, yields: bool
+    task: RoomTask,
+    answer: RoomAnswer,
+    place: DiningPlace,
+    seats: float,
+    yields: bool = False,
+    timed: bool = False,
 ) -> Iterator[tuple[int, RoomAnswer]]:
     """The room with one of the tables for ``seats``, beside all else or, where something
     ``yields``, in its place."""
-    rooms = list_yielding(place.rest) if yields else ((place.rest, ()),)
+    rooms = list_yielding(place.rest, "table", timed) if yields else ((place.rest, ()),)
     for rest, gone in rooms:
         radius = find_void(task, pieces_of(task, rest)).radius if yields else place.radius
         for case in list_tables(seats):

@@ -48,8 +48,9 @@ from scenewright.domains.home.composing.spacing.rules import measure_closeness
 from scenewright.domains.home.composing.views import cost_of_view
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.domains.home.groups.classes import WET_ROOMS
+from scenewright.domains.home.household import STORING
 from scenewright.domains.home.measures import ROUNDING
-from scenewright.domains.home.programme import Wish
+from scenewright.domains.home.programme import WELCOME, Wish
 from scenewright.domains.home.remove_blockers import Opened
 from scenewright.domains.home.rules.weigh_home import sum_rows
 from scenewright.domains.home.wished.wishes import list_barred_groups
@@ -61,7 +62,9 @@ NOWHERE: Floats = np.empty((0, 5))
 SETTLED_APART = 0.3  # least distance between places of one form, metres
 PLACES = 5  # of one form that are furnished
 YIELDING = frozenset(("plant", "console"))
-"""What makes room for a first table."""
+"""What makes room for a first table in any case."""
+KEPT = STORING | {"desk", "kids_desk"}
+"""What holds things or is worked at makes room for nothing, though it is merely welcome."""
 
 
 def is_home(tasks: Sequence[RoomTask]) -> bool:
@@ -171,10 +174,14 @@ def _count_lost(answers: Sequence[RoomAnswer]) -> int:
     return sum(len(answer.gone) + len(answer.missing) for answer in answers)
 
 
-def list_yielding(placed: Placed) -> Iterator[tuple[Placed, tuple[Missing, ...]]]:
-    """The groups of a room without one of those that are :data:`YIELDING`, and what is missing for
-    the sake of a table."""
+def list_yielding(
+    placed: Placed, use: str, timed: bool
+) -> Iterator[tuple[Placed, tuple[Missing, ...]]]:
+    """The groups of a room without one of those merely welcome that hold nothing, in a ``timed``
+    run without one of :data:`YIELDING`, and what is missing for the sake of a ``use``."""
     for other in placed:
-        if other.wish.group in YIELDING and not other.wish.required:
-            lost = Missing(other.wish, "it makes room for the table of the home")
+        held = KEPT.intersection(piece.category for piece in other.pieces)
+        spare = not timed and other.wish.rank >= WELCOME and not held
+        if (spare or other.wish.group in YIELDING) and not other.wish.required:
+            lost = Missing(other.wish, f"it makes room for the {use} of the home")
             yield tuple(p for p in placed if p is not other), (lost,)

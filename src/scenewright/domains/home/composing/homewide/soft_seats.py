@@ -23,6 +23,7 @@ from scenewright.domains.home.composing.homewide.settling import (
     is_home,
     list_placed,
     list_sound,
+    list_yielding,
     may_take_in,
     try_in_home,
 )
@@ -48,15 +49,15 @@ ROOMS, WALKED = 2, 3
 
 
 def add_soft_seat(
-    tasks: Sequence[RoomTask], answers: list[RoomAnswer], opened: Opened
+    tasks: Sequence[RoomTask], answers: list[RoomAnswer], opened: Opened, timed: bool = False
 ) -> list[RoomAnswer]:
     """The answers with a soft seat in a home without one where it stands in the way of nothing, the
-    ways of the home ``opened``."""
+    ways of the home ``opened``, unless ``timed`` also in the place of what is merely welcome."""
     placed = [pieces_of(t, a.placed) for t, a in zip(tasks, answers, strict=True)]
     seated = any(piece.category in SOFT for pieces in placed for piece in pieces)
     if seated or not is_home(tasks) or any(task.cancelled() for task in tasks):
         return answers
-    for trial in islice(_list_trials(tasks, answers), WALKED):
+    for trial in islice(_list_trials(tasks, answers, timed), WALKED):
         found = try_in_home(*trial, answers, opened)
         if found is not None:
             return found
@@ -64,13 +65,20 @@ def add_soft_seat(
 
 
 def _list_trials(
-    tasks: Sequence[RoomTask], answers: Sequence[RoomAnswer]
+    tasks: Sequence[RoomTask], answers: Sequence[RoomAnswer], timed: bool
 ) -> Iterator[tuple[int, RoomAnswer]]:
-    """Rooms with a soft seat, each with its number, the most fitting first."""
+    """Rooms with a soft seat, each with its number, the most fitting first, beside all else before
+    something welcome gives way."""
     ranked = [(_rank(task), -task.ground.area, room) for room, task in enumerate(tasks)]
-    for rank, _, room in sorted(row for row in ranked if row[0] < len(SAT_IN))[:ROOMS]:
+    rooms = sorted(row for row in ranked if row[0] < len(SAT_IN))[:ROOMS]
+    for rank, _, room in rooms:
         for placed in _list_seated(tasks[room], answers[room].placed, list_seats(rank == 0)):
             yield room, answers[room]._replace(placed=placed)
+    for rank, _, room in () if timed else rooms:
+        for rest, gone in list_yielding(answers[room].placed, "soft seat", timed):
+            missing = (*answers[room].missing, *gone)
+            for placed in _list_seated(tasks[room], rest, list_seats(rank == 0)):
+                yield room, answers[room]._replace(placed=placed, missing=missing)
 
 
 def _list_seated(task: RoomTask, before: Placed, forms: Sequence[Group]) -> Iterator[Placed]:
