@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import io
+import json
 import re
+import struct
 
 import numpy as np
 from numpy.typing import NDArray
@@ -35,16 +37,19 @@ def meet_slowly(triangles: Floats, eye: Floats, ways: Floats) -> tuple[Floats, N
 
 
 def triangles_of_glb(data: bytes) -> tuple[Floats, list[str]]:
-    """Triangles (m, 3, 3) of a GLB file with z up, as trimesh reads it, and the name of the node
+    """Triangles (m, 3, 3) of a GLB file with z up, as trimesh reads it, and the id of the node
     each belongs to."""
     import trimesh
 
     loaded = trimesh.load(io.BytesIO(data), file_type="glb")
+    (size,) = struct.unpack_from("<I", data, 12)
+    nodes = json.loads(data[20 : 20 + size])["nodes"]
+    ids = {node["name"]: node.get("extras", {}).get("id", node["name"]) for node in nodes}
     found, names = [], []
     for node in loaded.graph.nodes_geometry:
         place, geometry = loaded.graph[node]
         corners = trimesh.transform_points(loaded.geometry[geometry].vertices, place)
         faces = loaded.geometry[geometry].faces
         found.append(corners[faces][..., [0, 2, 1]] * [1, -1, 1])
-        names += [re.sub(r"_[0-9a-f]{6}$", "", node)] * len(faces)
+        names += [ids[re.sub(r"_[0-9a-f]{6}$", "", node)]] * len(faces)
     return np.concatenate(found), names

@@ -53,6 +53,11 @@ def chunks(data: bytes) -> tuple[dict[str, Any], bytes]:
     return json.loads(data[20:after]), data[after + 8 :]
 
 
+def node_id(node: dict[str, Any]) -> str:
+    """The id of what a node stands for: its name, unless that has signs that viewers drop."""
+    return str(node.get("extras", {}).get("id", node["name"]))
+
+
 def numbers(document: dict[str, Any], buffer: bytes, index: int) -> Any:
     row = document["accessors"][index]
     view = document["bufferViews"][row["bufferView"]]
@@ -66,12 +71,14 @@ def numbers(document: dict[str, Any], buffer: bytes, index: int) -> Any:
 def test_everything_has_a_node_of_its_name(scene: Scene, document: dict[str, Any]) -> None:
     names = [node["name"] for node in document["nodes"]]
     assert len(names) == len(set(names))
+    assert not [name for name in names if set(name) & set("[].:/") or len(name.encode()) > 63]
+    ids = {node_id(node) for node in document["nodes"]}
     wanted = [
         thing.id
         for group in (scene.spaces, scene.walls, scene.openings, scene.pieces)
         for thing in group
     ]
-    assert set(wanted) <= set(names)
+    assert set(wanted) <= ids
     assert {level.name for level in scene.levels} <= set(names)
 
 
@@ -80,7 +87,7 @@ def test_pieces_hang_below_their_rooms_and_rooms_below_their_level(
 ) -> None:
     nodes = document["nodes"]
     parent = {child: i for i, node in enumerate(nodes) for child in node.get("children", ())}
-    index = {node["name"]: i for i, node in enumerate(nodes)}
+    index = {node_id(node): i for i, node in enumerate(nodes)}
     for piece in scene.pieces:
         room = nodes[parent[index[piece.id]]]
         assert room["name"] == piece.space
@@ -111,6 +118,37 @@ def test_the_bytes_follow_the_specification(scene: Scene) -> None:
             assert document["accessors"][place]["max"] == points.max(0).tolist()
             assert indices.max() == len(points) - 1
             assert primitive["material"] < len(document["materials"])
+
+
+def test_lamps_give_the_light_of_their_kind() -> None:
+    size, place = Size(0.4, 0.4, 0.2), Pose(1.0, 2.0, 2.4, 0.0)
+    lamp = Piece("a/lamp", "ceiling_lamp", "ceiling_lamp", "living", place, size)
+    scene = scene_of(replace(flat_solution(), pieces=(lamp, replace(lamp, id="b/lamp"))))
+    document, _ = document_of(scene, shipped())
+    (light,) = document["extensions"]["KHR_lights_punctual"]["lights"]
+    red, green, blue = light["color"]
+    luminance = 0.2126 * red + 0.7152 * green + 0.0722 * blue
+    assert luminance * light["intensity"] * 4 * np.pi == pytest.approx(1521, rel=0.01)
+    assert red == 1.0 > green > blue, "warm light"
+    nodes = {node["name"]: node for node in document["nodes"]}
+    held = nodes["a-lamp light"]
+    assert document["nodes"].index(held) in nodes["a-lamp"]["children"]
+    assert 0 <= held["translation"][1] <= 0.2
+
+
+def test_names_stay_unique_and_short_without_signs_that_viewers_drop() -> None:
+    size = Size(0.5, 0.5, 0.9)
+    ids = ("x/y", "x-y", "x:y", "é" * 50, "é" * 51)
+    pieces = tuple(
+        Piece(name, "dining_chair", "", "living", Pose(1.0 + k, 2, 0, 0), size)
+        for k, name in enumerate(ids)
+    )
+    scene = scene_of(replace(flat_solution(), pieces=pieces))
+    nodes = document_of(scene, shipped())[0]["nodes"]
+    names = [node["name"] for node in nodes]
+    assert len(set(names)) == len(names)
+    assert max(len(name.encode()) for name in names) <= 63
+    assert set(ids) <= {node_id(node) for node in nodes}
 
 
 def test_materials_are_listed_once_and_glass_blends(document: dict[str, Any]) -> None:
@@ -203,7 +241,7 @@ def test_the_file_is_the_same_each_time_and_leaves_nothing_beside_it(tmp_path: P
 def test_everything_of_a_scene_is_in_the_file(sample: str) -> None:
     solution = solve(read(f"sample:{sample}"), steps=50)
     scene, catalog = scene_of(solution), catalog_of(solution.brief.catalogs)
-    nodes = {node["name"]: node for node in document_of(scene, catalog)[0]["nodes"]}
+    nodes = {node_id(node): node for node in document_of(scene, catalog)[0]["nodes"]}
     found = things(scene, catalog)
     assert {thing.name for thing in found} <= set(nodes)
     assert all("mesh" in nodes[thing.name] for thing in found if thing.parts)

@@ -154,13 +154,13 @@ def test_halls_are_written_and_read_back(name: str, tmp_path: Path) -> None:
 
 
 def nodes(path: Path) -> set[str]:
-    """Names of the nodes of a GLB."""
+    """Ids of what the nodes of a GLB stand for."""
     data = path.read_bytes()
     magic, version, length = struct.unpack_from("<III", data)
     assert (magic, version, length) == (0x46546C67, 2, len(data))
     size = struct.unpack_from("<I", data, 12)[0]
     document: dict[str, Any] = json.loads(data[20 : 20 + size])
-    return {node.get("name", "") for node in document["nodes"]}
+    return {node.get("extras", {}).get("id", node["name"]) for node in document["nodes"]}
 
 
 def turned(brief: Brief, quarters: int, dx: float, dy: float) -> Brief:

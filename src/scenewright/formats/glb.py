@@ -2,7 +2,8 @@
 
 Ours is z-up, glTF y-up: a point (x, y, z) is written as (x, z, -y), so importers that turn back
 (Blender) show the plan as it was. Pieces of one asset and size share a mesh; materials are plain
-metallic-roughness. Ceilings are left out, so that a viewer can look in from above.
+metallic-roughness; lamps are lights. Names leave out signs that viewers drop: ``extras`` then has
+the ``id``. Ceilings are left out, so that a viewer can look in from above.
 Khronos Group, *glTF 2.0 Specification* (2021).
 """
 
@@ -10,8 +11,9 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import struct
-from collections.abc import Hashable, Sequence
+from collections.abc import Hashable, Iterator, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -27,8 +29,14 @@ from scenewright.core.solution import Solution
 from scenewright.geometry.prisms import face_normals, normals_of, row_keys
 from scenewright.render.colour import linear_of
 from scenewright.render.items import RenderItem, things
+from scenewright.render.lamps import lamps_of
 
 FLOAT, SHORT, INT = 5126, 5123, 5125
+LIGHTS = "KHR_lights_punctual"
+RESERVED = re.compile(r"[\[\].:/%@\"\\]+")
+"""What three.js and Godot drop from the names of nodes."""
+LONGEST = 63
+"""Bytes of a name that Blender keeps."""
 Json = dict[str, Any]
 Floats = NDArray[np.float32]
 Floats64 = NDArray[np.float64]
@@ -86,6 +94,12 @@ def document_of(scene: Scene, catalog: Catalog) -> tuple[Json, bytes]:
             numbers[thing.key] = len(meshes)
             meshes.append(_mesh(thing, materials, parts))
         node["mesh"] = numbers[thing.key]
+    lights = _light_nodes(nodes, found, catalog)
+    names = [*_safe_names([node["name"] for node in nodes])]
+    for node, name in zip(nodes, names, strict=True):
+        if node["name"] != name:
+            node["extras"] = node.get("extras", {}) | {"id": node["name"]}
+        node["name"] = name
     normals = normals_of([(part.vertices, part.faces) for part in parts])
     buffer, views, accessors = _pack_surfaces(
         [surface(part, corner) for part, corner in zip(parts, normals, strict=True)]
@@ -101,7 +115,51 @@ def document_of(scene: Scene, catalog: Catalog) -> tuple[Json, bytes]:
         "bufferViews": views,
         "buffers": [{"byteLength": len(buffer)}],
     }
+    if lights:
+        document |= {"extensionsUsed": [LIGHTS], "extensions": {LIGHTS: {"lights": lights}}}
     return document, buffer
+
+
+def _safe_names(names: Sequence[str]) -> Iterator[str]:
+    """Names that viewers keep as they are: unique, without signs they drop, not too long.
+
+    >>> list(_safe_names(["living/wall-1", "living-wall-1", "sofa"]))
+    ['living-wall-1', 'living-wall-1 2', 'sofa']
+    """
+    taken: set[str] = set()
+    for name in names:
+        plain, count = RESERVED.sub("-", name), 1
+        safe = plain.encode()[:LONGEST].decode(errors="ignore")
+        while safe in taken:
+            count += 1
+            end = f" {count}"
+            safe = plain.encode()[: LONGEST - len(end)].decode(errors="ignore") + end
+        taken.add(safe)
+        yield safe
+
+
+def _light_nodes(nodes: list[Json], found: Sequence[RenderItem], catalog: Catalog) -> list[Json]:
+    """A node with a light below each lamp; the lights, each once. A ball of light gives its flux
+    evenly: candela are lumens by 4 pi."""
+    index = {node["name"]: number for number, node in enumerate(nodes)}
+    lights: list[Json] = []
+    for lamp in lamps_of(found, catalog):
+        top = max(lamp.color)
+        light = {
+            "type": "point",
+            "color": [round(share / top, 4) for share in lamp.color],
+            "intensity": round(lamp.lumens * top / (4 * np.pi), 3),
+        }
+        if light not in lights:
+            lights.append(light)
+        x, y, z = lamp.at
+        node = {"name": f"{lamp.item.name} light", "translation": [x, z, -y if y else 0.0]}
+        _add(
+            nodes,
+            index[lamp.item.name],
+            node | {"extensions": {LIGHTS: {"light": lights.index(light)}}},
+        )
+    return lights
 
 
 def _about(scene: Scene, catalog: Catalog) -> Json:
