@@ -197,7 +197,8 @@ def test_the_command_writes_a_plan_or_a_folder_of_them(
     assert sw.read(plan).rooms == generate("home", rooms=2, seed=4).rooms
     asked = ["generate", "home", "--rooms", "2", "--count", "3", "--seed", "4", "-o"]
     assert run([*asked, str(folder)]) == 0
-    assert sorted(path.name for path in folder.iterdir()) == [f"home-{k}.json" for k in (4, 5, 6)]
+    names = [f"home-{k}.json" for k in (4, 5, 6)]
+    assert sorted(path.name for path in folder.iterdir()) == [*names, "manifest.jsonl"]
     assert sw.read(folder / "home-4.json").rooms == sw.read(plan).rooms
     capsys.readouterr()
     assert run([*asked, str(plan)]) == 2
