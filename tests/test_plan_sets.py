@@ -41,6 +41,8 @@ def test_splits_are_of_the_shares_they_say():
     [
         (["9:3"], "holds no seed"),
         (["3:3"], "holds no seed"),
+        (["0:" + 20 * "9"], "is no range"),
+        (["0:" + 5000 * "9"], "is no range"),
         (["-1:3"], "is no range"),
         (["many"], "is no range"),
         (["0:100001"], "is 100001 plans"),

@@ -47,8 +47,10 @@ def photo(
             cancel=watch.cancelled,
         )
     if as_json:
-        tables.print_json({"written": [str(path) for path in made]})
+        tables.print_json({"written": [*map(str, made.written)], "left_out": [*made.left_out]})
     elif not quiet:
-        for path in made:
+        for path in made.written:
             tables.print_line(tables.output_console(), f"wrote {path}", "dim")
+        for name in made.left_out:
+            tables.print_line(tables.output_console(), f"left out: {name}: no free place to stand")
     return 0

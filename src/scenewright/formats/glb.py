@@ -97,7 +97,7 @@ def document_of(scene: Scene, catalog: Catalog) -> tuple[Json, bytes]:
     lights = _light_nodes(nodes, found, catalog)
     names = [*_safe_names([node["name"] for node in nodes])]
     for node, name in zip(nodes, names, strict=True):
-        if node["name"] != name:
+        if node["name"] != name and "extensions" not in node:
             node["extras"] = node.get("extras", {}) | {"id": node["name"]}
         node["name"] = name
     normals = normals_of([(part.vertices, part.faces) for part in parts])

@@ -47,7 +47,7 @@ INDOORS = Look((0.05, 0.42, -1.0), (-0.30, -0.16, 1.0), 2.0, REACH, SHADOW, INSI
 """Mostly down, a little to the north and east."""
 OUTDOORS = Look((0.22, 0.80, -0.86), (-0.62, -0.48, 0.80), None, 14.0, 120.0, OUTSIDE)
 """From the south, as a bird sees it, on an afternoon."""
-OPEN = {"site", "village", "extend"}
+OPEN = frozenset(("site", "village", "extend"))
 """Functions of spaces that are open ground."""
 MARGIN = 1.03
 NARROWEST = 0.36

@@ -8,9 +8,9 @@ from pathlib import Path
 from scenewright.core.errors import InputError
 from scenewright.core.plan import Plan
 from scenewright.core.solution import Solution
+from scenewright.formats.png import OPEN
 
 SIZE, SAMPLES = (640, 400), 8
-OPEN = frozenset(("site", "village", "extend"))
 
 
 def write(solution: Solution, path: str | os.PathLike[str], plan: Plan | None = None) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from hashlib import blake2b
 from typing import Any
 
@@ -11,6 +12,7 @@ from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
 from scenewright.formats import brief_json
 
+RANGE = re.compile(r"[0-9]{1,15}:[0-9]{1,15}")
 SHARES = (("train", 0.8), ("val", 0.9), ("test", 1.0))
 """The splits, and up to what share of all hashes each reaches."""
 
@@ -21,9 +23,9 @@ def seeds_of(text: str, most: int) -> range:
     >>> seeds_of("3:6", 10)
     range(3, 6)
     """
-    first, colon, end = text.partition(":")
-    if not (colon and first.isdecimal() and end.isdecimal() and first.isascii() and end.isascii()):
-        raise InputError(f"--seeds '{text}' is no range", "give FIRST:END, such as 0:1000")
+    first, _, end = text.partition(":")
+    if not RANGE.fullmatch(text):
+        raise InputError(f"--seeds '{text[:40]}' is no range", "give FIRST:END, such as 0:1000")
     seeds = range(int(first), int(end))
     if not seeds:
         fault = f"--seeds {text} holds no seed: the end is left out"

@@ -22,6 +22,7 @@ from scenewright.core.scene import Scene
 from scenewright.core.solution import Solution
 from scenewright.core.space import Space
 from scenewright.formats import read_planned, solution_json
+from scenewright.formats.png import OPEN
 from scenewright.formats.solution_record import FORMAT
 from scenewright.render.observations.floor import walkable_floor
 from scenewright.render.observations.trajectory import walk_through
@@ -36,8 +37,6 @@ SIDES, MOST_PIXELS = (8, 4096), 4096 * 2160
 FARTHEST = 1e5
 SOLVING = 0.3
 """The share of the work that arranging a brief is told to be."""
-OPEN = frozenset(("site", "village", "extend"))
-"""Kinds of scenes without rooms to stand in."""
 
 Tell = Callable[[float, str], None]
 Pose = tuple[float, float, float, float, float]

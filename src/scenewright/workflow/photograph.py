@@ -6,6 +6,7 @@ import os
 import re
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
+from typing import NamedTuple
 
 from scenewright import domains
 from scenewright.catalog.loading import catalog_of
@@ -23,6 +24,13 @@ from scenewright.workflow.request import check_name
 LEAST, MOST, MOST_SAMPLES = 16, 4096, 4096
 
 
+class Photographs(NamedTuple):
+    """The files written, and the names of rooms left out for want of a free place."""
+
+    written: tuple[Path, ...]
+    left_out: tuple[str, ...]
+
+
 def photograph(
     source: Solution | str | os.PathLike[str],
     output: str | os.PathLike[str],
@@ -35,18 +43,18 @@ def photograph(
     steps: int | None = None,
     progress: Tell | None = None,
     cancel: Callable[[], bool] | None = None,
-) -> list[Path]:
+) -> Photographs:
     """Photograph the ``rooms`` (none named: all) of a solution, a saved one, or a brief that is
     arranged first, at an ``hour`` (``day`` or ``dusk``): one room into the picture ``output``, or
-    each into a folder of that name. Returns the files. Raises :class:`InputError` for what cannot
+    each into a folder of that name. Raises :class:`InputError` for what cannot
     be photographed.
 
     >>> import tempfile
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     options = {"size": (32, 20), "samples": 1, "steps": 200}
     ...     made = photograph("sample:home-room", f"{folder}/a", **options)
-    >>> [path.name for path in made]
-    ['room.png']
+    >>> [path.name for path in made.written], made.left_out
+    (['room.png'], ())
     """
     check_photo(hour, size, samples, seed)
     tell = progress or (lambda _share, _words: None)
@@ -64,10 +72,16 @@ def photograph(
         world = build_world(scene, catalog)
         photos = photograph_world(world, catalog, wanted, hour, size, samples, seed)
         told = _told(photos, len(wanted or scene.spaces), tell, cancel)
-        written = [_write_photo(one, Path(output), alone) for one in told]
+        written: dict[str, Path] = {}
+        for one in told:
+            path = Path(output) if alone else _path_of(one, Path(output), {*written.values()})
+            write_sheet(one.pixels, path)
+            written[one.space.id] = path
     if not written:
         raise InputError("no room has a free place for a camera", "name another by --room")
-    return written
+    named = [space for space in scene.spaces if not wanted or space.id in wanted]
+    left = tuple(space.name or space.id for space in named if space.id not in written)
+    return Photographs(tuple(written.values()), left)
 
 
 def _told(
@@ -81,11 +95,11 @@ def _told(
         yield photo
 
 
-def _write_photo(photo: Photo, output: Path, alone: bool) -> Path:
+def _path_of(photo: Photo, folder: Path, taken: set[Path]) -> Path:
+    """A file named after the room, that no room before has."""
     name = re.sub(r"[^\w-]+", "-", photo.space.id)[:60]
-    path = output if alone else output / f"{name}.png"
-    write_sheet(photo.pixels, path)
-    return path
+    ends = ("", *(f"-{number}" for number in range(2, len(taken) + 3)))
+    return next(path for end in ends if (path := folder / f"{name}{end}.png") not in taken)
 
 
 def check_photo(hour: str, size: tuple[int, int], samples: int, seed: int) -> None:

@@ -7,6 +7,8 @@ from typing import NamedTuple
 
 from scenewright.core.catalog import Catalog
 from scenewright.core.space import Space
+from scenewright.render.items import things
+from scenewright.render.lamps import lamps_of
 from scenewright.render.observations.world import VisibleWorld
 from scenewright.render.photo.denoising import take_out_noise
 from scenewright.render.photo.developing import develop
@@ -37,7 +39,8 @@ def photograph(
     """Each room by id (none given: all) from its best standpoint, in the order of the scene; a
     room without a free place is left out. ``samples`` paths are followed a pixel; ``hour`` is one
     of :data:`scenewright.render.photo.sources.HOURS`. The same seed gives the same picture."""
+    lit = [*lamps_of(things(world.scene, catalog), catalog)]
     for space, floor, camera in stand_in_rooms(world, rooms, size, seed):
-        sources = find_sources(world, floor, catalog, hour, space.id)
+        sources = find_sources(world, floor, lit, hour, space.id)
         film = expose(world, sources, camera, samples)
         yield Photo(space, develop(take_out_noise(film)))

@@ -13,12 +13,11 @@ import shapely
 from numpy.typing import NDArray
 
 from scenewright.building.door_uses import OPEN_AIR, classify_doors
-from scenewright.core.catalog import Catalog
 from scenewright.core.scene import Scene
 from scenewright.core.space import Opening, Space
 from scenewright.render.colour import linear_of
-from scenewright.render.items import things, to_level_coordinates
-from scenewright.render.lamps import color_of_kelvin, lamps_of
+from scenewright.render.items import to_level_coordinates
+from scenewright.render.lamps import Lamp, color_of_kelvin
 from scenewright.render.observations.ceilings import CEILING
 from scenewright.render.observations.floor import WalkableFloor
 from scenewright.render.observations.world import VisibleWorld
@@ -78,15 +77,16 @@ class Sources(NamedTuple):
 
 
 def find_sources(
-    world: VisibleWorld, floor: WalkableFloor, catalog: Catalog, hour: str, room: str
+    world: VisibleWorld, floor: WalkableFloor, lit: Sequence[Lamp], hour: str, room: str
 ) -> Sources:
-    """The sources of light of a level at an hour of :data:`HOURS`; the sun stands where it shines
+    """The sources of light of a level, with the lamps ``lit``, at an hour of
+    :data:`HOURS`; the sun stands where it shines
     in through the largest window of a room."""
     light, scene = HOURS[hour], world.scene
     numbers = {space.id: number for number, space in enumerate(floor.spaces)}
     windows = np.array([*_windows(scene, floor, numbers)]).reshape(-1, 11)
     windows[:, 1] *= float(np.mean(light.horizon))
-    lamps = np.array([*_lamps(scene, catalog, numbers)]).reshape(-1, 11)
+    lamps = np.array([*_lamps(scene, lit, numbers)]).reshape(-1, 11)
     lamps = np.vstack([lamps, *_light_rows(floor, np.vstack([lamps, windows]))])
     side = _sun_side(windows, numbers.get(room, -1))
     return Sources(
@@ -94,10 +94,16 @@ def find_sources(
         np.array([light.ground, light.horizon, light.zenith], np.float32),
         np.vstack([lamps, windows]).astype(np.float32),
         _links(scene.openings, numbers),
-        floor.room,
+        _rooms_under_roofs(floor),
         np.array([floor.clear.x0, floor.clear.y0, floor.clear.cell], np.float32),
         _glowing(world.stage.table, light.glow),
     )
+
+
+def _rooms_under_roofs(floor: WalkableFloor) -> NDArray[np.int32]:
+    """The raster of rooms; those in the open air are none."""
+    shut = [OPEN_AIR.isdisjoint(space.functions) for space in floor.spaces]
+    return np.where(np.array([*shut, False])[floor.room], floor.room, np.int32(-1))
 
 
 def _links(openings: Sequence[Opening], numbers: Mapping[str, int]) -> Singles:
@@ -153,9 +159,9 @@ def _sun_towards(turn: float) -> Floats:
     return np.stack([SUN_RADIUS * side, SUN_RADIUS * np.cross(to, side), to])
 
 
-def _lamps(scene: Scene, catalog: Catalog, numbers: Mapping[str, int]) -> Iterator[list[float]]:
+def _lamps(scene: Scene, lit: Sequence[Lamp], numbers: Mapping[str, int]) -> Iterator[list[float]]:
     heights = {level.id: level.elevation for level in scene.levels}
-    for lamp in lamps_of(things(scene, catalog), catalog):
+    for lamp in lit:
         if lamp.item.space in numbers:
             x, y, z = to_level_coordinates(lamp.item, np.array([lamp.at]))[0].tolist()
             z += heights[lamp.item.level]

@@ -29,6 +29,8 @@ TRIED = 48
 AROUND, STEEPS = 96, np.linspace(-0.75, 0.35, 15)
 """Directions of the ring, and tangents of their steepness."""
 CLEARANCE, NEAR, FAR = 0.22, 1.25, 4.5
+SHORT = 0.1
+"""How far before what a ray meets it is asked in which room that is, in metres."""
 OTHER = 0.15
 """What seeing a thing of another room is worth."""
 ENOUGH = 0.05
@@ -72,7 +74,7 @@ def _best_in_room(
     best, found = -np.inf, (places[drawn[0]], 0.0)
     for place in places[drawn]:
         eye = np.array([*place, floor.elevation + EYE])
-        for yaw, worth in _worths(world, eye, own):
+        for yaw, worth in _worths(world, eye, own, floor, number):
             if worth > best:
                 best, found = worth, (place, yaw)
     return frame_of((*found[0], floor.elevation + EYE), found[1], size)
@@ -87,7 +89,9 @@ def _own_things(world: VisibleWorld, scene: Scene, room: str) -> NDArray[np.floa
     return np.array([0.0, *(s * w for s, w in zip(shown, worths, strict=True))])
 
 
-def _worths(world: VisibleWorld, eye: Floats, own: Floats) -> Iterator[tuple[float, float]]:
+def _worths(
+    world: VisibleWorld, eye: Floats, own: Floats, floor: WalkableFloor, number: int
+) -> Iterator[tuple[float, float]]:
     """Directions around a place, and how good the picture is."""
     turns = 2 * np.pi * np.arange(AROUND) / AROUND
     ways = np.stack(
@@ -100,6 +104,8 @@ def _worths(world: VisibleWorld, eye: Floats, own: Floats) -> Iterator[tuple[flo
     )
     away, face, _ = rays.hits(world.every, np.broadcast_to(eye, ways.shape), ways)
     met = np.where(face >= 0, world.measured.keys[face], 0).reshape(AROUND, -1)
+    ends = eye + np.maximum(np.minimum(away, 99.0) - SHORT, 0.0)[:, None] * ways
+    beyond = _is_elsewhere(floor, number, ends).reshape(AROUND, -1)
     away = away.reshape(AROUND, -1)
     half = int(np.arctan(WIDE) / (2 * np.pi) * AROUND)
     for middle in range(0, AROUND, 2):
@@ -111,7 +117,19 @@ def _worths(world: VisibleWorld, eye: Floats, own: Floats) -> Iterator[tuple[flo
         cut = float(own[np.unique(seen[[0, -1]])].sum())
         near = float((far < NEAR).mean())
         deep = float(far[:, len(STEEPS) // 2 :].mean()) / FAR
-        yield turns[middle], shown - 0.35 * cut + 3.0 * deep - 10.0 * max(near - 0.02, 0.0)
+        other = float(beyond[here].mean())
+        worth = shown - 0.35 * cut + 3.0 * deep - 10.0 * max(near - 0.02, 0.0) - 8.0 * other
+        yield turns[middle], worth
+
+
+def _is_elsewhere(floor: WalkableFloor, number: int, points: Floats) -> NDArray[np.bool_]:
+    """Whether each point is in another room than the one of a ``number``."""
+    clear = floor.clear
+    columns, rows = ((points[:, :2] - (clear.x0, clear.y0)) / clear.cell).astype(int).T
+    high, wide = floor.room.shape
+    inside = (rows >= 0) & (columns >= 0) & (rows < high) & (columns < wide)
+    room = floor.room[rows.clip(0, high - 1), columns.clip(0, wide - 1)]
+    return inside & (room >= 0) & (room != number)
 
 
 def frame_of(eye: tuple[float, ...], yaw: float, size: tuple[int, int]) -> PhotoFrame:
