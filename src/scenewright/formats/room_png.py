@@ -26,5 +26,9 @@ def write(solution: Solution, path: str | os.PathLike[str], plan: Plan | None = 
         fault = f"there are no rooms to photograph in a {solution.brief.domain}"
         raise InputError(fault, "write a .street.png or .png instead", file=str(path))
     photos = photograph(build_world(scene, catalog), catalog, size=SIZE, samples=SAMPLES)
-    entries = [SheetEntry(one.pixels, one.space.name or one.space.id, "") for one in photos]
-    write_sheet(draw_sheet(entries, scene.name or "Rooms", "late afternoon"), Path(path))
+    shown = {one.space.id: one.pixels for one in photos}
+    names = {space.id: space.name or space.id for space in scene.spaces}
+    left = ", ".join(name for key, name in names.items() if key not in shown)
+    entries = [SheetEntry(pixels, names[key], "") for key, pixels in shown.items()]
+    words = "late afternoon" + f"; no free place to stand: {left[:200]}" * bool(left)
+    write_sheet(draw_sheet(entries, scene.name or "Rooms", words), Path(path))
