@@ -7,10 +7,17 @@ import pytest
 import shapely
 
 from scenewright.core.brief import Brief, Room
+from scenewright.core.catalog import Group
 from scenewright.core.layout import corners
 from scenewright.core.piece_outlines import polygons_of
+from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains import check
+from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer
+from scenewright.domains.home.composing.kitchens.islands import add_island
+from scenewright.domains.home.furnishing.furnish import FurnishedPatch
+from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.solving import solve
+from test_alignment import room_task
 
 
 def kitchen(wide, deep, **more):
@@ -70,3 +77,15 @@ def test_the_table_is_kept_beside_an_island(large):
 def test_small_kitchens_and_those_that_forbid_it_have_no_island(wide, deep, more):
     found = solve(Brief(rooms=[kitchen(wide, deep, **more)]), seed=0, steps=1500)
     assert "kitchen_island" not in {p.category for p in found.pieces}
+
+
+def test_no_island_stands_before_a_run_without_a_hob():
+    task = room_task("kitchen", 6.0)
+    assert task.ground.area >= 14.0
+    sink = Piece(
+        "sink", "sink_cabinet", "", "a", Pose(1.0, 0.3, 0.0, np.pi / 2), Size(0.6, 0.6, 0.9)
+    )
+    patch = FurnishedPatch(Group("kitchen", "sink", 0.6, 0.6, ()), np.zeros(5), (True,), 0)
+    run = FurnishedGroup(Wish("kitchen", 0), "sink", patch, (sink,))
+    answer = RoomAnswer(0.0, (run,), (), (), None, 0.0, 0)
+    assert add_island(task, answer, frozenset()) is answer

@@ -54,8 +54,13 @@ def clear_floor(task: RoomTask, standing: tuple[Piece, ...]) -> shapely.Geometry
     return clear
 
 
+def has_hob(run: FurnishedGroup) -> bool:
+    """Whether one cooks at a run: a short one may be but a sink."""
+    return any(p.category == "hob_cabinet" and p.pose.z < RAISED for p in run.pieces)
+
+
 def front_of(run: FurnishedGroup) -> RunFront:
-    """The front of the line of a run in which its hob is."""
+    """The front of the line of a run in which its hob is; it has one."""
     units = [p for p in run.pieces if p.pose.z < RAISED]
     hob = next(p for p in units if p.category == "hob_cabinet")
     turn = hob.pose.heading

@@ -19,6 +19,7 @@ from scenewright.domains.home.composing.judging import Placed, judge_of
 from scenewright.domains.home.composing.kitchens.island_places import (
     clear_floor,
     front_of,
+    has_hob,
     has_passages,
     list_island_places,
 )
@@ -37,10 +38,10 @@ FORMS, TRIED = 6, 3
 
 
 def add_island(task: RoomTask, answer: RoomAnswer, barred: frozenset[str]) -> RoomAnswer:
-    """The answer with an island before its kitchen run, the longest that has its passages and bars
-    no way; a second run gives way to it, a table to dine at goes elsewhere. As it was where no
-    island has its passages."""
-    run = next((p for p in answer.placed if p.wish.group in RUNS), None)
+    """The answer with an island before its kitchen run with a hob, the longest that has its
+    passages and bars no way; a second run gives way to it, a table to dine at goes elsewhere. As it
+    was where no island has its passages."""
+    run = next((p for p in answer.placed if p.wish.group in RUNS and has_hob(p)), None)
     if run is None or not _may_have_island(task, answer.placed):
         return answer
     missing = tuple(m for m in answer.missing if m.wish.group != "island")
