@@ -31,11 +31,9 @@ from benchmarks.real_data import data_set
 from benchmarks.rescaled_r2v import rescale
 from benchmarks.spread import spread
 from benchmarks.unseen_counters import COUNTERS, count_all, count_sleepers
+from benchmarks.unseen_records import BEYOND, Record, add_up, make_record
 
-Record = dict[str, Any]
 COUNT, QUICK = 40, 8
-BEYOND = 0.1
-"""Metres by which every threshold is moved in the second count."""
 
 
 class Seen(NamedTuple):
@@ -59,9 +57,14 @@ def records(
     seed: int = 0,
     count: int = 0,
     sheets: Path | None = None,
+    halls: bool = False,
 ) -> Iterator[Record]:
-    """Records of ``count`` flats (40, 8 if ``quick``) drawn by ``seed``; of an interrupted run of
-    the flats that are done."""
+    """Records of ``count`` flats (40, 8 if ``quick``) drawn by ``seed``, or of ``halls``; of an
+    interrupted run of those that are done."""
+    if halls:
+        module = import_module("benchmarks.unseen_halls")
+        yield from module.hall_records(quick, progress, seed, count, sheets)
+        return
     count = count or (QUICK if quick else COUNT)
     yield from stages.tally(see_flats(seed, count, progress, sheets), tally_flats)
 
@@ -123,25 +126,21 @@ def tally_flats(flats: list[Seen]) -> list[Record]:
     """Counters first, then the guard, then what rows say."""
     found = []
     for row in COUNTERS:
-        at, beyond = (_sum([counts[row.name] for counts in both]) for both in _both(flats))
+        at, beyond = (add_up([counts[row.name] for counts in both]) for both in _both(flats))
         share = beyond.faulty / max(beyond.of, 1)
-        found.append(_record(row.name, f"of {row.of}", at.faulty / max(at.of, 1), at.of, share))
+        found.append(make_record(row.name, f"of {row.of}", at.faulty / max(at.of, 1), at.of, share))
     found += _guard(flats)
     for name in dict.fromkeys(name for flat in flats for name in flat.faults):
-        total = _sum([flat.faults[name] for flat in flats if name in flat.faults])
-        found.append(_record(name, "share", total.faulty / max(total.of, 1), total.of))
+        total = add_up([flat.faults[name] for flat in flats if name in flat.faults])
+        found.append(make_record(name, "share", total.faulty / max(total.of, 1), total.of))
     for kind in sorted({kind for flat in flats for kind in flat.findings}):
         number = sum(flat.findings.get(kind, 0) for flat in flats)
-        found.append(_record(f"finding: {kind}", "a flat", number / len(flats), len(flats)))
+        found.append(make_record(f"finding: {kind}", "a flat", number / len(flats), len(flats)))
     return found
 
 
 def _both(flats: list[Seen]) -> tuple[list[dict[str, Count]], list[dict[str, Count]]]:
     return [flat.at for flat in flats], [flat.beyond for flat in flats]
-
-
-def _sum(counts: list[Count]) -> Count:
-    return Count(sum(c.faulty for c in counts), sum(c.of for c in counts))
 
 
 def _guard(flats: list[Seen]) -> list[Record]:
@@ -155,31 +154,18 @@ def _guard(flats: list[Seen]) -> list[Record]:
         ("rooms complete", whole, len(rooms)),
         ("others reported", told / len(lacking) if lacking else 1.0, len(lacking)),
     )
-    found = [_record(name, "share", value, of) for name, value, of in shares]
+    found = [make_record(name, "share", value, of) for name, value, of in shares]
     for name in flats[0].held:
         mean = sum(flat.held[name] for flat in flats) / len(flats)
-        found.append(_record(name, "a flat", mean, len(flats)))
+        found.append(make_record(name, "a flat", mean, len(flats)))
     seconds = sum(flat.seconds for flat in flats) / len(flats)
-    return [*found, _record("processor seconds", "a flat", seconds, len(flats))]
-
-
-def _record(case: str, metric: str, ours: float, runs: int, beyond: float | None = None) -> Record:
-    return {
-        "case": case,
-        "metric": metric,
-        "unit": "1",
-        "ours": round(ours, 4),
-        "baseline": None if beyond is None else round(beyond, 4),
-        "baseline_name": "" if beyond is None else f"{BEYOND} m beyond",
-        "ratio": None,
-        "runs": runs,
-    }
+    return [*found, make_record("processor seconds", "a flat", seconds, len(flats))]
 
 
 def markdown_lines(records: list[Record]) -> list[str]:
     """The counters at their thresholds and beyond, and after them the guard and the rows.
 
-    >>> markdown_lines([_record("valid", "share", 1.0, 40)])[-1]
+    >>> markdown_lines([make_record("valid", "share", 1.0, 40)])[-1]
     '| valid | share | 1.0 |  | 40 |'
     """
     head = [f"| what | share or mean | ours | {BEYOND} m beyond | runs |", "|---|---|---|---|---|"]

@@ -38,6 +38,7 @@ MORE = {
     "everything": ("--all", "benchmark '{}' has no more than it measures"),
     "seed": ("--seed", "benchmark '{}' draws nothing by a seed"),
     "count": ("--count", "benchmark '{}' draws no set"),
+    "halls": ("--halls", "benchmark '{}' has no halls of its own"),
     "sheets": ("--sheets", "benchmark '{}' lays out no pictures"),
 }
 """What some benchmarks can be asked: the option, and what is said where one cannot."""

@@ -316,6 +316,7 @@ def bench(
     seed: Annotated[int | None, typer.Option(min=0, help="Draws the set it measures.")] = None,
     count: Annotated[int | None, typer.Option(min=1, help="How many are drawn.")] = None,
     sheets: Annotated[Path | None, typer.Option(help="A folder for pictures to look at.")] = None,
+    halls: Annotated[bool, typer.Option("--halls", help="Of halls, not of homes.")] = False,
     outputs: Annotated[
         list[Path] | None,
         typer.Option("-o", "--output", metavar="OUT", help="A .json or .md; may be repeated."),
@@ -335,7 +336,7 @@ def bench(
     cli_bench.check_outputs(outputs or ())
     cli_bench.check_page(name, into)
     drawn: dict[str, object] = {"seed": seed, "count": count, "sheets": sheets}
-    more = drawn | {"rescaled": rescaled, "everything": everything}
+    more = drawn | {"rescaled": rescaled, "everything": everything, "halls": halls}
     with show_progress(terminal.console(stderr=True), quiet) as progress:
         measured = cli_bench.measure(name, extent, progress, more)
     cli_bench.write(outputs or (), name, measured.records)
