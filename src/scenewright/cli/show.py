@@ -219,6 +219,9 @@ def print_explanation(
     plan = plan or plan_of(solution.brief)
     told = explain(solution, plan=plan)
     print_line(console, told.decided)
+    if told.ledger:
+        rows = [row.tell() for row in told.ledger]
+        table(console, rows, "what the household needs", ("owed", "stands"), ("owed", "stands"))
     _advice(console, told.left_out)
     if told.remarks:
         print_line(console, "what the layout gives up, by what helps", "bold")
@@ -308,6 +311,7 @@ def explained_document(solution: Solution, plan: Plan | None = None) -> dict[str
         "energies": dict(solution.energies),
         **({"floors": floors} if (floors := _floors(solution)) else {}),
         **({"programme": told.decided} if told.decided else {}),
+        **({"ledger": [row._asdict() for row in told.ledger]} if told.ledger else {}),
         "terms": [term._asdict() for term in solution.terms],
         "left_out": [entry._asdict() for entry in solution.left_out],
         "advice": [advice._asdict() for advice in told.left_out],

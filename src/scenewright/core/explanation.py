@@ -60,14 +60,42 @@ class Remark(NamedTuple):
         return ": ".join(filter(None, [self.space, ", ".join(self.items), self.text]))
 
 
+class LedgerRow(NamedTuple):
+    """One need of those a scene is for: how much of it, in its ``unit`` (empty: a number), is
+    ``owed`` and ``stands``; ``where`` it stands, else where it is owed; ``why`` not all of it
+    (empty: it is met)."""
+
+    need: str
+    unit: str
+    owed: float
+    stands: float
+    where: str
+    why: str
+
+    def tell(self) -> dict[str, str]:
+        """The cells of its row, by the heads of the table.
+
+        >>> LedgerRow("clothes", "m of rail", 1.5, 0.8, "Bed", "no wall").tell()["owed"]
+        '1.5 m of rail'
+        """
+        return {
+            "need": self.need,
+            "owed": f"{self.owed:.3g} {self.unit}".strip(),
+            "stands": f"{self.stands:.3g}",
+            "where": self.where,
+            "why not": self.why,
+        }
+
+
 class Explanation(NamedTuple):
-    """What was ``decided`` for the whole, what was not placed (required things first), and the
-    compromises of the layout, the costliest first."""
+    """What was ``decided`` for the whole, what was not placed (required things first), the
+    compromises of the layout, the costliest first, and the ``ledger`` of what is needed."""
 
     name: str
     decided: str
     left_out: tuple[Advice, ...]
     remarks: tuple[Remark, ...]
+    ledger: tuple[LedgerRow, ...] = ()
 
     def __repr__(self) -> str:
         """One line: how much there is to read."""
@@ -76,9 +104,11 @@ class Explanation(NamedTuple):
         return describe("Explanation", self.name, **counts)
 
     def __str__(self) -> str:
-        """Lines: what was decided, what was not placed, then compromises by what helps."""
+        """Lines: what was decided, needs that are not met, what was not placed, then compromises
+        by what helps."""
         lines = [
             self.decided,
+            *map(describe_lack, self.ledger),
             *map(describe_advice, self.left_out),
             *describe_remarks(self.remarks),
         ]
@@ -87,6 +117,17 @@ class Explanation(NamedTuple):
     def _repr_html_(self) -> str:
         """In notebooks: tables of what was not placed and of compromises."""
         return str(show("explanation_html", self))
+
+
+def describe_lack(row: LedgerRow) -> str:
+    """A need that is not met in one line; empty for one that is.
+
+    >>> describe_lack(LedgerRow("beds", "", 2.0, 1.0, "Bedroom", "no wall"))
+    'beds: 1 of 2 (Bedroom): no wall'
+    """
+    cells = row.tell()
+    place = f" ({row.where})" if row.where else ""
+    return f"{row.need}: {cells['stands']} of {cells['owed']}{place}: {row.why}" if row.why else ""
 
 
 def describe_advice(advice: Advice) -> str:

@@ -54,6 +54,7 @@ Verb = Literal[
     "floors",
     "drawn_scale",
     "programme",
+    "ledger",
     "faults",
     "appearance",
     "detail_document",
@@ -70,11 +71,12 @@ the others ``given`` (what a brief says stands, as pieces), ``validate``, ``refu
 named on the command line that it does not know), ``alternatives``, ``compare``, ``describe``,
 ``locked``, ``groups``, ``styles`` (rows to list), ``floors`` (the least the energy of each space
 could be), ``drawn_scale`` (how much too small or too large the plan is drawn, of a brief and its
-spaces), ``programme`` (what was decided for the whole, in words), ``faults`` (remarks on broken
-rows), ``appearance`` (its style, and what chose it), ``draw_levels`` (a sheet a level; else the
-plan is one sheet), ``sources`` (author, licence and name of what a layout is learned from, of a
-brief), ``features``, ``breeder``, ``matrix_breeder`` and the two of the detail are passed over
-where a domain has none, the rest refused by name."""
+spaces), ``programme`` (what was decided for the whole, in words), ``ledger`` (what is owed to those
+who use it, and what of it stands), ``faults`` (remarks on broken rows), ``appearance`` (its style,
+and what chose it), ``draw_levels`` (a sheet a level; else the plan is one sheet), ``sources``
+(author, licence and name of what a layout is learned from, of a brief), ``features``, ``breeder``,
+``matrix_breeder`` and the two of the detail are passed over where a domain has none, the rest
+refused by name."""
 Table = Literal[
     "presets",
     "solvers",

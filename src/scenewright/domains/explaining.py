@@ -22,6 +22,7 @@ def explain_solution(solution: Solution, plan: Plan) -> Explanation:
         str(told(solution, plan)),
         advise(solution, plan.names),
         _list_remarks(solution, plan, domain),
+        domain.verb("ledger")(solution, plan) if domain.has("ledger") else (),
     )
 
 

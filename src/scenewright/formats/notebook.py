@@ -97,6 +97,10 @@ def input_report_html(report: InputReport) -> str:
     return paragraph(words) + table(("feature", "what became of it"), rows)
 
 
+LEDGER = ("need", "owed", "stands", "where", "why not")
+"""The heads of the table of what is needed."""
+
+
 def explanation_html(explanation: Explanation) -> str:
     """What was decided, what was not placed, and what the layout gives up for it."""
     given_up = [
@@ -106,6 +110,7 @@ def explanation_html(explanation: Explanation) -> str:
     return "".join(
         [
             paragraph(explanation.decided) if explanation.decided else "",
+            table(LEDGER, (tuple(row.tell().values()) for row in explanation.ledger)),
             _left_out(explanation),
             table(("where", "what", "compromise", "what helps"), given_up),
         ]

@@ -32,6 +32,7 @@ DOMAIN = Domain(
         "learn": ".learned.from_homes:learn_from_homes",
         "drawn_scale": "scenewright.check.drawn_scale:estimate_scale",
         "programme": ".household:tell_programme",
+        "ledger": ".needs.ledger:make_ledger",
         "faults": ".rules.told:tell_faults",
         "appearance": ".furnishing.look:tell_palette",
         "features": ".features:measure_features",

@@ -35,7 +35,7 @@ from scenewright.domains.home.cases.library import (
     index_cases,
     subset,
 )
-from scenewright.domains.home.groups.classes import COOKING, TABLES
+from scenewright.domains.home.groups.classes import COOKING, SLEPT_IN, TABLES, WET_ROOMS
 from scenewright.domains.home.groups.dining import tables_for_many
 from scenewright.domains.home.groups.living import seats_for_many
 from scenewright.domains.home.measures import SOFA_OF_THREE
@@ -171,6 +171,19 @@ def _sleepers(functions: Sequence[str], area: float) -> int:
     """How many sleep in a room."""
     most = max((SLEEPERS.get(function, 0) for function in functions), default=0)
     return 2 if "child_bedroom" in functions and area >= SHARED_ROOM else most
+
+
+def count_residents(rooms: Sequence[Space]) -> int:
+    """How many sleep in rooms that are furnished by what they are for."""
+    areas = {room.id: _area(room) for room in rooms}
+    return sum(_sleepers(resolve_bedrooms(r.functions, areas[r.id]), areas[r.id]) for r in rooms)
+
+
+def is_dwelling(rooms: Iterable[Space]) -> bool:
+    """Whether rooms make a dwelling: one in which people sleep or live, and another with water."""
+    uses = [frozenset(room.functions) for room in rooms]
+    lived = any(use & (SLEPT_IN | {"living"}) for use in uses)
+    return lived and any(use & (WET_ROOMS | {"kitchen"}) for use in uses)
 
 
 def _is_entered(room: Space) -> bool:

@@ -47,8 +47,7 @@ from scenewright.domains.home.composing.places.moving import (
 from scenewright.domains.home.composing.spacing.rules import measure_closeness
 from scenewright.domains.home.composing.views import cost_of_view
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
-from scenewright.domains.home.groups.classes import WET_ROOMS
-from scenewright.domains.home.household import STORING
+from scenewright.domains.home.household import STORING, is_dwelling
 from scenewright.domains.home.measures import ROUNDING
 from scenewright.domains.home.programme import WELCOME, Wish
 from scenewright.domains.home.remove_blockers import Opened
@@ -68,10 +67,8 @@ KEPT = STORING | {"desk", "kids_desk"}
 
 
 def is_home(tasks: Sequence[RoomTask]) -> bool:
-    """Whether rooms make a dwelling: one in which people sleep or live, and another with water."""
-    uses = [frozenset(task.space.functions) for task in tasks]
-    lived = any(use & {"living", "bedroom", "double_bedroom", "single_bedroom"} for use in uses)
-    return lived and any(use & (WET_ROOMS | {"kitchen"}) for use in uses)
+    """Whether rooms make a dwelling."""
+    return is_dwelling(task.space for task in tasks)
 
 
 def may_take_in(task: RoomTask, group: str) -> bool:
