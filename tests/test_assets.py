@@ -55,7 +55,7 @@ def _mesh(asset: Asset, size: Size) -> tuple[Part, ...]:
     return asset.mesh(size)
 
 
-MOST_TRIANGLES = {"usual": 1600, "largest": 7000}
+MOST_TRIANGLES = {"usual": 5000, "largest": 9000}
 
 
 def _bounds(parts: tuple[Part, ...]) -> tuple[np.ndarray, np.ndarray]:

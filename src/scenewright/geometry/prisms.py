@@ -86,7 +86,7 @@ def face_normals(vertices: Floats, faces: Ints) -> Floats:
 
 
 def corner_normals(
-    vertices: Floats, faces: Ints, bodies: Ints | None = None, crease: float = np.deg2rad(40.0)
+    vertices: Floats, faces: Ints, bodies: Ints | None = None, crease: float = np.deg2rad(46.0)
 ) -> Floats:
     """Normals ``(m, 3, 3)`` at the corners of each face, smooth across edges below ``crease``.
 

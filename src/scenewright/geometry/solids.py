@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from math import cos, pi, sin
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from scenewright.geometry.mesh import Floats, Mesh, extrude, loft, rotate_mesh, translate_mesh
 
@@ -96,6 +96,56 @@ def cushion(
         )
         rings.append(ring)
     return loft(rings)
+
+
+def pad(x: Interval, y: Interval, z: Interval, radius: float, crown: Sequence[float]) -> Mesh:
+    """A filled pad that touches its box: edges rounded by ``radius``, and the middle of the sides
+    in x, y and z standing out beyond their edges by ``crown`` (3,) metres. With u and v in [-1, 1]
+    along a side, its point lies ``crown (1 - u^2)(1 - v^2)`` beyond its edges; 432 triangles.
+
+    >>> soft = pad((0, 0.7), (0, 0.8), (0.3, 0.45), 0.05, (0, 0.01, 0.03))
+    >>> len(soft.faces), soft.vertices.max(0).round(3).tolist()
+    (432, [0.7, 0.8, 0.45])
+    """
+    low, high = np.array([x, y, z], np.float64).T
+    crown = np.minimum(crown, 0.3 * (high - low))
+    middle, half = (low + high) / 2, (high - low) / 2 - crown
+    radius = min(radius, 0.95 * float(half.min()))
+    on_cube, faces = _gridded_cube(*(_pad_lines(h, radius) for h in half))
+    core = np.clip(on_cube, radius - half, half - radius)
+    away = on_cube - core
+    away *= radius / np.maximum(np.linalg.norm(away, axis=1), 1e-12)[:, None]
+    places = core + away
+    share = places / half
+    swell = 1 - share**2
+    out = crown * share * np.roll(swell, 1, axis=1) * np.roll(swell, 2, axis=1)
+    return Mesh(middle + places + out, faces)
+
+
+def _pad_lines(half: float, radius: float) -> Floats:
+    """Where the grid of a pad is cut along an axis: in the middle, and twice in its edges."""
+    inner = half - radius
+    return np.array(
+        [-half, -inner - 0.414 * radius, -inner, 0, inner, inner + 0.414 * radius, half]
+    )
+
+
+def _gridded_cube(x: Floats, y: Floats, z: Floats) -> tuple[Floats, NDArray[np.int64]]:
+    """A box of grids ``(n, 3)`` with its faces; equal points of two sides are one point."""
+    corners, lines = [], (x, y, z)
+    for axis in range(3):
+        a, b = lines[(axis + 1) % 3], lines[(axis + 2) % 3]
+        for end, (p, q) in ((-1, (b, a)), (1, (a, b))):
+            grid = np.empty((len(p), len(q), 3))
+            first, second = ((axis + 1) % 3, (axis + 2) % 3)[::end]
+            grid[..., axis] = lines[axis][0 if end < 0 else -1]
+            grid[..., first], grid[..., second] = p[:, None], q[None, :]
+            round_it = (grid[:-1, :-1], grid[1:, :-1], grid[1:, 1:], grid[:-1, 1:])
+            corners.append(np.stack(round_it, 2).reshape(-1, 3))
+    rows = np.concatenate(corners).round(9) + 0.0
+    points, where = np.unique(rows, axis=0, return_inverse=True)
+    where = where.reshape(-1, 4)
+    return points, np.concatenate([where[:, [0, 1, 2]], where[:, [0, 2, 3]]])
 
 
 def _inset_interval(span: Interval, inset: float) -> Interval:

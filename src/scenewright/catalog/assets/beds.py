@@ -22,16 +22,18 @@ from scenewright.catalog.assets.symbols import Line, Lines, box, close_line, pat
 from scenewright.core.catalog import Material
 from scenewright.core.scene import Size
 from scenewright.geometry.mesh import Mesh, rotate_mesh, translate_mesh
-from scenewright.geometry.solids import Interval, block, cushion, post, rod, slab
+from scenewright.geometry.solids import Interval, block, cushion, pad, post, rod, slab
 
 HEAD = 0.08
+FILLED, PLUMP = (0.0, 0.0, 0.02), (0.0, 0.0, 0.055)
+"""How far duvets and pillows stand out in the middle, metres."""
 
 
 def _pillows(x: Interval, back: float, z: float, count: int) -> list[Mesh]:
     found = []
     for a, b in spread(*x, count):
         half = min(0.35, (b - a) / 2 - 0.03)
-        flat = cushion((-half, half), (0, 0.42), (0, 0.15), 0.075, 3, 0.7)
+        flat = pad((-half, half), (0, 0.42), (0, 0.15), 0.025, PLUMP)
         found.append(
             translate_mesh(rotate_mesh(flat, "x", -0.25), (a + b) / 2, back + 0.03, z + 0.09)
         )
@@ -58,7 +60,9 @@ def make_bedding(
                 0.03,
             ),
         ],
-        DUVET: [cushion(wide, (fold + 0.1, y[1] + over), (top - drop, top + 0.045), 0.035)],
+        DUVET: [
+            pad(wide, (fold + 0.1, y[1] + over), (top - drop, top + 0.045), 0.04, (0, 0, 0.02))
+        ],
         accent: [
             cushion(
                 (wide[0] - 0.008, wide[1] + 0.008), throw, (top - drop - 0.05, top + 0.058), 0.025
@@ -171,7 +175,7 @@ def _cot(size: Size) -> Parts:
             )
         )
     inner = ((-w + 0.05, w - 0.05), (-d + 0.05, d - 0.05))
-    pillow = cushion((-w + 0.12, w - 0.12), (-d + 0.08, -d + 0.34), (0.4, 0.47), 0.035, 2, 0.6)
+    pillow = pad((-w + 0.12, w - 0.12), (-d + 0.08, -d + 0.34), (0.4, 0.48), 0.02, FILLED)
     duvet = cushion((-w + 0.055, w - 0.055), (-d + 0.5, d - 0.055), (0.36, 0.44), 0.03)
     return parts(
         size,

@@ -45,6 +45,7 @@ from scenewright.geometry.solids import (
     lathe,
     leg,
     make_bevelled_box,
+    pad,
     pipe,
     rod,
     slab,
@@ -52,29 +53,26 @@ from scenewright.geometry.solids import (
 )
 
 ARM, BACK = 0.15, 0.2
+SOFT, LOOSE = (0.0, 0.012, 0.025), (0.0, 0.04, 0.015)
+"""How far seats and what one leans on stand out in the middle, in x, y and z, metres."""
 
 
 def throw_pillow(x: float, y: float, z: float, side: float, lean: float, turn: float) -> Mesh:
     """A square throw pillow standing on its edge at ``z``, leaning back."""
     half = side / 2
-    flat = cushion((-half, half), (-0.055, 0.055), (0, side), 0.055, 2, 0.5)
+    flat = pad((-half, half), (-0.065, 0.065), (0, side), 0.02, (0, 0.05, 0))
     return translate_mesh(rotate_mesh(rotate_mesh(flat, "x", lean), "z", turn), x, y, z)
 
 
 def _seats(x: Interval, y: Interval, z: Interval, count: int) -> list[Mesh]:
-    return [
-        cushion((a + 0.003, b - 0.003), y, z, min(0.05, (z[1] - z[0]) / 2.2), 2)
-        for a, b in spread(*x, count)
-    ]
+    return [pad((a + 0.003, b - 0.003), y, z, 0.05, SOFT) for a, b in spread(*x, count)]
 
 
 def _backs(x: Interval, y: float, z: Interval, count: int, thick: float = 0.16) -> list[Mesh]:
     tall = z[1] - z[0]
     return [
         translate_mesh(
-            rotate_mesh(
-                cushion((a + 0.004, b - 0.004), (0, thick), (0, tall), 0.06, 2, 0.3), "x", 0.12
-            ),
+            rotate_mesh(pad((a + 0.004, b - 0.004), (0, thick), (0, tall), 0.05, LOOSE), "x", 0.12),
             0,
             y + 0.05,
             z[0],

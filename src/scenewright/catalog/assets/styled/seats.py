@@ -20,6 +20,8 @@ from scenewright.catalog.assets.materials import (
 from scenewright.catalog.assets.model import Parts, parts
 from scenewright.catalog.assets.objects import Stuff
 from scenewright.catalog.assets.seating import (
+    LOOSE,
+    SOFT,
     corner_sofa_outline,
     corner_sofa_symbol,
     sofa_symbol,
@@ -29,7 +31,7 @@ from scenewright.catalog.assets.styled.forms import Form, add, draw_forms, stand
 from scenewright.core.catalog import Material
 from scenewright.core.scene import Size
 from scenewright.geometry.mesh import Mesh, rotate_mesh, translate_mesh
-from scenewright.geometry.solids import Interval, block, cushion, leg, rod
+from scenewright.geometry.solids import Interval, block, cushion, leg, pad, rod
 
 
 class Upholstery(NamedTuple):
@@ -96,13 +98,7 @@ def _backs(row: Upholstery, x: Interval, y: float, z: Interval) -> Stuff:
     lean = 0.14
     soft = [
         translate_mesh(
-            rotate_mesh(
-                cushion(
-                    (a + 0.004, b - 0.004), (0, thick), (0, tall), 0.055, 2 if count < 3 else 1, 0.4
-                ),
-                "x",
-                lean,
-            ),
+            rotate_mesh(pad((a + 0.004, b - 0.004), (0, thick), (0, tall), 0.05, LOOSE), "x", lean),
             0,
             y + 0.04,
             z[0],
@@ -127,11 +123,7 @@ def _button(x: float, y: float, z: float) -> Mesh:
 
 def _seats(row: Upholstery, x: Interval, y: Interval, z: Interval) -> list[Mesh]:
     count = max(1, round((x[1] - x[0]) / row.each))
-    puff = 0.5 if row.arm == "puffy" else 0.0
-    return [
-        cushion((a + 0.003, b - 0.003), y, z, min(0.05, (z[1] - z[0]) / 2.2), 2, puff)
-        for a, b in spread(*x, count)
-    ]
+    return [pad((a + 0.003, b - 0.003), y, z, 0.05, SOFT) for a, b in spread(*x, count)]
 
 
 def _pillows(row: Upholstery, x: Interval, y: float, z: float, side: float) -> Stuff:
@@ -224,8 +216,8 @@ def _corner_sofa(form: Form, size: Size) -> Parts:
         {
             row.soft: [
                 *_seats(row, (edge, w - arm), (-d + 0.13, front), z),
-                cushion((-w + arm, edge - 0.003), (-d + 0.13, front - 0.003), z, 0.05),
-                cushion((-w, edge - 0.003), (front, d), z, 0.05),
+                pad((-w + arm, edge - 0.003), (-d + 0.13, front - 0.003), z, 0.05, SOFT),
+                pad((-w, edge - 0.003), (front, d), z, 0.05, SOFT),
             ]
         },
     )
