@@ -19,7 +19,7 @@ Ints = NDArray[np.int32]
 PORTION = 1 << 15
 """Pixels that are followed together: their numbers stay in the cache."""
 BOUNCES = 2
-PANE = 0.4
+PANE = 0.2
 """The sky beyond a window is shown darker than it shines, as a photographer blends two pictures."""
 SPARK = 0.7
 """After the first bounce a sample brings at most this many times what the sky gives: more is a

@@ -121,9 +121,7 @@ def land_rays(
         if f < 0:
             if bare[i]:
                 for k in range(3):
-                    total[p, k] += through[i, k] * (
-                        _sky(ways[i, 2], sky, k) * (shade if ways[i, 2] > 0.0 else 1.0)
-                    )
+                    total[p, k] += through[i, k] * (_sky(ways[i, 2], sky, k) * shade)
             continue
         ux, uy, uz = _cross(corners, f)
         top = low = 0.0

@@ -13,6 +13,7 @@ import shapely
 from numpy.typing import NDArray
 
 from scenewright.building.door_uses import OPEN_AIR, classify_doors
+from scenewright.core.catalog import Material
 from scenewright.core.scene import Scene
 from scenewright.core.space import Opening, Space
 from scenewright.render.colour import linear_of
@@ -21,6 +22,7 @@ from scenewright.render.lamps import Lamp, color_of_kelvin
 from scenewright.render.observations.ceilings import CEILING
 from scenewright.render.observations.floor import WalkableFloor
 from scenewright.render.observations.world import VisibleWorld
+from scenewright.render.street import MEADOW
 
 Singles = NDArray[np.float32]
 Floats = NDArray[np.float64]
@@ -40,6 +42,10 @@ BEYOND = 0.15
 """What a source is expected to give to a room next door, as a share."""
 BESIDE = 0.3
 """How far beside a wall's middle, in metres, it is asked which side is a room."""
+
+
+GRASS = (0.05, 0.075, 0.022)
+"""Share of each colour that a lawn gives back."""
 
 
 class Daylight(NamedTuple):
@@ -198,9 +204,15 @@ def _places_in(shape: shapely.Polygon, apart: float) -> Floats:
 
 
 def _glowing(table: Singles, glow: float) -> Singles:
-    """The finishes with their glow in kilocandela a square metre; ceilings do not glow here."""
+    """The finishes with their glow in kilocandela a square metre; ceilings do not glow here, and
+    a meadow swallows more light than it is drawn with."""
     found = table.copy()
     found[:, 5] *= glow
-    color = linear_of(np.array(CEILING.color)).astype(np.float32)
-    found[np.abs(found[:, :3] - color).max(1) < 1e-6, 5] = 0.0
+    found[_made_of(CEILING, found), 5] = 0.0
+    found[_made_of(MEADOW, found), :3] = GRASS
     return found
+
+
+def _made_of(material: Material, table: Singles) -> NDArray[np.bool_]:
+    color = linear_of(np.array(material.color)).astype(np.float32)
+    return np.asarray(np.abs(table[:, :3] - color).max(1) < 1e-6)
