@@ -279,6 +279,7 @@ NAMED = {
     "fast-simplification": "fast_simplification",
     "fpdf2": "fpdf",
     "fonttools": "fontTools",
+    "usd-core": "pxr",
 }
 OUR_OWN = {"scenewright", "pydantic_core"}  # and what pydantic cannot be without
 """Packages imported by another name than they are installed by."""
@@ -290,7 +291,7 @@ def known_packages(learning: bool) -> frozenset[str]:
     more solvers and of files; what learns may import what the extra of learning lists."""
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     listed = [*project["dependencies"]]
-    extras = ["solve", "bim", "dxf", "pdf", "gis", "svg", "photo"]
+    extras = ["solve", "bim", "dxf", "pdf", "gis", "svg", "photo", "usd"]
     for extra in [*extras, *(["learn"] if learning else [])]:
         listed += project["optional-dependencies"][extra]
     names = [re.split("[<>=!~ ;\\[]", line)[0] for line in listed]

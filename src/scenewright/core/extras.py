@@ -15,6 +15,7 @@ EXTRAS = {
     "peers": ("scipy", "cma", "pymoo", "deap"),
     "solve": ("ortools",),
     "svg": ("svgelements",),
+    "usd": ("pxr",),
 }
 """Our extras and the modules that each brings."""
 

@@ -58,6 +58,15 @@ FORMATS = (
         writer="scenewright.formats.glb",
         lacks=("dimensions", "outlets", *JUDGED),
     ),
+    *(
+        Format(
+            suffix,
+            f"3D scene to simulate, OpenUSD {form}",
+            writer="scenewright.formats.usd",
+            lacks=("dimensions", "outlets", *JUDGED),
+        )
+        for suffix, form in {".usda": "as text", ".usdc": "as binary", ".usdz": "packed"}.items()
+    ),
     Format(
         ".ifc",
         "building model (IFC2x to IFC4x3, read; IFC4, or the one that was read with more, written)",

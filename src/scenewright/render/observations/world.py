@@ -138,12 +138,18 @@ def _measured(stage: RenderStage, numbers: Ints) -> RenderStage:
     )
 
 
+def category_of(item: RenderItem) -> str:
+    """The class of a thing in words: what kind of furniture, or which of :data:`BUILT`."""
+    if item.kind in ("piece", "opening"):
+        return str(item.extras.get("category", ""))
+    return {"space": "floor", "stairs": "staircase"}.get(item.kind, item.kind)
+
+
 def _instances(shown: Sequence[RenderItem]) -> Iterable[Instance]:
     numbers = count(1)
     for one in shown:
-        kind = {"space": "floor", "stairs": "staircase", "opening": one.extras.get("category", "")}
-        named = str(kind.get(one.kind, one.kind))
-        category = str(one.extras.get("category", "")) if one.kind == "piece" else named
+        category = category_of(one)
+        named = "piece" if one.kind == "piece" else category
         room = one.space or str(one.extras.get("space", ""))
         number = class_of(category)
         yield Instance(next(numbers), number, one.name, named, category, room, one.level)

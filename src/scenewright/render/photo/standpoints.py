@@ -40,17 +40,21 @@ Floats = NDArray[np.float64]
 
 
 def stand_in_rooms(
-    world: VisibleWorld, rooms: frozenset[str], size: tuple[int, int], seed: int = 0
+    world: VisibleWorld,
+    rooms: frozenset[str],
+    size: tuple[int, int],
+    seed: int = 0,
+    tried: int = TRIED,
 ) -> Iterator[tuple[Space, WalkableFloor, PhotoFrame]]:
-    """A camera for each room that has a free place for one, with the room and its level's floor;
-    ``rooms`` empty: all of them, in the order of the scene."""
+    """A camera for each room that has a free place for one, the best of ``tried``, with the room
+    and its level's floor; ``rooms`` empty: all of them, in the order of the scene."""
     scene = world.scene
     for level in scene.levels:
         floor = walkable_floor(scene, level.id, EYE)
         for number, space in enumerate(floor.spaces):
             if not rooms or space.id in rooms:
                 rng = np.random.default_rng([seed, number])
-                camera = _best_in_room(world, floor, number, size, rng)
+                camera = _best_in_room(world, floor, number, size, rng, tried)
                 if camera is not None:
                     yield space, floor, camera
 
@@ -61,6 +65,7 @@ def _best_in_room(
     number: int,
     size: tuple[int, int],
     rng: np.random.Generator,
+    tried: int,
 ) -> PhotoFrame | None:
     free = (floor.room == number) & (floor.clear.values >= CLEARANCE)
     cells = np.flatnonzero(free)
@@ -69,7 +74,7 @@ def _best_in_room(
     places = floor.centres(cells)
     outward = np.linalg.norm(places - places.mean(0), axis=1)
     chance = (outward + 0.1) ** 2
-    drawn = rng.choice(len(cells), min(TRIED, len(cells)), replace=False, p=chance / chance.sum())
+    drawn = rng.choice(len(cells), min(tried, len(cells)), replace=False, p=chance / chance.sum())
     own = _own_things(world, world.scene, floor.spaces[number].id)
     best, found = -np.inf, (places[drawn[0]], 0.0)
     for place in places[drawn]:

@@ -1,0 +1,43 @@
+"""Parts as meshes: points, normals, triangles, a bound material; solid to what moves."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from pxr import Sdf, Usd, UsdGeom, UsdPhysics, UsdShade, Vt
+
+from scenewright.core.catalog import Part
+from scenewright.formats.glb import surface
+from scenewright.formats.usd.materials import Paths, linear_color, material_path
+from scenewright.formats.usd.names import free_path
+from scenewright.geometry.prisms import normals_of
+
+
+def define_parts(
+    stage: Usd.Stage, parent: Sdf.Path, parts: Sequence[Part], known: Paths, scope: Sdf.Path
+) -> None:
+    """A mesh a part below ``parent``; materials are made below ``scope`` once."""
+    normals = normals_of([(part.vertices, part.faces) for part in parts])
+    for part, corners in zip(parts, normals, strict=True):
+        found = surface(part, corners)
+        points, ways = (rows[:, [0, 2, 1]] * [1, -1, 1] for rows in found[:2])
+        mesh = UsdGeom.Mesh.Define(stage, free_path(stage, parent, part.material.name))
+        mesh.CreatePointsAttr(_vectors(points))
+        mesh.CreateNormalsAttr(_vectors(ways))
+        mesh.SetNormalsInterpolation(UsdGeom.Tokens.vertex)
+        indices = found.indices.astype(np.int32)
+        mesh.CreateFaceVertexIndicesAttr(Vt.IntArray.FromNumpy(indices))
+        mesh.CreateFaceVertexCountsAttr(Vt.IntArray(len(indices) // 3, 3))
+        mesh.CreateSubdivisionSchemeAttr(UsdGeom.Tokens.none)
+        mesh.CreateExtentAttr(_vectors(np.stack([points.min(0), points.max(0)])))
+        mesh.CreateDisplayColorAttr([linear_color(part.material)])
+        UsdPhysics.CollisionAPI.Apply(mesh.GetPrim())
+        UsdPhysics.MeshCollisionAPI.Apply(mesh.GetPrim()).CreateApproximationAttr("none")
+        path = material_path(stage, known, scope, part.material)
+        binding = UsdShade.MaterialBindingAPI.Apply(mesh.GetPrim())
+        binding.Bind(UsdShade.Material(stage.GetPrimAtPath(path)))
+
+
+def _vectors(rows: np.ndarray) -> Vt.Vec3fArray:
+    return Vt.Vec3fArray.FromNumpy(np.ascontiguousarray(rows, np.float32))
