@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import json
 import struct
 from dataclasses import replace
@@ -11,6 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 import trimesh
+from PIL import Image
 
 from flat import flat_brief, flat_solution
 from scenewright import read
@@ -20,10 +22,14 @@ from scenewright.core.catalog import Material, Part
 from scenewright.core.layout import corners
 from scenewright.core.scene import Piece, Pose, Scene, Size
 from scenewright.domains import scene_of, solve
-from scenewright.formats.glb import document_of, encode_scene, surface, write
+from scenewright.formats.glb import document_of, encode_scene, write
+from scenewright.formats.gltf.surfaces import surface
 from scenewright.geometry.mesh import Mesh
 from scenewright.geometry.prisms import box, corner_normals, prism
+from scenewright.render.colour import linear_of
 from scenewright.render.items import things
+from scenewright.render.textures.projection import coordinates_of
+from scenewright.render.textures.table import texture_of
 
 GREY = Material("grey", (0.5, 0.5, 0.5))
 COMPONENTS = {5126: np.float32, 5123: np.uint16, 5125: np.uint32}
@@ -61,7 +67,7 @@ def node_id(node: dict[str, Any]) -> str:
 def numbers(document: dict[str, Any], buffer: bytes, index: int) -> Any:
     row = document["accessors"][index]
     view = document["bufferViews"][row["bufferView"]]
-    wide = 3 if row["type"] == "VEC3" else 1
+    wide = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}[row["type"]]
     start = view["byteOffset"] + row["byteOffset"]
     found = np.frombuffer(buffer, COMPONENTS[row["componentType"]], row["count"] * wide, start)
     assert start + found.nbytes <= view["byteOffset"] + view["byteLength"]
@@ -157,6 +163,47 @@ def test_materials_are_listed_once_and_glass_blends(document: dict[str, Any]) ->
     glass = next(m for m in document["materials"] if m["name"] == "window glass")
     assert glass["alphaMode"] == "BLEND"
     assert glass["pbrMetallicRoughness"]["baseColorFactor"][3] < 1
+
+
+def test_textures_are_repeated_in_metres_and_wood_keeps_its_colour(scene: Scene) -> None:
+    document, buffer = chunks(encode_scene(scene, shipped()))
+    floor = next(m for m in document["materials"] if m["name"].startswith("oak floor"))
+    look = floor["pbrMetallicRoughness"]
+    image = document["images"][document["textures"][look["baseColorTexture"]["index"]]["source"]]
+    view = document["bufferViews"][image["bufferView"]]
+    content = buffer[view["byteOffset"] : view["byteOffset"] + view["byteLength"]]
+    pixels = np.asarray(Image.open(io.BytesIO(content)), float) / 255
+    mean = (np.where(pixels <= 0.04045, pixels / 12.92, ((pixels + 0.055) / 1.055) ** 2.4)).mean(
+        (0, 1)
+    ) * look["baseColorFactor"][:3]
+    named = next(part.material for t in things(scene, shipped()) for part in t.parts
+                 if part.material.name == floor["name"])  # fmt: skip
+    assert np.allclose(mean, linear_of(np.array(named.color)), atol=0.02)
+    living = next(n for n in document["nodes"] if node_id(n) == "living")
+    primitive = document["meshes"][living["mesh"]]["primitives"][0]
+    assert document["materials"][primitive["material"]]["name"] == floor["name"]
+    points = numbers(document, buffer, primitive["attributes"]["POSITION"])
+    places = numbers(document, buffer, primitive["attributes"]["TEXCOORD_0"])
+    row = texture_of(floor["name"])
+    assert row is not None
+    longer = max(np.ptp(points[:, 0]), np.ptp(points[:, 2]))
+    assert np.ptp(places[:, 0]) * row.metres[1] == pytest.approx(longer, rel=1e-3)
+
+
+def test_what_has_a_normal_map_has_tangents_along_its_texture() -> None:
+    wall = Part(GREY, *box((0, 0, 0), (3, 0.2, 2)))
+    places = coordinates_of(wall, "upright") * (1.0, -1.0)
+    found = surface(wall, corner_normals(wall.vertices, wall.faces), places, relief=True)
+    assert found.tangents is not None
+    assert found.places is not None
+    assert np.allclose(np.linalg.norm(found.tangents[:, :3], axis=1), 1, atol=1e-6)
+    assert np.abs((found.tangents[:, :3] * found.normals).sum(1)).max() < 1e-6
+    up = np.cross(found.normals, found.tangents[:, :3]) * found.tangents[:, 3:]
+    for a, b, c in found.indices.reshape(-1, 3):
+        for one in (b, c):
+            step, moved = (rows[one] - rows[a] for rows in (found.positions, found.places))
+            assert step @ found.tangents[a, :3] == pytest.approx(moved[0], abs=1e-6)
+            assert step @ up[a] == pytest.approx(-moved[1], abs=1e-6)
 
 
 def test_a_piece_lies_where_the_plan_says_with_y_up() -> None:

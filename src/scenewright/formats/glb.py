@@ -1,9 +1,10 @@
 """glTF 2.0 binary: home -> level -> rooms with their pieces, walls, openings; one file.
 
 Ours is z-up, glTF y-up: a point (x, y, z) is written as (x, z, -y), so importers that turn back
-(Blender) show the plan as it was. Pieces of one asset and size share a mesh; materials are plain
-metallic-roughness; lamps are lights. Names leave out signs that viewers drop: ``extras`` then has
-the ``id``. Ceilings are left out, so that a viewer can look in from above.
+(Blender) show the plan as it was. Pieces of one asset and size share a mesh; materials are
+metallic-roughness, with seamless textures (:mod:`scenewright.render.textures`); lamps are lights.
+Names leave out signs that viewers drop: ``extras`` then has the ``id``. Ceilings are left out, so
+that a viewer can look in from above.
 Khronos Group, *glTF 2.0 Specification* (2021).
 """
 
@@ -14,10 +15,9 @@ import os
 import re
 import struct
 from collections.abc import Hashable, Iterator, Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from scenewright._version import __version__
 from scenewright.catalog import credits as authorship
@@ -26,28 +26,20 @@ from scenewright.core.catalog import Catalog, Material, Part
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Scene
 from scenewright.core.solution import Solution
-from scenewright.geometry.prisms import face_normals, normals_of, row_keys
-from scenewright.render.colour import linear_of
+from scenewright.formats.gltf.materials import list_materials
+from scenewright.formats.gltf.surfaces import GlbSurface, pack_surfaces, surface
+from scenewright.geometry.prisms import normals_of
 from scenewright.render.items import RenderItem, things
 from scenewright.render.lamps import lamps_of
+from scenewright.render.textures.projection import coordinates_of
+from scenewright.render.textures.table import texture_of
 
-FLOAT, SHORT, INT = 5126, 5123, 5125
 LIGHTS = "KHR_lights_punctual"
 RESERVED = re.compile(r"[\[\].:/%@\"\\]+")
 """What three.js and Godot drop from the names of nodes."""
 LONGEST = 63
 """Bytes of a name that Blender keeps."""
 Json = dict[str, Any]
-Floats = NDArray[np.float32]
-Floats64 = NDArray[np.float64]
-
-
-class GlbSurface(NamedTuple):
-    """What the graphics card gets: positions and normals ``(n, 3)``, indices ``(3 m,)``."""
-
-    positions: Floats
-    normals: Floats
-    indices: NDArray[np.uint32]
 
 
 def write(solution: Solution, path: str | os.PathLike[str], plan: Plan | None = None) -> None:
@@ -100,19 +92,20 @@ def document_of(scene: Scene, catalog: Catalog) -> tuple[Json, bytes]:
         if node["name"] != name and "extensions" not in node:
             node["extras"] = node.get("extras", {}) | {"id": node["name"]}
         node["name"] = name
-    normals = normals_of([(part.vertices, part.faces) for part in parts])
-    buffer, views, accessors = _pack_surfaces(
-        [surface(part, corner) for part, corner in zip(parts, normals, strict=True)]
-    )
+    packed = pack_surfaces([*_surfaces(parts)])
+    for mesh in meshes:
+        for primitive in mesh["primitives"]:
+            primitive |= packed.primitives[primitive.pop("part")]
+    listed, buffer = list_materials(materials).document(packed.views, packed.buffer)
     document = {
         "asset": _about(scene, catalog),
         "scene": 0,
         "scenes": [{"name": scene.name or "home", "nodes": [0]}],
         "nodes": nodes,
         "meshes": meshes,
-        "materials": [_material(material) for material in materials],
-        "accessors": accessors,
-        "bufferViews": views,
+        **listed,
+        "accessors": packed.accessors,
+        "bufferViews": packed.views,
         "buffers": [{"byteLength": len(buffer)}],
     }
     if lights:
@@ -239,117 +232,23 @@ def _node(thing: RenderItem) -> Json:
 
 
 def _mesh(thing: RenderItem, materials: dict[Material, int], parts: list[Part]) -> Json:
-    """One mesh with a primitive a part; the parts are put in a row, three accessors each."""
+    """One mesh with a primitive a part, by its number among all ``parts``."""
     primitives = []
     for part in thing.parts:
-        accessor = 3 * len(parts)
+        material = materials.setdefault(part.material, len(materials))
+        primitives.append({"part": len(parts), "material": material})
         parts.append(part)
-        primitives.append(
-            {
-                "attributes": {"POSITION": accessor, "NORMAL": accessor + 1},
-                "indices": accessor + 2,
-                "material": materials.setdefault(part.material, len(materials)),
-            }
-        )
     name = thing.extras.get("asset", thing.name) if thing.kind == "piece" else thing.name
     return {"name": str(name), "primitives": primitives}
 
 
-def surface(part: Part, normals: Floats64) -> GlbSurface:
-    """Vertices split where normals differ, in glTF's axes; faces without area are left out.
-
-    >>> from scenewright.geometry.prisms import box, corner_normals
-    >>> cube = box((0, 0, 0), (1, 1, 1))
-    >>> cube = surface(Part(Material("grey", (0.5, 0.5, 0.5)), *cube), corner_normals(*cube))
-    >>> cube.positions.shape, cube.indices.shape
-    ((24, 3), (36,))
-    """
-    real = np.abs(face_normals(part.vertices, part.faces)).sum(1) > 0
-    faces = part.faces[real]
-    normals = normals[real].reshape(-1, 3)
-    points = part.vertices[faces.reshape(-1)]
-    keys = row_keys(np.column_stack([points * 1e5, normals * 1e3]))
-    _, first, inverse = np.unique(keys, return_index=True, return_inverse=True)
-    rows = inverse.astype(np.uint32).reshape(-1, 3)
-    whole = (rows != rows[:, [1, 2, 0]]).all(1)
-    rows = rows[whole if whole.any() else slice(1)]
-    turned = [
-        np.ascontiguousarray(array[first][:, [0, 2, 1]] * [1, 1, -1], np.float32)
-        for array in (points, normals)
-    ]
-    return GlbSurface(turned[0], turned[1], rows.reshape(-1))
-
-
-def _pack_surfaces(surfaces: Sequence[GlbSurface]) -> tuple[bytes, list[Json], list[Json]]:
-    """One buffer: all positions and normals, then 16-bit indices, then 32-bit ones."""
-    vertices: list[bytes] = []
-    narrow: list[bytes] = []
-    wide: list[bytes] = []
-    accessors: list[Json] = []
-    ends = [0, 0, 0]
-    for found in surfaces:
-        for rows in (found.positions, found.normals):
-            accessors.append(_accessor(0, ends[0], FLOAT, len(rows), "VEC3"))
-            vertices.append(rows.tobytes())
-            ends[0] += rows.nbytes
-        accessors[-2]["min"] = found.positions.min(0).tolist()
-        accessors[-2]["max"] = found.positions.max(0).tolist()
-        short = len(found.positions) < 65535
-        listed = found.indices.astype(np.uint16) if short else found.indices
-        view, where = (1, narrow) if short else (2, wide)
-        accessors.append(
-            _accessor(view, ends[view], SHORT if short else INT, len(listed), "SCALAR")
-        )
-        where.append(listed.tobytes())
-        ends[view] += listed.nbytes
-    return _buffer([b"".join(rows) for rows in (vertices, narrow, wide)], accessors)
-
-
-def _buffer(blocks: list[bytes], accessors: list[Json]) -> tuple[bytes, list[Json], list[Json]]:
-    """The blocks end to end on four-byte bounds, with a view each; empty ones are skipped."""
-    views: list[Json] = []
-    moved: dict[int, int] = {}
-    buffer = b""
-    for number, block in enumerate(blocks):
-        if block:
-            moved[number] = len(views)
-            view: Json = {
-                "buffer": 0,
-                "byteOffset": len(buffer),
-                "byteLength": len(block),
-                "target": 34963 if number else 34962,
-            }
-            views.append(view if number else view | {"byteStride": 12})
-            buffer += block + b"\0" * (-len(block) % 4)
-    for accessor in accessors:
-        accessor["bufferView"] = moved[accessor["bufferView"]]
-    return buffer, views, accessors
-
-
-def _accessor(view: int, offset: int, component: int, count: int, kind: str) -> Json:
-    return {
-        "bufferView": view,
-        "byteOffset": offset,
-        "componentType": component,
-        "count": count,
-        "type": kind,
-    }
-
-
-def _material(material: Material) -> Json:
-    """Plain metallic-roughness; sRGB colours become linear."""
-    linear = [round(float(value), 5) for value in linear_of(np.array(material.color))]
-    found: Json = {
-        "name": material.name,
-        "pbrMetallicRoughness": {
-            "baseColorFactor": [*linear, float(material.opacity)],
-            "metallicFactor": float(material.metallic),
-            "roughnessFactor": float(material.roughness),
-        },
-    }
-    if material.opacity < 1:
-        found["alphaMode"] = "BLEND"
-    if material.emission > 0:
-        glow = min(float(material.emission), 1.0)
-        found["emissiveFactor"] = [round(value * glow, 5) for value in linear]
-    return found
+def _surfaces(parts: Sequence[Part]) -> Iterator[GlbSurface]:
+    """The surfaces of parts, with places on the textures of their materials."""
+    normals = normals_of([(part.vertices, part.faces) for part in parts])
+    for part, corner in zip(parts, normals, strict=True):
+        row = texture_of(part.material.name)
+        places = None
+        if row is not None:
+            repeats = coordinates_of(part, row.laying) / np.array(row.metres)[::-1]
+            places = repeats * (1.0, -1.0)
+        yield surface(part, corner, places, row is not None and row.relief > 0)

@@ -1,0 +1,82 @@
+"""Metallic-roughness materials of a glTF document, and the pictures of their textures."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from scenewright.core.catalog import Material
+from scenewright.render.colour import linear_of
+from scenewright.render.textures.pictures import color_picture, normal_picture
+from scenewright.render.textures.table import Texture, texture_of
+
+Json = dict[str, Any]
+LINEAR, MIPMAPPED, REPEAT = 9729, 9987, 10497
+SAMPLER: Json = {"magFilter": LINEAR, "minFilter": MIPMAPPED, "wrapS": REPEAT, "wrapT": REPEAT}
+
+
+class MaterialTable(NamedTuple):
+    """Materials, and the files of the textures they refer to, with a name each."""
+
+    materials: list[Json]
+    pictures: dict[str, bytes]
+
+    def document(self, views: list[Json], buffer: bytes) -> tuple[Json, bytes]:
+        """The parts of a document, with the pictures added to its buffer and ``views``."""
+        found: Json = {"materials": self.materials}
+        images: list[Json] = []
+        for name, content in self.pictures.items():
+            place = {"buffer": 0, "byteOffset": len(buffer), "byteLength": len(content)}
+            images.append({"name": name, "bufferView": len(views), "mimeType": "image/jpeg"})
+            views.append(place)
+            buffer += content + b"\0" * (-len(content) % 4)
+        if images:
+            found["textures"] = [{"sampler": 0, "source": k} for k in range(len(images))]
+            found |= {"samplers": [SAMPLER], "images": images}
+        return found, buffer
+
+
+def list_materials(materials: Iterable[Material]) -> MaterialTable:
+    """The materials in glTF's words, with their textures, each once."""
+    pictures: dict[str, bytes] = {}
+    listed = [_material(one, pictures) for one in materials]
+    return MaterialTable(listed, pictures)
+
+
+def _material(material: Material, pictures: dict[str, bytes]) -> Json:
+    """Plain metallic-roughness; sRGB colours become linear."""
+    row = texture_of(material.name)
+    linear = linear_of(np.array(material.color))
+    surface: Json = {
+        "baseColorFactor": [],
+        "metallicFactor": float(material.metallic),
+        "roughnessFactor": float(material.roughness),
+    }
+    found: Json = {"name": material.name, "pbrMetallicRoughness": surface}
+    if row is not None:
+        picture = color_picture(row.name)
+        linear = np.minimum(linear * picture.factor, 1.0)
+        surface["baseColorTexture"] = {"index": _index(pictures, row.name, picture.content)}
+        found |= _relief(row, pictures)
+    shares = [round(float(value), 5) for value in linear]
+    surface["baseColorFactor"] = [*shares, float(material.opacity)]
+    if material.opacity < 1:
+        found["alphaMode"] = "BLEND"
+    if material.emission > 0:
+        glow = min(float(material.emission), 1.0)
+        found["emissiveFactor"] = [round(value * glow, 5) for value in shares]
+    return found
+
+
+def _relief(row: Texture, pictures: dict[str, bytes]) -> Json:
+    if not row.relief:
+        return {}
+    index = _index(pictures, f"{row.name} normals", normal_picture(row.name))
+    return {"normalTexture": {"index": index}}
+
+
+def _index(pictures: dict[str, bytes], name: str, content: bytes) -> int:
+    pictures.setdefault(name, content)
+    return list(pictures).index(name)
