@@ -166,7 +166,7 @@ def test_rooms_are_written_and_what_cannot_be_is_refused(room: sw.Solution, tmp_
     for fault, options in (
         ("--size", {"size": (4, 4)}),
         ("--samples", {"samples": 0}),
-        ("hour", {"hour": "noon"}),
+        ("hour", {"hour": "teatime"}),
         ("no room", {"rooms": ["cellar"]}),
     ):
         with pytest.raises(InputError, match=fault):

@@ -14,15 +14,17 @@ from collections.abc import Callable, Collection, Iterable, Sequence
 from math import isfinite
 from pathlib import Path
 
-from scenewright.batch.jobs import BatchOptions, Job, Limits, list_jobs
+from scenewright.batch.jobs import AS_ASKED, BatchOptions, Job, Limits, Variation, list_jobs
 from scenewright.batch.ledger import Ledger
+from scenewright.batch.manifest import check_parquet, is_listed, manifest_line, write_manifest
 from scenewright.batch.table import CSV, JSON, ResultRow, write_summary
 from scenewright.batch.worker_pool import WorkerPool, arrange_with
 from scenewright.core.atomic_file import Identity, RunFiles, check_targets, recorded_run
 from scenewright.core.errors import InputError
 from scenewright.core.map_options import AS_IT_IS, MapOptions
+from scenewright.workflow.looks import check_vary
 
-__all__ = ["MEMORY", "TIME", "BatchOptions", "Job", "Limits", "ResultRow", "batch"]
+__all__ = ["MEMORY", "TIME", "BatchOptions", "Job", "Limits", "ResultRow", "Variation", "batch"]
 
 MEMORY = 4.0
 """Memory a worker may take, GiB."""
@@ -53,6 +55,8 @@ def batch(
     map_options: MapOptions = AS_IT_IS,
     memory: float = MEMORY,
     limit: float = TIME,
+    variation: Variation = AS_ASKED,
+    manifest: str = "",
     progress: OnResult | None = None,
     cancel: Callable[[], bool] | None = None,
 ) -> tuple[ResultRow, ...]:
@@ -61,9 +65,10 @@ def batch(
     A row for each, in the order of the sources, is returned and written to ``summary.csv`` and
     ``summary.json``. ``jobs`` workers (one for each processor, if not stated) may take ``memory``
     GiB each and ``limit`` seconds a file; the other options are those of
-    :func:`scenewright.arrange`. ``progress`` gets every row as
-    it comes, how many are done, of how many, and whether the row was there before; when ``cancel``
-    answers true the workers are stopped and the rows so far returned.
+    :func:`scenewright.arrange`. ``variation`` makes several homes and looks of every plan;
+    ``manifest`` (``jsonl`` or ``parquet``) lists all scenes with what is known of them.
+    ``progress`` gets every row as it comes, how many are done, of how many, and whether the row was
+    there before; when ``cancel`` answers true the workers are stopped and the rows so far returned.
     """
     given = [sources] if isinstance(sources, str | os.PathLike) else sources
     out = Path(folder)
@@ -83,10 +88,13 @@ def batch(
         style,
         layouts,
         map_options,
+        check_vary(variation.vary) if variation != AS_ASKED else (),
     )
     limits = _check_limits(Limits(jobs or os.cpu_count() or 1, memory, limit), options)
+    _check_manifest(manifest)
     with recorded_run() as run:
-        return _batch(list_jobs(given, out, options), out, options, limits, progress, cancel, run)
+        listed = list_jobs(given, out, options, variation)
+        return _batch(listed, out, options, limits, manifest, progress, cancel, run)
 
 
 def _batch(
@@ -94,6 +102,7 @@ def _batch(
     out: Path,
     options: BatchOptions,
     limits: Limits,
+    manifest: str,
     progress: OnResult | None,
     cancel: Callable[[], bool] | None,
     run: RunFiles,
@@ -111,7 +120,25 @@ def _batch(
         finally:
             rows_in_order = tuple(found[order.name] for order in orders if order.name in found)
             write_summary(out, rows_in_order, options)
+            if manifest:
+                _write_manifest(out, orders, found, ledger, manifest)
     return rows_in_order
+
+
+def _write_manifest(
+    out: Path, orders: tuple[Job, ...], found: dict[str, ResultRow], ledger: Ledger, kind: str
+) -> None:
+    """The line of every scene there is, in the order of the jobs."""
+    rows = [(job, found[job.name]) for job in orders if job.name in found]
+    scenes = [(job, row, ledger.files(job)) for job, row in rows if is_listed(row)]
+    write_manifest(out, (manifest_line(*scene) for scene in scenes), kind == "parquet")
+
+
+def _check_manifest(kind: str) -> None:
+    if kind not in ("", "jsonl", "parquet"):
+        raise InputError(f"'{kind[:40]}' is no kind of manifest", "give jsonl or parquet")
+    if kind == "parquet":
+        check_parquet()
 
 
 def _work(

@@ -11,14 +11,19 @@ from pathlib import Path, PurePosixPath
 from typing import NamedTuple
 
 from scenewright._version import __version__
-from scenewright.batch.fingerprints import Look, list_dependencies, look
+from scenewright.batch.fingerprints import Look as Stamps
+from scenewright.batch.fingerprints import list_dependencies
+from scenewright.batch.fingerprints import look as stamps_of_file
 from scenewright.core.atomic_file import note_read
 from scenewright.core.errors import InputError
 from scenewright.core.map_options import AS_IT_IS, MapOptions
 from scenewright.formats import SAMPLE, formats, suffix_of
+from scenewright.workflow.looks import OF_LOOKS
 
-TAKEN = ("summary",)
+TAKEN = ("summary", "manifest")
 """Names in the folder of results that are not a scene's."""
+MANIFEST = "manifest.jsonl"
+"""What tells of a set of plans or scenes: no input, in whatever folder."""
 
 
 class Limits(NamedTuple):
@@ -27,6 +32,19 @@ class Limits(NamedTuple):
     jobs: int
     memory: float
     time: float
+
+
+class Variation(NamedTuple):
+    """What is made of every plan: a home a seed of ``seeds`` (none: one, with the seed of the
+    options), each in so many ``looks`` (0: as it is asked for), and what of them varies."""
+
+    seeds: Sequence[int] = ()
+    looks: int = 0
+    vary: tuple[str, ...] = OF_LOOKS
+
+
+AS_ASKED = Variation()
+"""One home a plan, as it is asked for."""
 
 
 class BatchOptions(NamedTuple):
@@ -47,39 +65,57 @@ class BatchOptions(NamedTuple):
     style: str = ""
     layouts: int | None = None
     map_options: MapOptions = AS_IT_IS
+    vary: tuple[str, ...] = ()
 
 
 class Job(NamedTuple):
     """One file to be done: where it is, the name of its results without suffix (with ``/``
-    between folders), where they go, and a digest of all they depend on."""
+    between folders), where they go, a digest of all they depend on, the seed and the look."""
 
     source: str
     name: str
     outputs: tuple[Path, ...]
     key: str
+    seed: int = 0
+    look: int = 0
 
 
 def list_jobs(
-    sources: Sequence[str | os.PathLike[str]], out: Path, options: BatchOptions
+    sources: Sequence[str | os.PathLike[str]],
+    out: Path,
+    options: BatchOptions,
+    variation: Variation = AS_ASKED,
 ) -> tuple[Job, ...]:
     """The files of a batch, each once, in the order given; folders are searched through.
 
     Results are named as the files, in the same folders below; the suffix of the file is kept
-    where two files would share a name, and a number added where that is not enough.
+    where two files would share a name, and a number added where that is not enough. Of several
+    seeds and looks the numbers follow: ``flat-7-2`` is the second look of seed 7.
     """
     found = _find_files(sources, out)
     if not found:
         raise InputError("no files to lay out", "give files or folders that hold briefs")
-    once = cache(look)  # many files name one catalogue
+    once = cache(stamps_of_file)  # many files name one catalogue
     return tuple(
-        Job(
-            source,
-            name,
-            tuple(out / f"{name}{s}" for s in options.formats),
-            _key(source, options, once),
-        )
+        job
         for source, name in zip(found, _names(found), strict=True)
+        for job in _vary(
+            source, name, out, options, variation, _digest_content(source, options, once)
+        )
     )
+
+
+def _vary(
+    source: str, name: str, out: Path, options: BatchOptions, variation: Variation, content: bytes
+) -> Iterator[Job]:
+    """The jobs of one file: a scene a seed and a look."""
+    for seed in variation.seeds or (options.seed,):
+        for look in range(1, variation.looks + 1) if variation.looks else (0,):
+            end = f"-{seed}" * bool(variation.seeds) + f"-{look}" * bool(look)
+            outputs = tuple(out / f"{name}{end}{suffix}" for suffix in options.formats)
+            said = repr((__version__, options._replace(seed=seed), look)).encode()
+            key = hashlib.blake2b(said + content, digest_size=16).hexdigest()
+            yield Job(source, f"{name}{end}", outputs, key, seed, look)
 
 
 def _find_files(sources: Sequence[str | os.PathLike[str]], out: Path) -> dict[str, PurePosixPath]:
@@ -114,7 +150,8 @@ def _files(path: Path, out: Path, suffixes: set[str]) -> Iterator[tuple[Path, Pu
         )
         for name in sorted(names):
             file = Path(top, name)
-            if suffix_of(name).lower() in suffixes and not name.startswith(".") and file.is_file():
+            scene = suffix_of(name).lower() in suffixes and not name.startswith(".")
+            if scene and name != MANIFEST and file.is_file():
                 yield file, PurePosixPath(file.relative_to(path).as_posix())
 
 
@@ -145,16 +182,12 @@ def _stem(place: PurePosixPath) -> str:
     return str(place).removesuffix(suffix_of(place))
 
 
-def _key(source: str, options: BatchOptions, stamps: Look) -> str:
-    """A digest of a file's content, of names, times and sizes of the catalogues it names, of the
-    options and the version; a file that cannot be read has that of nothing."""
-    beside = [
-        stamps(path)
-        for path in list_dependencies(
-            source, (*options.catalogs, *options.groups, *filter(None, [options.style]))
-        )
-    ]
-    digest = hashlib.blake2b(repr((__version__, options, beside)).encode(), digest_size=16)
+def _digest_content(source: str, options: BatchOptions, stamps: Stamps) -> bytes:
+    """A digest of a file's content, and of names, times and sizes of the catalogues it names; a
+    file that cannot be read has that of nothing."""
+    named = (*options.catalogs, *options.groups, *filter(None, [options.style]))
+    beside = [stamps(path) for path in list_dependencies(source, named)]
+    digest = hashlib.blake2b(repr(beside).encode(), digest_size=16)
     try:
         if not source.startswith(SAMPLE) and os.path.isfile(source):
             note_read(source)
@@ -162,4 +195,4 @@ def _key(source: str, options: BatchOptions, stamps: Look) -> str:
                 digest.update(hashlib.file_digest(file, "blake2b").digest())
     except OSError:
         pass
-    return digest.hexdigest()
+    return digest.digest()

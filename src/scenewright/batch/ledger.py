@@ -18,7 +18,7 @@ from collections.abc import Iterator
 from contextlib import suppress
 from pathlib import Path
 from types import TracebackType
-from typing import Annotated, BinaryIO, Literal, NamedTuple
+from typing import Annotated, Any, BinaryIO, Literal, NamedTuple
 
 from pydantic import Field, ValidationError
 
@@ -62,6 +62,7 @@ class LedgerLine(StrictModel):
     message: Text
     outputs: Annotated[tuple[Text, ...], Field(max_length=100)]
     files: Annotated[tuple[ResultFile, ...], Field(max_length=100)]
+    facts: dict[str, Any] = {}
 
 
 class Ledger:
@@ -74,6 +75,7 @@ class Ledger:
         self.path = folder / NAME
         self.parts = folder / f".scenewright-parts-{secrets.token_hex(8)}"
         self._lines: dict[str, LedgerLine] = {}
+        self._files: dict[str, list[ResultFile]] = {}
         self._file: BinaryIO
 
     def __enter__(self) -> Ledger:
@@ -112,6 +114,7 @@ class Ledger:
         if len(line.files) != len(order.outputs):
             return None
         whole = all(map(_is_as_written, order.outputs, line.files))
+        self._files[order.name] = [*line.files]
         return ResultRow(*(getattr(line, name) for name in ResultRow._fields)) if whole else None
 
     def write(self, order: Job, row: ResultRow) -> None:
@@ -122,8 +125,13 @@ class Ledger:
             self._file.write(json.dumps(known).encode() + b"\n")
             self._file.flush()
             os.fsync(self._file.fileno())
+            self._files[order.name] = files
         except OSError as error:
             raise self._refusal(error) from None
+
+    def files(self, order: Job) -> list[ResultFile]:
+        """The files of an order that is done, as they were written."""
+        return self._files.get(order.name, [])
 
     def _claim(self) -> None:
         """Refuse a folder another batch is writing into (where the system can tell)."""

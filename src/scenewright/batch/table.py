@@ -27,7 +27,8 @@ class ResultRow(NamedTuple):
     ``status`` is ``complete`` (all that is essential or asked for stands, and valid), ``left out``
     (valid, but something of that or of the file is not there), ``not valid`` (a rule is broken) or
     ``failed`` (nothing was written); ``message`` says why. ``left_out`` counts what is essential or
-    asked for and not there, ``violations`` broken rules.
+    asked for and not there, ``violations`` broken rules. ``facts`` are the scene's line of the
+    manifest, as far as whoever arranged it knows.
     """
 
     file: str
@@ -38,6 +39,11 @@ class ResultRow(NamedTuple):
     violations: int
     message: str
     outputs: tuple[str, ...]
+    facts: dict[str, Any] = {}
+
+    def listed(self) -> dict[str, Any]:
+        """What the tables list of it."""
+        return {key: value for key, value in self._asdict().items() if key != "facts"}
 
 
 def make_failed_row(file: str, seconds: float, message: str) -> ResultRow:
@@ -61,7 +67,7 @@ def document(rows: Sequence[ResultRow], options: BatchOptions) -> dict[str, Any]
         "version": __version__,
         "options": options._asdict(),
         "totals": totals(rows),
-        "files": [row._asdict() for row in rows],
+        "files": [row.listed() for row in rows],
     }
 
 
@@ -69,8 +75,8 @@ def write_summary(folder: Path, rows: Sequence[ResultRow], options: BatchOptions
     """Write the table as CSV and as JSON; both appear or neither. InputError if they cannot."""
     text = io.StringIO()
     lines = csv.writer(text, lineterminator="\n")
-    lines.writerow(ResultRow._fields)
-    cells = ([*row[:-1], " ".join(row.outputs)] for row in rows)
+    lines.writerow(ResultRow._fields[:-1])
+    cells = ([*row[:-2], " ".join(row.outputs)] for row in rows)
     lines.writerows(map(neutralize_cell, row) for row in cells)
     message = json.dumps(document(rows, options), indent=1, ensure_ascii=False) + "\n"
     with whole_together([folder / CSV, folder / JSON]) as partials:

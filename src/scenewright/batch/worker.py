@@ -14,7 +14,7 @@ import time
 from errno import ENOMEM
 from pathlib import Path
 from threading import Thread
-from typing import Any, TextIO
+from typing import Any, NamedTuple, TextIO
 
 from scenewright.batch.jobs import BatchOptions
 from scenewright.batch.table import COMPLETE, LEFT_OUT, NOT_VALID, ResultRow, make_failed_row
@@ -29,6 +29,15 @@ PATIENCE = 0.5
 READY = "ready"
 
 
+class Order(NamedTuple):
+    """What a worker is asked to do: a file, where its results go, the seed and the look."""
+
+    source: str
+    outputs: tuple[str, ...]
+    seed: int = 0
+    look: int = 0
+
+
 def main() -> None:
     """Answer every line that comes in with one line, until no more come."""
     answers = os.fdopen(os.dup(1), "w", encoding="ascii")
@@ -38,15 +47,16 @@ def main() -> None:
     Thread(target=_end_with, args=(os.getppid(),), daemon=True).start()
     first = json.loads(sys.stdin.readline())
     given: dict[str, Any] = first["options"]
-    given |= {key: tuple(given[key]) for key in ("formats", "catalogs", "groups")}
+    given |= {key: tuple(given[key]) for key in ("formats", "catalogs", "groups", "vary")}
     given["map_options"] = restore_options(given["map_options"])
     options = BatchOptions(**given)
     _bound(first["memory"])
     _answer(answers, READY)
     with recorded_run((device, number) for device, number in first["protected"]):
         for line in sys.stdin:
-            row = _row(json.loads(line), options, first["memory"], Path(first["parts"]))
-            _answer(answers, row)
+            asked = json.loads(line)
+            order = Order(asked["source"], tuple(asked["outputs"]), asked["seed"], asked["look"])
+            _answer(answers, do_order(order, options, first["memory"], Path(first["parts"])))
 
 
 def _answer(answers: TextIO, value: Any) -> None:
@@ -73,11 +83,11 @@ def _bound(memory: float) -> None:
         resource.setrlimit(resource.RLIMIT_DATA, (most, before))
 
 
-def _row(order: dict[str, Any], options: BatchOptions, memory: float, parts: Path) -> ResultRow:
-    """Do one order; whatever goes wrong becomes its row."""
-    begun, source = time.perf_counter(), order["source"]
+def do_order(order: Order, options: BatchOptions, memory: float, parts: Path) -> ResultRow:
+    """Do one order, wherever: the one function of a batch. Whatever goes wrong becomes its row."""
+    begun, source = time.perf_counter(), order.source
     try:
-        row = _done(source, [Path(path) for path in order["outputs"]], options, parts)
+        row = _done(order, options, parts)
         return row._replace(seconds=round(time.perf_counter() - begun, 3))
     except InputError as error:
         text = str(error.located(file=source))
@@ -99,15 +109,20 @@ def _is_out_of_memory(error: Exception) -> bool:
     return isinstance(error, MemoryError) or number == ENOMEM or unsaid
 
 
-def _done(source: str, outputs: list[Path], options: BatchOptions, parts: Path) -> ResultRow:
+def _done(order: Order, options: BatchOptions, parts: Path) -> ResultRow:
     """Arrange one file; its results appear when all are written."""
+    from scenewright.batch.manifest import describe_scene
     from scenewright.workflow.arrange import arrange_file
     from scenewright.workflow.events import run_to_end
+    from scenewright.workflow.looks import Look
     from scenewright.workflow.request import ArrangeRequest
 
     given = options._asdict()
     given.pop("formats")
-    request = ArrangeRequest(source, tuple(outputs), **given)
+    look = Look(order.seed, order.look, given.pop("vary"))
+    given |= {"seed": order.seed, "look": look if look.vary else None}
+    source, outputs = order.source, tuple(map(Path, order.outputs))
+    request = ArrangeRequest(source, outputs, **given)
     solution, _, report = run_to_end(arrange_file(request, threads=1, parts=parts))
     missing = [out for out in solution.left_out if out.required]
     broken = sum(found.is_blamed for found in report.findings)
@@ -119,5 +134,6 @@ def _done(source: str, outputs: list[Path], options: BatchOptions, parts: Path) 
         [*unread, *(f"{out.space}: {out.what}: {out.reason}" for out in missing)]
     )
     reason = reason or "; ".join(note.message for note in report.notes if note.function == "plan")
-    names = tuple(str(path) for path in outputs)
-    return ResultRow(source, status, 0.0, len(solution.pieces), len(missing), broken, reason, names)
+    names, facts = order.outputs, describe_scene(solution, report, look)
+    count = len(solution.pieces)
+    return ResultRow(source, status, 0.0, count, len(missing), broken, reason, names, facts)

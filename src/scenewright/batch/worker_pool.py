@@ -70,12 +70,14 @@ class Worker:
         self.at_work = process
         try:
             outputs = [str(path) for path in order.outputs]
-            answer = _said(process, {"source": order.source, "outputs": outputs})
+            asked = {"source": order.source, "seed": order.seed, "look": order.look}
+            answer = _said(process, {**asked, "outputs": outputs})
         finally:
             self.at_work = None
             timer.cancel()
         if answer is not None:
-            return ResultRow(*answer)._replace(outputs=tuple(answer[-1])), ""
+            row = ResultRow(*answer)
+            return row._replace(outputs=tuple(row.outputs)), ""
         code = process.wait()
         self.end()
         return None, "" if late.is_set() else f"signal {-code}" if code < 0 else f"code {code}"

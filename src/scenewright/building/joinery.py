@@ -20,7 +20,7 @@ from scenewright.geometry.mesh import Floats, Mesh, translate_mesh
 from scenewright.geometry.prisms import box
 
 AJAR = np.deg2rad(78.0)
-"""How far a door is drawn open, in radians."""
+"""How far a door is drawn open, in radians, where its brief does not say."""
 LEAF = 0.04
 PROUD = 0.012
 """How far a lining stands out of the wall, in metres."""
@@ -115,7 +115,8 @@ def _swung(opening: Opening, clear: float, mesh: Mesh) -> Mesh:
     Made for a hinge at the start that opens to the left; other doors are mirror images.
     """
     vertices, faces = mesh
-    cos, sin = np.cos(AJAR), np.sin(AJAR)
+    ajar = AJAR if opening.ajar is None else opening.ajar
+    cos, sin = np.cos(ajar), np.sin(ajar)
     turned = vertices[:, :2] @ np.array([[cos, sin], [sin, -cos]])
     face = opening.thickness / 2
     x = (turned[:, 0] - clear / 2) * -opening.hinge

@@ -136,6 +136,7 @@ def _opening(
         spaces=(space.id,) if beyond is None else (space.id, ids[beyond]),
         use=wish.use if isinstance(wish, Door) else "both",
         roof=roof,
+        ajar=wish.ajar if isinstance(wish, Door) else None,
     )
 
 

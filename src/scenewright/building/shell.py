@@ -41,6 +41,7 @@ def scene_of_rooms(solution: Solution, plan: Plan) -> Scene:
         solution.pieces,
         (),
         stairs_of(solution.brief, plan.levels),
+        hour=solution.brief.hour,
     )
 
 

@@ -20,7 +20,7 @@ from scenewright.text import printable
 if TYPE_CHECKING:
     from rich.progress import Progress
 
-    from scenewright.batch import ResultRow
+    from scenewright.batch import ResultRow, Variation
     from scenewright.workflow.request import ArrangeRequest
 
 BatchOption = Annotated[
@@ -43,12 +43,15 @@ MOST = 25
 
 
 class BatchTerms(NamedTuple):
-    """Options of batches alone: formats, workers, memory of each in GiB, seconds for a file."""
+    """Options of batches alone: formats, workers, memory of each in GiB, seconds for a file, what
+    is made of every plan, and the manifest."""
 
     formats: str | None
     jobs: int | None
     memory: float | None
     limit: float | None
+    variation: Variation | None = None
+    manifest: str = ""
 
 
 def check_single(sources: Sequence[str], terms: BatchTerms) -> None:
@@ -58,7 +61,7 @@ def check_single(sources: Sequence[str], terms: BatchTerms) -> None:
             f"{len(sources)} inputs are given",
             "give each output with its own -o; for several inputs add --batch and -o FOLDER",
         )
-    if any(term is not None for term in terms):
+    if any(term is not None for term in terms[:4]):
         raise InputError("--format, --jobs, --memory, --limit are of a batch", "add --batch")
 
 
@@ -75,7 +78,7 @@ def run(
 ) -> int:
     """Lay out all files; the exit code: 0 all complete, 1 not all, 2 none could be used, 130
     interrupted."""
-    from scenewright.batch import MEMORY, TIME, batch
+    from scenewright.batch import MEMORY, TIME, Variation, batch
 
     if request.nets:
         raise InputError("--nets is of one run", 'name them as "nets" in the briefs of a batch')
@@ -109,6 +112,8 @@ def run(
             map_options=request.map_options,
             memory=MEMORY if terms.memory is None else terms.memory,
             limit=TIME if terms.limit is None else terms.limit,
+            variation=terms.variation or Variation(),
+            manifest=terms.manifest,
             progress=watch.on_row,
             cancel=lambda: bool(interrupted),
         )
@@ -141,7 +146,7 @@ def _failures(rows: Sequence[ResultRow]) -> list[str]:
 def _document(rows: Sequence[ResultRow]) -> dict[str, object]:
     from scenewright.batch.table import totals
 
-    return {"totals": totals(rows), "files": [row._asdict() for row in rows]}
+    return {"totals": totals(rows), "files": [row.listed() for row in rows]}
 
 
 def _tell(console: Console, rows: Sequence[ResultRow], folder: Path, watch: BatchWatch) -> None:

@@ -28,6 +28,7 @@ from scenewright.cli import learn as cli_learn
 from scenewright.cli import photo as cli_photo
 from scenewright.cli import plan as cli_plan
 from scenewright.cli import render as cli_render
+from scenewright.cli import sets as cli_sets
 from scenewright.cli.arguments import check_budget, check_repeated, check_words
 from scenewright.cli.faults import describe_usage_fault, drop_output, is_output_full, write_fault
 from scenewright.cli.pass_table import print_passes
@@ -289,6 +290,7 @@ def explain(
 for verb in (
     *(cli_adjust.adjust, cli_evolve.evolve, cli_compare.compare, cli_fold.fold),
     *(cli_generate.generate, cli_learn.learn, cli_plan.plan, cli_render.render, cli_photo.photo),
+    cli_sets.batch,
 ):
     app.command()(verb)
 app.command("list")(listing.list_)

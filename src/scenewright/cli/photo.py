@@ -19,7 +19,7 @@ def photo(
         typer.Option("-o", "--output", metavar="PNG|FOLDER", help="One room, or a folder for all."),
     ],
     room: RoomOption = None,
-    hour: Annotated[str, typer.Option(help="day (late afternoon) or dusk, lamps lit.")] = "day",
+    hour: Annotated[str, typer.Option(help="morning, noon, day (late), dusk, night.")] = "",
     size: Annotated[str, typer.Option(metavar="WxH", help="Pixels.")] = "1280x800",
     samples: Annotated[int, typer.Option(help="Paths of light a pixel; more, less noise.")] = 8,
     seed: Annotated[int, typer.Option(help="Same seed, same pictures.")] = 0,

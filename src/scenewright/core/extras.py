@@ -10,6 +10,7 @@ EXTRAS = {
     "dxf": ("ezdxf",),
     "gis": ("pyogrio", "osmium"),
     "learn": ("torch",),
+    "parquet": ("pyarrow",),
     "photo": ("pyoidn",),
     "pdf": ("fpdf", "fontTools", "fontpkg_noto_sans", "pypdfium2"),
     "peers": ("scipy", "cma", "pymoo", "deap"),

@@ -101,8 +101,8 @@ class GroundSurface(NamedTuple):
 class Scene:
     """Everything that is drawn: the shell (levels, spaces, walls, openings), what lies on open
     ground, the pieces, and the stairs; ``palette`` names the colours it is drawn in (empty: those
-    of the models); ``sources`` the author and licence of data that the layout was learned from, and
-    what was learned."""
+    of the models), ``hour`` the time of day it is lit for (empty: none); ``sources`` the author and
+    licence of data that the layout was learned from, and what was learned."""
 
     name: str
     levels: tuple[Level, ...]
@@ -113,6 +113,7 @@ class Scene:
     surfaces: tuple[GroundSurface, ...] = ()
     stairs: tuple[Stairs, ...] = ()
     palette: str = ""
+    hour: str = ""
     sources: tuple[tuple[str, str, str], ...] = ()
 
     def __repr__(self) -> str:

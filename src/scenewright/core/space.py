@@ -28,7 +28,8 @@ class Opening:
     ``+1`` left, ``-1`` right, ``0`` not at all.
     ``spaces`` are the ids of the spaces it touches, one (outside beyond) or two. ``use`` tells
     which way visitors go through it, seen from the first of the spaces. A window in a slope has
-    ``roof``: how far inwards of the wall's inner face its lower and upper edges lie.
+    ``roof``: how far inwards of the wall's inner face its lower and upper edges lie. ``ajar`` is
+    how far the leaf stands open, in radians, where the brief says so.
     """
 
     id: str
@@ -47,6 +48,7 @@ class Opening:
     spaces: tuple[str, ...] = ()
     use: OpeningUse = "both"
     roof: tuple[float, float] | None = None
+    ajar: float | None = None
 
 
 class Slope(NamedTuple):

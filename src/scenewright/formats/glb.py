@@ -29,6 +29,7 @@ from scenewright.core.solution import Solution
 from scenewright.formats.gltf.materials import list_materials
 from scenewright.formats.gltf.surfaces import GlbSurface, pack_surfaces, surface
 from scenewright.geometry.prisms import normals_of
+from scenewright.render.daylight import sun_at
 from scenewright.render.items import RenderItem, things
 from scenewright.render.lamps import lamps_of
 from scenewright.render.textures.projection import coordinates_of
@@ -87,6 +88,7 @@ def document_of(scene: Scene, catalog: Catalog) -> tuple[Json, bytes]:
             meshes.append(_mesh(thing, materials, parts))
         node["mesh"] = numbers[thing.key]
     lights = _light_nodes(nodes, found, catalog)
+    _add_sun(nodes, lights, scene.hour)
     names = [*_safe_names([node["name"] for node in nodes])]
     for node, name in zip(nodes, names, strict=True):
         if node["name"] != name and "extensions" not in node:
@@ -153,6 +155,21 @@ def _light_nodes(nodes: list[Json], found: Sequence[RenderItem], catalog: Catalo
             node | {"extensions": {LIGHTS: {"light": lights.index(light)}}},
         )
     return lights
+
+
+def _add_sun(nodes: list[Json], lights: list[Json], hour: str) -> None:
+    """A node with the sun of an hour, where it has risen: a light along the node's own -z."""
+    sun = sun_at(hour)
+    if sun is None:
+        return
+    x, y, z = sun.towards.tolist()
+    pitch, yaw = -np.arcsin(z) / 2, np.arctan2(x, -y) / 2  # half of the turns about x, then y
+    turn = [np.sin(pitch) * np.cos(yaw), np.cos(pitch) * np.sin(yaw)]
+    turn += [-np.sin(pitch) * np.sin(yaw), np.cos(pitch) * np.cos(yaw)]
+    color = [round(share, 4) for share in sun.color]
+    lights.append({"type": "directional", "color": color, "intensity": sun.lux})
+    node = {"name": "sun", "rotation": [round(float(part), 7) for part in turn]}
+    _add(nodes, 0, node | {"extensions": {LIGHTS: {"light": len(lights) - 1}}})
 
 
 def _about(scene: Scene, catalog: Catalog) -> Json:

@@ -15,7 +15,9 @@ from scenewright.core.plan import Plan
 from scenewright.core.report import Report
 from scenewright.core.solution import Solution
 from scenewright.engine.trace import Step
+from scenewright.workflow.disturb import disturb
 from scenewright.workflow.events import Event, Hear, Judged, Progress, Solved, Wrote, run_to_end
+from scenewright.workflow.looks import stream_of
 from scenewright.workflow.request import ArrangeRequest, note_heavy, note_losses, open_request
 from scenewright.workflow.stream import Cancel, stream_progress
 from scenewright.workflow.trace import write_trace
@@ -72,8 +74,11 @@ def arrange_file(
         raise error.located(file=request.source) from None
     if cancel is not None and cancel() and not solution.evaluations:
         raise CancelledError
+    look, report = request.look, None
+    if look is not None and look.number and "poses" in look.vary:
+        solution, report, _ = disturb(solution, plan, stream_of(brief, look, "poses"))
     yield Solved(solution)
-    report = domains.check(solution, plan=plan)
+    report = report or domains.check(solution, plan=plan)
     yield Judged(report)
     yield from write_all([(solution, path) for path in request.outputs], plan, parts)
     if request.trace is not None:

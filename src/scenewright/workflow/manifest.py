@@ -35,10 +35,18 @@ def seeds_of(text: str, most: int) -> range:
     return seeds
 
 
+OF_LOOKS = ("name", "style", "colour", "hour", "residents")
+"""Keys of a brief that say nothing of its plan."""
+
+
 def plan_hash(brief: Brief) -> str:
-    """A digest of all a brief says but its name: equal for equal plans, whatever their seed."""
+    """A digest of the plan a brief draws: equal for equal plans, whatever their name, who lives
+    there and how they look."""
     said = json.loads(brief_json.dumps(brief))
-    said.pop("name", None)
+    for key in OF_LOOKS:
+        said.pop(key, None)
+    for door in (door for room in said.get("rooms", ()) for door in room.get("doors", ())):
+        door.pop("ajar", None)
     return blake2b(json.dumps(said, sort_keys=True).encode(), digest_size=16).hexdigest()
 
 

@@ -14,10 +14,10 @@ from scenewright.core.atomic_file import recorded_run
 from scenewright.core.errors import CancelledError, InputError
 from scenewright.core.solution import Solution
 from scenewright.render.contact_sheet import write_sheet
+from scenewright.render.daylight import HOURS
 from scenewright.render.observations.world import build_world
 from scenewright.render.photo.photograph import SAMPLES, SIZE, Photo
 from scenewright.render.photo.photograph import photograph as photograph_world
-from scenewright.render.photo.sources import HOURS
 from scenewright.workflow.observe import SOLVING, Tell, check_rooms, named_rooms, solve_source
 from scenewright.workflow.request import check_name
 
@@ -36,7 +36,7 @@ def photograph(
     output: str | os.PathLike[str],
     *,
     rooms: Sequence[str] = (),
-    hour: str = "day",
+    hour: str = "",
     size: tuple[int, int] = SIZE,
     samples: int = SAMPLES,
     seed: int = 0,
@@ -45,9 +45,9 @@ def photograph(
     cancel: Callable[[], bool] | None = None,
 ) -> Photographs:
     """Photograph the ``rooms`` (none named: all) of a solution, a saved one, or a brief that is
-    arranged first, at an ``hour`` (``day`` or ``dusk``): one room into the picture ``output``, or
-    each into a folder of that name. Raises :class:`InputError` for what cannot
-    be photographed.
+    arranged first, at an ``hour`` of :data:`~scenewright.render.daylight.HOURS` (none named: that
+    of the brief, else ``day``): one room into the picture ``output``, or each into a folder of that
+    name. Raises :class:`InputError` for what cannot be photographed.
 
     >>> import tempfile
     >>> with tempfile.TemporaryDirectory() as folder:
@@ -70,7 +70,8 @@ def photograph(
             fault = f"one picture is of one room, but {len(wanted or scene.spaces)} are asked for"
             raise InputError(fault, "name one by --room, or give a folder", file=str(output))
         world = build_world(scene, catalog)
-        photos = photograph_world(world, catalog, wanted, hour, size, samples, seed)
+        lit = hour or scene.hour or "day"
+        photos = photograph_world(world, catalog, wanted, lit, size, samples, seed)
         told = _told(photos, len(wanted or scene.spaces), tell, cancel)
         written: dict[str, Path] = {}
         for one in told:
@@ -104,7 +105,7 @@ def _path_of(photo: Photo, folder: Path, taken: set[Path]) -> Path:
 
 def check_photo(hour: str, size: tuple[int, int], samples: int, seed: int) -> None:
     """Raise :class:`InputError` for what no camera can do."""
-    check_name("hour", hour, list(HOURS))
+    check_name("hour", hour, ["", *HOURS])
     checks = (
         (all(LEAST <= side <= MOST for side in size), "--size", f"{LEAST} to {MOST} pixels a side"),
         (1 <= samples <= MOST_SAMPLES, "--samples", f"1 to {MOST_SAMPLES:,}"),

@@ -6,6 +6,7 @@ from collections.abc import Collection, Generator, Iterator, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
+from scenewright import domains
 from scenewright.catalog.loading import catalog_of
 from scenewright.core.atomic_file import check_targets
 from scenewright.core.brief import Brief
@@ -26,6 +27,7 @@ from scenewright.formats import (
     writer,
 )
 from scenewright.workflow.events import Event, Notice, Planned
+from scenewright.workflow.looks import Look, vary_brief
 
 HEAVY = 50_000
 """Faces of a model above which it is reported."""
@@ -53,6 +55,7 @@ class ArrangeRequest(NamedTuple):
     map_options: MapOptions = AS_IT_IS
     trace: Path | None = None
     nets: str = ""
+    look: Look | None = None
 
     @property
     def work(self) -> int | None:
@@ -83,6 +86,9 @@ def plan_request(request: ArrangeRequest) -> Planned:
     domain: Domain = domain_of(brief.domain)
     if request.accessible:
         brief = make_accessible(brief, domain, request.source)
+    if request.look is not None:
+        brief = vary_brief(brief, request.look)
+        plan = domains.plan_valid(brief)
     presets, solvers = domain.table("presets"), domain.table("solvers")
     check_name("preset", request.preset, presets)
     check_name("solver", request.solver, (*solvers, None))

@@ -29,6 +29,7 @@ from scenewright.core.brief.fields import (
     FootprintOutline,
     Heading,
     Height,
+    Hour,
     Number,
     Outline,
     Point,
@@ -89,7 +90,8 @@ class Door(StrictModel):
     the side of the hinges seen from inside this room facing the door; ``swing`` whether the leaf
     turns into this room, out of it, slides, or is missing (an open passage).
     ``to`` is the id of the room beyond; left out, it is found from the plan. In halls ``use``
-    tells where visitors come in and leave; every door is a way out in an emergency.
+    tells where visitors come in and leave; every door is a way out in an emergency. ``ajar`` is
+    how far a leaf that turns stands open in pictures and 3D files, in radians (left out: 1.36).
     """
 
     at: Point
@@ -100,6 +102,7 @@ class Door(StrictModel):
     to: str | None = None
     use: Literal["both", "entrance", "exit"] = "both"
     id: str = ""
+    ajar: Annotated[Number | None, Field(ge=0, le=1.6, exclude_if=is_left_out)] = None
 
 
 class Window(StrictModel):
@@ -216,7 +219,8 @@ class Brief(StrictModel):
     heights keep their size. ``notes`` are what a reader of files left out or assumed; the referee
     repeats them. ``sheet`` is the number of the plan's sheet, ``date`` its day (2026-11-22): as
     they are printed. ``residents`` is how many live in a home (left out: as many as its bedrooms
-    are for). ``accepted`` are findings of the referee that are meant to be so, with reasons.
+    are for). ``hour`` is the time of day it is lit for in files of 3D and photographs.
+    ``accepted`` are findings of the referee that are meant to be so, with reasons.
     ``input_report`` is written by readers: what became of each feature of the file. Left out in a
     brief that was not changed (:func:`.own_report.input_report_of` counts what it holds).
     ``source_file`` is the file, where results can be written into a copy of it (IFC); a plan that
@@ -246,6 +250,7 @@ class Brief(StrictModel):
     sheet: Annotated[str, Field(max_length=20, exclude_if=not_)] = ""
     date: Annotated[Day, Field(exclude_if=not_)] = ""
     residents: Annotated[Whole | None, Field(ge=1, le=20, exclude_if=is_left_out)] = None
+    hour: Annotated[Hour, Field(exclude_if=not_)] = ""
     accepted: Annotated[list[AcceptedFinding], Field(max_length=1000, exclude_if=not_)] = []
     input_report: Annotated[InputReport | None, Field(exclude_if=is_left_out)] = None
     source_file: Annotated[SourceFile | None, Field(exclude_if=is_left_out)] = None

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from datetime import date
 from math import tau
-from typing import Annotated
+from typing import Annotated, Literal
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field
 from pydantic_core import PydanticCustomError
@@ -33,6 +33,8 @@ Height = Annotated[Number, Field(ge=0, le=100)]
 Heading = Annotated[Number, Field(ge=-tau, le=tau)]
 Clearance = Annotated[Number, Field(ge=0, le=20)]
 Words = Annotated[str, Field(max_length=80)]
+Hour = Literal["", "morning", "noon", "day", "dusk", "night"]
+"""A time of day by what lights it; none is said where it is empty."""
 Point = tuple[Coordinate, Coordinate]
 Outline = Annotated[list[Point], Field(min_length=3, max_length=5000)]
 

@@ -38,7 +38,7 @@ def photograph(
 ) -> Iterator[Photo]:
     """Each room by id (none given: all) from its best standpoint, in the order of the scene; a
     room without a free place is left out. ``samples`` paths are followed a pixel; ``hour`` is one
-    of :data:`scenewright.render.photo.sources.HOURS`. The same seed gives the same picture."""
+    of :data:`scenewright.render.daylight.HOURS`. The same seed gives the same picture."""
     lit = [*lamps_of(things(world.scene, catalog), catalog)]
     for space, floor, camera in stand_in_rooms(world, rooms, size, seed):
         sources = find_sources(world, floor, lit, hour, space.id)

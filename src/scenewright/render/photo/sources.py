@@ -17,6 +17,7 @@ from scenewright.core.catalog import Material
 from scenewright.core.scene import Scene
 from scenewright.core.space import Opening, Space
 from scenewright.render.colour import linear_of
+from scenewright.render.daylight import HOURS, towards
 from scenewright.render.items import to_level_coordinates
 from scenewright.render.lamps import Lamp, color_of_kelvin
 from scenewright.render.observations.ceilings import CEILING
@@ -31,8 +32,8 @@ GLAZED = 0.8
 """Share of light that two panes and a frame let through (EN 410: 0.80 to 0.82)."""
 SUN_RADIUS = 0.008
 """Tangent of the radius of the sun's disc, softened a little by haze."""
-LOW_SUN, ASIDE = float(np.deg2rad(24.0)), float(np.deg2rad(38.0))
-"""Height of the sun, and how far it stands aside of the way out of the largest window."""
+ASIDE = float(np.deg2rad(38.0))
+"""How far the sun stands aside of the way out of the largest window."""
 LARGE, LUX, COOL = 60.0, 300.0, 3500.0
 """Rooms larger than this, m², have rows of lights that give this illuminance (EN 12464-1, sales
 areas and exhibitions: 300 lx) of this colour temperature."""
@@ -46,26 +47,6 @@ BESIDE = 0.3
 
 GRASS = (0.05, 0.075, 0.022)
 """Share of each colour that a lawn gives back."""
-
-
-class Daylight(NamedTuple):
-    """Light of the sun, of the ground, the horizon and the zenith, linear colours; and how bright
-    what glows is, a unit of emission."""
-
-    sun: tuple[float, float, float]
-    ground: tuple[float, float, float]
-    horizon: tuple[float, float, float]
-    zenith: tuple[float, float, float]
-    glow: float
-
-
-HOURS = {
-    "day": Daylight((30.0, 25.0, 18.0), (1.2, 1.4, 0.8), (3.6, 3.7, 3.6), (1.7, 2.2, 3.0), 0.8),
-    "dusk": Daylight(
-        (0.0, 0.0, 0.0), (0.006, 0.007, 0.009), (0.075, 0.05, 0.04), (0.016, 0.025, 0.05), 0.5
-    ),
-}
-"""A late afternoon under a clear sky, and a quarter of an hour after sunset."""
 
 
 class Sources(NamedTuple):
@@ -86,8 +67,8 @@ def find_sources(
     world: VisibleWorld, floor: WalkableFloor, lit: Sequence[Lamp], hour: str, room: str
 ) -> Sources:
     """The sources of light of a level, with the lamps ``lit``, at an hour of
-    :data:`HOURS`; the sun stands where it shines
-    in through the largest window of a room."""
+    :data:`~scenewright.render.daylight.HOURS`; the sun stands where it shines in through the
+    largest window of a room."""
     light, scene = HOURS[hour], world.scene
     numbers = {space.id: number for number, space in enumerate(floor.spaces)}
     windows = np.array([*_windows(scene, floor, numbers)]).reshape(-1, 11)
@@ -96,7 +77,7 @@ def find_sources(
     lamps = np.vstack([lamps, *_light_rows(floor, np.vstack([lamps, windows]))])
     side = _sun_side(windows, numbers.get(room, -1))
     return Sources(
-        np.vstack([_sun_towards(side), [light.sun]]).astype(np.float32),
+        np.vstack([_sun_towards(side, light.height), [light.sun]]).astype(np.float32),
         np.array([light.ground, light.horizon, light.zenith], np.float32),
         np.vstack([lamps, windows]).astype(np.float32),
         _links(scene.openings, numbers),
@@ -157,10 +138,9 @@ def _sun_side(windows: Floats, room: int) -> float:
     return float(np.arctan2(row[7], row[6])) + ASIDE
 
 
-def _sun_towards(turn: float) -> Floats:
+def _sun_towards(turn: float, height: float) -> Floats:
     """Two directions across the sun by its radius, and the one to it."""
-    level = np.cos(LOW_SUN)
-    to = np.array([level * np.cos(turn), level * np.sin(turn), np.sin(LOW_SUN)])
+    to = towards(turn, height)
     side = np.array([-np.sin(turn), np.cos(turn), 0.0])
     return np.stack([SUN_RADIUS * side, SUN_RADIUS * np.cross(to, side), to])
 
