@@ -197,3 +197,20 @@ def test_one_command_makes_a_set(tmp_path: Path, capsys: pytest.CaptureFixture[s
     assert [(line["seed"], line["look"]["number"]) for line in lines_of(out)] == [(4, 1), (5, 1)]
     saved = read(out / "wc-0-4-1.json")
     assert saved.rooms[0].doors[0].ajar is not None
+
+
+def test_the_sun_of_an_hour_shines_in_usd() -> None:
+    pxr = pytest.importorskip("pxr.Gf")
+    from scenewright.formats.usd.stage import build_stage
+
+    brief, plan = read_planned("sample:home-room")
+    scene = domains.scene_of(domains.solution_of(brief, {}), plan)
+    for hour in ("morning", "night"):
+        stage = build_stage(replace(scene, hour=hour), catalog_of([]))
+        suns = [prim for prim in stage.Traverse() if prim.GetName() == "Sun"]
+        risen = sun_at(hour)
+        assert len(suns) == (risen is not None)
+        if risen is not None:
+            turn = pxr.Rotation(suns[0].GetAttribute("xformOp:orient").Get())
+            away = turn.TransformDir(pxr.Vec3d(0, 0, -1))
+            assert [*away] == pytest.approx((-risen.towards).tolist(), abs=1e-6)

@@ -13,10 +13,10 @@ import numpy as np
 from pxr import Gf, Sdf, Usd, UsdGeom, UsdLux
 
 from scenewright.core.catalog import Catalog
+from scenewright.render.daylight import HOURS, sun_at
 from scenewright.render.items import RenderItem
 from scenewright.render.lamps import lamps_of
 from scenewright.render.observations.views import SUN
-from scenewright.render.photo.sources import HOURS
 
 KILO = 1000.0
 SUN_DISC = 0.53
@@ -39,15 +39,18 @@ def define_lamps(
         light.CreateColorTemperatureAttr(float(kind.kelvin))
 
 
-def define_daylight(stage: Usd.Stage, parent: Sdf.Path) -> None:
-    """The sun of a clear afternoon and the light of the sky."""
-    day = HOURS["day"]
-    sun = UsdLux.DistantLight.Define(stage, parent.AppendChild("Sun"))
-    sun.CreateAngleAttr(SUN_DISC)
-    sun.CreateNormalizeAttr(True)
-    _shine(sun, np.array(day.sun))
-    turn = Gf.Rotation(Gf.Vec3d(0, 0, 1), Gf.Vec3d(*SUN)).GetQuat()
-    UsdGeom.Xformable(sun).AddOrientOp().Set(Gf.Quatf(turn))
+def define_daylight(stage: Usd.Stage, parent: Sdf.Path, hour: str = "") -> None:
+    """The sun, where it has risen at an hour, and the light of the sky; those of a clear afternoon
+    where none is said."""
+    day, risen = HOURS[hour or "day"], sun_at(hour)
+    if risen is not None or not hour:
+        sun = UsdLux.DistantLight.Define(stage, parent.AppendChild("Sun"))
+        sun.CreateAngleAttr(SUN_DISC)
+        sun.CreateNormalizeAttr(True)
+        _shine(sun, np.array(day.sun))
+        to = SUN if risen is None else risen.towards
+        turn = Gf.Rotation(Gf.Vec3d(0, 0, 1), Gf.Vec3d(*to)).GetQuat()
+        UsdGeom.Xformable(sun).AddOrientOp().Set(Gf.Quatf(turn))
     sky = UsdLux.DomeLight.Define(stage, parent.AppendChild("Sky"))
     _shine(sky, (np.array(day.horizon) + np.array(day.zenith)) / 2)
 

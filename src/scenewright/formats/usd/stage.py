@@ -56,7 +56,7 @@ def build_stage(scene: Scene, catalog: Catalog) -> Usd.Stage:
         xform.AddTranslateOp().Set(Gf.Vec3d(0.0, 0.0, float(level.elevation)))
         _add_level(built, path, [one for one in items if one.level == level.id], scene)
     define_lamps(stage, items, built.places, catalog)
-    define_daylight(stage, ROOT)
+    define_daylight(stage, ROOT, scene.hour)
     if not open_air:
         cameras = _define_scope(stage, ROOT.AppendChild("Cameras"))
         define_cameras(stage, cameras, scene, catalog)
