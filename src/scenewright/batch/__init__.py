@@ -72,24 +72,10 @@ def batch(
     """
     given = [sources] if isinstance(sources, str | os.PathLike) else sources
     out = Path(folder)
-    options = BatchOptions(
-        tuple(formats),
-        preset,
-        solver,
-        seconds,
-        steps,
-        seed,
-        keep,
-        tuple(catalogs),
-        tuple(groups),
-        scale,
-        hidden_levels,
-        accessible,
-        style,
-        layouts,
-        map_options,
-        check_vary(variation.vary) if variation != AS_ASKED else (),
-    )
+    how = (preset, solver, seconds, steps, seed, keep)
+    files = (tuple(catalogs), tuple(groups), scale, hidden_levels, accessible, style)
+    vary = check_vary(variation.vary) if variation != AS_ASKED else ()
+    options = BatchOptions(tuple(formats), *how, *files, layouts, map_options, vary)
     limits = _check_limits(Limits(jobs or os.cpu_count() or 1, memory, limit), options)
     _check_manifest(manifest)
     with recorded_run() as run:
