@@ -10,7 +10,7 @@ from PIL import Image
 
 import scenewright as sw
 from scenewright.catalog.loading import catalog_of
-from scenewright.core.catalog import Material
+from scenewright.core.catalog import Material, Part
 from scenewright.core.errors import InputError
 from scenewright.domains import scene_of
 from scenewright.geometry.prisms import box
@@ -24,6 +24,8 @@ from scenewright.render.photo.sources import Sources, find_sources
 from scenewright.render.photo.standpoints import EYE, frame_of, stand_in_rooms
 from scenewright.render.picture import PAGE, build_casters
 from scenewright.render.stage import PartTriangles, stage_of
+from scenewright.render.textures.table import bake, texture_of
+from scenewright.render.textures.worn import wear_textures
 
 GREY = Material("grey", (0.5, 0.5, 0.5), roughness=1.0)
 ALBEDO = float(((0.5 + 0.055) / 1.055) ** 2.4)
@@ -71,6 +73,38 @@ def test_sun_and_sky_light_open_ground_as_by_the_cosine(floor_world: VisibleWorl
     sources = _sources(floor_world, SUN, [], -1)
     expected = ALBEDO * (9.0 * 0.8 / np.pi + 2.0)
     assert _light_below(floor_world, sources) == pytest.approx(expected, rel=0.02)
+
+
+@pytest.mark.parametrize("name", ["oak", "tile floor"])
+def test_the_eye_sees_the_texture_of_a_floor_at_its_place(
+    floor_world: VisibleWorld, name: str
+) -> None:
+    part = Part(Material(name, GREY.color), *box((-40, -40, -0.1), (40, 40, 0.0)))
+    worn = wear_textures([part], len(floor_world.stage.corners))
+    sources = _sources(floor_world, SUN, [], -1)
+    camera = frame_of((0.0, -1.0, 1.0), np.pi / 2, (9, 9))
+    near = camera._replace(frame=np.array([-0.01, -0.99, 0.0022], np.float32))
+    seen = expose(floor_world, sources, near, 32, worn).body[..., 1].mean() / ALBEDO
+    tone = bake(worn_name(name)).tone[..., 1]
+    top = np.flatnonzero((part.vertices[part.faces][:, :, 2] == 0).all(1))[0]
+    corner, place = part.vertices[part.faces[top]], worn.places[top].astype(float)
+    frame = np.linalg.solve(np.column_stack([corner[:, :2], np.ones(3)]), place)
+    y = 1 / np.linspace(0.99, 0.99 + 9 * 0.0022, 40) - 1
+    grid = np.stack(np.meshgrid(np.linspace(-0.01, 0.0098, 40), y), -1).reshape(-1, 2)
+    spots = np.column_stack([grid, np.ones(len(grid))]) @ frame % 1.0
+    high, wide = tone.shape
+    expected = tone[(spots[:, 1] * high).astype(int), (spots[:, 0] * wide).astype(int)].mean()
+    assert seen == pytest.approx(expected, rel=0.02)
+    far = camera._replace(frame=np.array([-0.5, -0.03, 0.1], np.float32), width=9, height=1)
+    assert expose(floor_world, sources, far, 8, worn).body[..., 1].mean() == pytest.approx(
+        ALBEDO, rel=0.03
+    ), "from afar the mean"
+
+
+def worn_name(material: str) -> str:
+    row = texture_of(material)
+    assert row is not None
+    return row.name
 
 
 def test_a_lamp_lights_by_the_inverse_square(floor_world: VisibleWorld) -> None:

@@ -22,6 +22,8 @@ APART = 2.0
 SHADOW = 1.7
 """How far beyond the scene, in metres, its shadow is drawn."""
 
+CLEAR = 0.8
+"""What lets more light through than this opacity does is glass."""
 AT_ONCE = 50_000
 """Triangles that are prepared together."""
 
@@ -67,8 +69,8 @@ def stage_of(
 
     ``bounds`` (k, 3) points in metres that the page reaches beyond.
     """
-    clear = [block for block in blocks if block.material.opacity < 0.8]
-    solid = [block for block in blocks if block.material.opacity >= 0.8]
+    clear = [block for block in blocks if block.material.opacity < CLEAR]
+    solid = [block for block in blocks if block.material.opacity >= CLEAR]
     solid.append(_page(bounds, page))
     numbers = {block.material: 0 for block in solid}
     numbers = {material: number for number, material in enumerate(numbers)}

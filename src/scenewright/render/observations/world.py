@@ -11,13 +11,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.catalog.kinds import KINDS
-from scenewright.core.catalog import Catalog
+from scenewright.core.catalog import Catalog, Part
 from scenewright.core.scene import Scene
 from scenewright.geometry import rays
 from scenewright.render.items import RenderItem, things
 from scenewright.render.observations.ceilings import ceilings
 from scenewright.render.picture import RenderStage, StageCasters, build_caster, build_casters
-from scenewright.render.stage import place_parts, shared_normals, stage_of
+from scenewright.render.stage import CLEAR, place_parts, shared_normals, stage_of
 from scenewright.render.street import AIR, MEADOW
 
 BUILT = (
@@ -85,10 +85,21 @@ def class_of(category: str) -> int:
     return FIRST + sorted(KINDS).index(category) if category in KINDS else UNKNOWN
 
 
+def shown_items(scene: Scene, catalog: Catalog) -> tuple[RenderItem, ...]:
+    """The things that are seen from inside, in the order of the world's triangles."""
+    return tuple(one for one in (*things(scene, catalog), *ceilings(scene)) if one.parts)
+
+
+def solid_parts(scene: Scene, catalog: Catalog) -> list[Part]:
+    """The parts of a world's stage, in the order of its triangles, which end in the ground's."""
+    parts = (part for one in shown_items(scene, catalog) for part in one.parts)
+    return [part for part in parts if part.material.opacity >= CLEAR]
+
+
 def build_world(scene: Scene, catalog: Catalog) -> VisibleWorld:
     """Everything that can be seen of a scene of rooms, ready to be looked at."""
     heights = {level.id: level.elevation for level in scene.levels}
-    shown = [one for one in (*things(scene, catalog), *ceilings(scene)) if one.parts]
+    shown = shown_items(scene, catalog)
     normals = shared_normals(shown)
     blocks, owners = [], []
     for number, one in enumerate(shown, 1):
@@ -100,7 +111,7 @@ def build_world(scene: Scene, catalog: Catalog) -> VisibleWorld:
     bounds = np.array([f(b.vertices) for b in blocks for f in (_low, _high)])
     ends = np.stack([bounds.min(0), bounds.max(0)])
     stage = stage_of(blocks, ends, MEADOW, SHADOW)._replace(air=AIR)
-    clear = [block.material.opacity < 0.8 for block in blocks]
+    clear = [block.material.opacity < CLEAR for block in blocks]
     faces = [len(block.faces) for block in blocks]
     solid, glass = (_repeat(owners, faces, clear, which) for which in (False, True))
     ground = np.full(len(stage.corners) - len(solid), len(shown) + 1, np.int32)

@@ -9,9 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.geometry import rays
+from scenewright.render.finish import PLAIN
 from scenewright.render.observations.world import VisibleWorld
 from scenewright.render.photo import kernels
 from scenewright.render.photo.sources import Sources
+from scenewright.render.photo.texture_kernels import paint_hits
+from scenewright.render.textures.worn import WornTextures, wear_textures
 
 Singles = NDArray[np.float32]
 Ints = NDArray[np.int32]
@@ -35,6 +38,14 @@ class PhotoFrame(NamedTuple):
     frame: Singles
     width: int
     height: int
+
+
+class LitWorld(NamedTuple):
+    """What rays run through: a world, its sources of light, and what its faces wear."""
+
+    world: VisibleWorld
+    sources: Sources
+    worn: WornTextures
 
 
 class Exposure(NamedTuple):
@@ -69,8 +80,16 @@ class Paths(NamedTuple):
         )
 
 
-def expose(world: VisibleWorld, sources: Sources, camera: PhotoFrame, samples: int) -> Exposure:
-    """Follow ``samples`` paths a pixel; the same camera gives the same film."""
+def expose(
+    world: VisibleWorld,
+    sources: Sources,
+    camera: PhotoFrame,
+    samples: int,
+    worn: WornTextures | None = None,
+) -> Exposure:
+    """Follow ``samples`` paths a pixel; the same camera gives the same film. Surfaces are plain
+    unless it is said what they have ``worn``."""
+    lit = _lit_world(world, sources, worn)
     count = camera.width * camera.height
     film = Exposure(*(np.zeros((count, 3), np.float32) for _ in range(3)))
 
@@ -79,7 +98,7 @@ def expose(world: VisibleWorld, sources: Sources, camera: PhotoFrame, samples: i
         part = Exposure(*(plane[here] for plane in film))
         pixels = np.arange(here.start, here.stop, dtype=np.int32)
         for sample in range(samples):
-            _follow(world, sources, camera, pixels, sample, part)
+            _follow(lit, camera, pixels, sample, part)
 
     with ThreadPoolExecutor(2) as pool:
         list(pool.map(work, range(0, count, PORTION)))
@@ -88,14 +107,15 @@ def expose(world: VisibleWorld, sources: Sources, camera: PhotoFrame, samples: i
     return Exposure(*((plane * share).reshape(shape) for plane in film))
 
 
-def _follow(
-    world: VisibleWorld,
-    sources: Sources,
-    camera: PhotoFrame,
-    pixels: Ints,
-    sample: int,
-    film: Exposure,
-) -> None:
+def _lit_world(world: VisibleWorld, sources: Sources, worn: WornTextures | None) -> LitWorld:
+    """A world and its light; finishes that have a texture lose the pattern drawn in its stead."""
+    worn = wear_textures((), len(world.stage.finishes)) if worn is None else worn
+    table = sources.table.copy()
+    table[np.unique(world.stage.finishes[worn.worn >= 0]), 6] = PLAIN
+    return LitWorld(world, sources._replace(table=table), worn)
+
+
+def _follow(lit: LitWorld, camera: PhotoFrame, pixels: Ints, sample: int, film: Exposure) -> None:
     """One path for each of some pixels, added to their part of the film."""
     count = len(pixels)
     starts, ways = (np.empty((count, 3), np.float32) for _ in range(2))
@@ -105,16 +125,19 @@ def _follow(
     rows = np.arange(count, dtype=np.int32)
     ones = np.ones((count, 3), np.float32)
     paths = Paths(pixels, rows, starts, ways, ones, np.ones(count, np.bool_))
+    step = float(camera.frame[2])
     for bounce in range(BOUNCES + 1):
-        paths = _bounce(world, sources, paths, sample, bounce, film)
+        paths = _bounce(lit, paths, sample, bounce, step, film)
         if not len(paths.rows):
             break
 
 
 def _bounce(
-    world: VisibleWorld, sources: Sources, paths: Paths, sample: int, bounce: int, film: Exposure
+    lit: LitWorld, paths: Paths, sample: int, bounce: int, step: float, film: Exposure
 ) -> Paths:
-    """Land all paths, add what falls on them there, and send them on."""
+    """Land all paths, add what falls on them there, and send them on; ``step`` is the width of a
+    pixel at distance 1."""
+    world, sources, worn = lit
     stage, count = world.stage, len(paths.rows)
     met = rays.first(world.casters.solid, paths.starts, paths.ways)
     points, facing, body = (np.zeros((count, 3), np.float32) for _ in range(3))
@@ -135,6 +158,9 @@ def _bounce(
         facing,
         body,
         dull,
+    )
+    paint_hits(
+        met, paths.bare, paths.starts, points, facing, paths.ways, stage.corners, *worn, step, body
     )
     if bounce == 0:
         film.body[:] += body

@@ -9,13 +9,14 @@ from scenewright.core.catalog import Catalog
 from scenewright.core.space import Space
 from scenewright.render.items import things
 from scenewright.render.lamps import lamps_of
-from scenewright.render.observations.world import VisibleWorld
+from scenewright.render.observations.world import VisibleWorld, solid_parts
 from scenewright.render.photo.denoising import take_out_noise
 from scenewright.render.photo.developing import develop
 from scenewright.render.photo.following import expose
 from scenewright.render.photo.sources import find_sources
 from scenewright.render.photo.standpoints import stand_in_rooms
 from scenewright.render.picture import Pixels
+from scenewright.render.textures.worn import wear_textures
 
 SIZE, SAMPLES = (1280, 800), 8
 
@@ -40,7 +41,8 @@ def photograph(
     room without a free place is left out. ``samples`` paths are followed a pixel; ``hour`` is one
     of :data:`scenewright.render.daylight.HOURS`. The same seed gives the same picture."""
     lit = [*lamps_of(things(world.scene, catalog), catalog)]
+    worn = wear_textures(solid_parts(world.scene, catalog), len(world.stage.corners))
     for space, floor, camera in stand_in_rooms(world, rooms, size, seed):
         sources = find_sources(world, floor, lit, hour, space.id)
-        film = expose(world, sources, camera, samples)
+        film = expose(world, sources, camera, samples, worn)
         yield Photo(space, develop(take_out_noise(film)))
