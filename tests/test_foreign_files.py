@@ -15,7 +15,10 @@ from scenewright.formats.foreign import FOREIGN
 
 SQUARE = [{"x": 0, "y": 0, "z": 0}, {"x": 4, "y": 0, "z": 0}, {"x": 4, "y": 0, "z": 3}]
 DOCUMENTS: dict[str, tuple[Any, str]] = {
-    "ProcTHOR": ({"rooms": [{"roomType": "Kitchen", "floorPolygon": SQUARE}]}, "floorPolygon"),
+    "ProcTHOR": (
+        {"rooms": [{"roomType": "Kitchen", "floorPolygon": SQUARE}]},
+        "name it .procthor.json",
+    ),
     "Blueprint3D": ({"floorplan": {"corners": {}, "walls": []}, "items": []}, ".sh3d"),
     "floorspace.js": (
         {"stories": [{"floor_to_ceiling_height": 8, "spaces": [], "geometry": {}}]},

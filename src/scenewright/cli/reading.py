@@ -37,9 +37,7 @@ SolverOption = Annotated[
     str | None, typer.Option(help="Solver by name.", autocompletion=completion.solvers)
 ]
 
-KeepOption = Annotated[
-    bool, typer.Option("--keep", help="Keep the furniture of a .sh3d file in place.")
-]
+KeepOption = Annotated[bool, typer.Option("--keep", help="Keep the furniture of a file in place.")]
 ScaleOption = Annotated[
     float,
     typer.Option(

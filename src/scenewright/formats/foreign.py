@@ -54,9 +54,9 @@ FOREIGN = (
     ),
     ForeignFormat(
         "a ProcTHOR house",
-        "write it as a brief: floorPolygon (x, z) as outline, roomType as function "
-        "(scenewright schema brief)",
+        "name it .procthor.json",
         holds=(b'"roomType"', b'"floorPolygon"'),
+        read_as=(".procthor.json",),
     ),
     ForeignFormat(
         "a Blueprint3D plan",

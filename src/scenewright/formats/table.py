@@ -58,6 +58,19 @@ FORMATS = (
         writer="scenewright.formats.glb",
         lacks=("dimensions", "outlets", *JUDGED),
     ),
+    Format(
+        ".procthor.json",
+        "house of ProcTHOR, for AI2-THOR (read and written)",
+        "scenewright.formats.simulation.procthor",
+        "scenewright.formats.simulation.procthor",
+        lacks=("columns", "sloped ceilings", "stairs", "outlets", "3D shapes", *JUDGED),
+    ),
+    Format(
+        ".sceneeval.json",
+        "scene state of SceneEval, for judges of scenes",
+        writer="scenewright.formats.simulation.scene_eval",
+        lacks=("columns", "sloped ceilings", "stairs", "outlets", "3D shapes", *JUDGED),
+    ),
     *(
         Format(
             suffix,

@@ -1,0 +1,1 @@
+"""Scenes as files of simulators and of judges of scenes."""
