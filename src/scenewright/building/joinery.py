@@ -6,22 +6,36 @@ floor; the origin is in the middle of the opening on the middle line of the wall
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
 
 from scenewright.building.door_leaves import leaves_of
 from scenewright.building.door_uses import DoorUse
-from scenewright.building.glazing import DARK_FRAME, FRAME, GLASS, LINING, make_glazing, make_part
+from scenewright.building.glazing import (
+    DARK_FRAME,
+    FRAME,
+    GLASS,
+    LINING,
+    Span,
+    make_glazing,
+    make_part,
+)
 from scenewright.building.sliding_doors import PANEL, make_panels
-from scenewright.core.catalog import Material, Part
+from scenewright.core.catalog import Material, Part, transform_part
 from scenewright.core.space import Opening
-from scenewright.geometry.mesh import Floats, Mesh, translate_mesh
+from scenewright.geometry.joints import Joint
+from scenewright.geometry.mesh import Floats, Mesh
 from scenewright.geometry.prisms import box
 
-AJAR = np.deg2rad(78.0)
+AJAR = float(np.deg2rad(78.0))
 """How far a door is drawn open, in radians, where its brief does not say."""
+WIDEST = float(np.deg2rad(92.0))
+"""How far it opens."""
 LEAF = 0.04
+RIM, PLAY = 0.03, 0.002
+"""Width of the frame that holds the casements of a window, and their gap to it, in metres."""
 PROUD = 0.012
 """How far a lining stands out of the wall, in metres."""
 
@@ -87,10 +101,11 @@ def _leaf(opening: Opening, along: float, use: DoorUse) -> tuple[Part, ...]:
     clear = opening.width - 2 * min(LINING, opening.width / 8) - 0.006
     top = max(opening.head - LINING - 0.006, 0.5)
     made = (*_panel(clear, top, use), make_part(METAL, *_handles(clear)))
-    return tuple(
-        Part(p.material, *translate_mesh(_swung(opening, clear, Mesh(p.vertices, p.faces)), along))
-        for p in made
-    )
+    ajar = AJAR if opening.ajar is None else opening.ajar
+    matrix, shift = _swing(opening, clear, along, ajar)
+    name = "leaf" if not along else f"leaf {1 if along < 0 else 2}"
+    hinge = Joint(name, "hinge", (0.0, 0.0, 0.0), (0.0, 0.0, -1.0), 0.0, WIDEST, ajar)
+    return tuple(transform_part(replace(part, joint=hinge), matrix, shift) for part in made)
 
 
 def _panel(clear: float, top: float, use: DoorUse) -> tuple[Part, ...]:
@@ -109,30 +124,40 @@ def _handles(clear: float) -> list[Mesh]:
     return [box((x, y0, 1.0), (reach + 0.025, y1, 1.025)) for y0, y1, x in (*knobs, *grips)]
 
 
-def _swung(opening: Opening, clear: float, mesh: Mesh) -> Mesh:
-    """From the frame of a leaf (x from the hinge, y towards the wall's far face) to its place.
-
-    Made for a hinge at the start that opens to the left; other doors are mirror images.
-    """
-    vertices, faces = mesh
-    ajar = AJAR if opening.ajar is None else opening.ajar
+def _swing(opening: Opening, clear: float, along: float, ajar: float) -> tuple[Floats, Floats]:
+    """From the frame of a leaf (x from the hinge, y towards the wall's far face) to its place, as
+    a matrix (3, 3) and a shift (3,): turned open about the hinge, on the side it swings to."""
     cos, sin = np.cos(ajar), np.sin(ajar)
-    turned = vertices[:, :2] @ np.array([[cos, sin], [sin, -cos]])
-    face = opening.thickness / 2
-    x = (turned[:, 0] - clear / 2) * -opening.hinge
-    y = (turned[:, 1] + face) * opening.swing
-    mirrored = opening.hinge * opening.swing > 0
-    return Mesh(np.column_stack([x, y, vertices[:, 2]]), faces if mirrored else faces[:, ::-1])
+    sides = np.diag([-opening.hinge, opening.swing, 1.0])
+    turn = np.array([[cos, sin, 0.0], [sin, -cos, 0.0], [0.0, 0.0, 1.0]])
+    place = sides @ np.array([-clear / 2, opening.thickness / 2, 0.0])
+    return sides @ turn, place + np.array([along, 0.0, 0.0])
 
 
 def _window(opening: Opening) -> tuple[Part, ...]:
-    """Casements of about 0.9 m with one pane each, and a board on the sill inside."""
+    """A frame with casements of about 0.9 m, one pane each, that open inwards, and a board on the
+    sill inside."""
     half, face = opening.width / 2, opening.thickness / 2
     depth, low, high = min(0.035, face), opening.sill, opening.head
     count = max(1, round(opening.width / 0.9))
-    width = min(FRAME, opening.width / count / 5, (high - low) / 5)
-    ends = np.linspace(-half, half, count + 1).tolist()
-    cases = [make_glazing(xs, (-depth, depth), (low, high), width) for xs in pairwise(ends)]
-    bars = [bar for found, _ in cases for bar in found]
-    board = box((-half, depth, low), (half, face + 0.03, low + 0.025))
-    return make_part(PAINT, *bars, board), make_part(GLASS, *(pane for _, pane in cases))
+    rim = min(RIM, opening.width / 20, (high - low) / 20)
+    board = box((-half, depth, low), (half, face + 0.03, low + 0.83 * rim))
+    sill = box((-half + rim, -depth, low), (half - rim, depth, low + rim))
+    frame = (*_surround(opening, rim, -depth, depth, low), sill)
+    ends = np.linspace(-half + rim, half - rim, count + 1).tolist()
+    each = enumerate(pairwise(ends), 1)
+    sashes = (part for i, xs in each for part in _sash(f"sash {i}", xs, depth, (low, high), rim))
+    return (make_part(PAINT, *frame, board), *sashes)
+
+
+def _sash(name: str, xs: Span, depth: float, z: Span, rim: float) -> tuple[Part, ...]:
+    """One casement between two upright edges, hung on the left or, every second, on the right."""
+    (x0, x1), (low, high) = (xs[0] + PLAY, xs[1] - PLAY), (z[0] + rim + PLAY, z[1] - rim - PLAY)
+    width = min(FRAME - RIM, (x1 - x0) / 5, (high - low) / 5)
+    bars, pane = make_glazing((x0, x1), (-depth, depth), (low, high), width)
+    right = name.endswith(tuple("02468"))
+    pivot = (x1 if right else x0, depth, (low + high) / 2)
+    axis = (0.0, 0.0, -1.0 if right else 1.0)
+    joint = Joint(name, "hinge", pivot, axis, 0.0, WIDEST)
+    made = (make_part(PAINT, *bars), make_part(GLASS, pane))
+    return tuple(replace(part, joint=joint) for part in made)

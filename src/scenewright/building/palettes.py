@@ -9,6 +9,7 @@ the home it stands in.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from functools import cache
 from typing import NamedTuple
 from zlib import crc32
@@ -192,7 +193,7 @@ def paint(parts: tuple[Part, ...], palette: str) -> tuple[Part, ...]:
         return parts
     coats = list_coats(PALETTES[palette])
     return tuple(
-        Part(coats[part.material], part.vertices, part.faces) if part.material in coats else part
+        replace(part, material=coats[part.material]) if part.material in coats else part
         for part in parts
     )
 

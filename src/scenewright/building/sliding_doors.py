@@ -5,10 +5,13 @@ The frame of an opening is that of :mod:`scenewright.building.joinery`.
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from scenewright.building.door_uses import DoorUse
 from scenewright.building.glazing import DARK_FRAME, FRAME, GLASS, LINING, make_glazing, make_part
 from scenewright.core.catalog import Material, Part
 from scenewright.core.space import Opening
+from scenewright.geometry.joints import Joint
 from scenewright.geometry.mesh import Mesh
 from scenewright.geometry.prisms import box
 
@@ -49,8 +52,14 @@ def _glazed(opening: Opening, frame: Material, glass: Material) -> Panels:
     depth, width = min(0.05, opening.thickness / 3), min(FRAME, opening.width / 12)
     fixed, moved = _spans(opening)
     bars, pane = make_glazing(fixed, (0.0, depth), (0.02, top), width)
-    others, front = make_glazing(moved, (-depth, 0.0), (0.02, top), width)
-    return make_part(frame, *bars, *others), make_part(glass, pane, front)
+    others, front = make_glazing(moved, (-depth, -0.002), (0.02, top), width)
+    slid = (make_part(frame, *others), make_part(glass, front))
+    joint = _slide(opening)
+    return (
+        make_part(frame, *bars),
+        make_part(glass, pane),
+        *(replace(part, joint=joint) for part in slid),
+    )
 
 
 def _plain(opening: Opening, material: Material, wide: float) -> Panels:
@@ -59,8 +68,20 @@ def _plain(opening: Opening, material: Material, wide: float) -> Panels:
     if opening.width < wide:
         half = opening.width / 2
         return (make_part(material, _board((-half, -0.3 * half), (-0.02, 0.02), top)),)
-    boards = [_board(fixed, (0.002, depth), top), _board(moved, (-depth, -0.002), top)]
-    return (make_part(material, *boards),)
+    front = make_part(material, _board(moved, (-depth, -0.002), top))
+    return (
+        make_part(material, _board(fixed, (0.002, depth), top)),
+        replace(front, joint=_slide(opening)),
+    )
+
+
+def _slide(opening: Opening) -> Joint:
+    """How the front panel runs: shut it closes the half that the other leaves open."""
+    half = opening.width / 2
+    (_, at), top = _spans(opening)[1], opening.head / 2
+    shut, most = half - LINING, half - 2 * LINING
+    axis, pivot = (-1.0, 0.0, 0.0), (at - half / 2, 0.0, top)
+    return Joint("panel", "slide", pivot, axis, 0.0, most, shut - at)
 
 
 def _board(xs: tuple[float, float], ys: tuple[float, float], top: float) -> Mesh:

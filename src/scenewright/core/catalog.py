@@ -14,11 +14,12 @@ from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from scenewright.core.footprint import Footprint
 from scenewright.core.kind import Kind
 from scenewright.core.scene import Piece, Size
+from scenewright.geometry.joints import Joint, transform_joint
 
 LONG = 3
 """Letters of words that do not count as the end of others: a scar is no car."""
@@ -42,12 +43,28 @@ class Material:
 class Part:
     """Triangles of one material: ``vertices`` (n, 3) float64, ``faces`` (m, 3) int64,
     counter-clockwise seen from outside; in the local frame described in
-    :mod:`scenewright.core.scene`.
+    :mod:`scenewright.core.scene`. Parts with the same ``joint`` are one body that moves by it;
+    those without one stand still.
     """
 
     material: Material
     vertices: NDArray[np.float64]
     faces: NDArray[np.int64]
+    joint: Joint | None = None
+
+
+def transform_part(part: Part, matrix: ArrayLike, shift: ArrayLike = 0.0) -> Part:
+    """The part with each point p at ``matrix`` (3, 3) p + ``shift`` (3,), and its joint with it;
+    a reflection turns its faces round, so that they still look outwards.
+
+    >>> wedge = Part(Material("oak", (0.7, 0.5, 0.3)), np.eye(3), np.array([[0, 1, 2]]))
+    >>> transform_part(wedge, np.diag([-1.0, 1.0, 1.0])).faces.tolist()
+    [[2, 1, 0]]
+    """
+    turn = np.asarray(matrix, np.float64)
+    faces = part.faces if np.linalg.det(turn) > 0 else part.faces[:, ::-1]
+    joint = part.joint and transform_joint(part.joint, turn, shift)
+    return Part(part.material, part.vertices @ turn.T + np.asarray(shift), faces, joint)
 
 
 Mesher = Callable[[Size], tuple[Part, ...]]

@@ -55,7 +55,7 @@ class BestView(NamedTuple):
 def subject(mesh: Mesh, found: Saliency) -> Subject:
     """The model made ready for :data:`MEASURES`."""
     base = clean_mesh(mesh)
-    return Subject(rays.build(*base.mesh), found, base.centre, base.size)
+    return Subject(rays.build(*base.mesh[:2]), found, base.centre, base.size)
 
 
 def best_view(mesh: Mesh, found: Saliency, measure: str = "picture") -> BestView:

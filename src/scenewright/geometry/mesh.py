@@ -12,6 +12,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from scenewright.geometry.joints import Joint, transform_joint
+
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
@@ -22,10 +24,12 @@ _MIX = np.array([0x9E3779B97F4A7C15, 0x3C6EF372FE94F82B, 0x5851F42D4C957F2D], np
 
 
 class Mesh(NamedTuple):
-    """Triangles: ``vertices`` (n, 3) in metres and ``faces`` (m, 3) of indices into them."""
+    """Triangles: ``vertices`` (n, 3) in metres and ``faces`` (m, 3) of indices into them; of what
+    moves its ``joint``."""
 
     vertices: Floats
     faces: Ints
+    joint: Joint | None = None
 
 
 def volume(mesh: Mesh) -> float:
@@ -120,7 +124,7 @@ def _cross(a: Floats, b: Floats, c: Floats) -> Floats:
 
 
 def merge(meshes: Sequence[Mesh]) -> Mesh:
-    """Several meshes as one, nothing joined."""
+    """Several meshes as one that stands still, nothing joined."""
     starts = np.cumsum([0, *(len(m.vertices) for m in meshes)])
     return Mesh(
         np.concatenate([m.vertices for m in meshes]),
@@ -130,7 +134,8 @@ def merge(meshes: Sequence[Mesh]) -> Mesh:
 
 def translate_mesh(mesh: Mesh, x: float = 0.0, y: float = 0.0, z: float = 0.0) -> Mesh:
     """The mesh shifted."""
-    return Mesh(mesh.vertices + np.array([x, y, z]), mesh.faces)
+    joint = mesh.joint and transform_joint(mesh.joint, np.eye(3), (x, y, z))
+    return Mesh(mesh.vertices + np.array([x, y, z]), mesh.faces, joint)
 
 
 def rotate_mesh(mesh: Mesh, axis: str, angle: float, about: ArrayLike = (0.0, 0.0, 0.0)) -> Mesh:
@@ -143,7 +148,15 @@ def rotate_mesh(mesh: Mesh, axis: str, angle: float, about: ArrayLike = (0.0, 0.
         cos * local[:, i] - sin * local[:, j],
         sin * local[:, i] + cos * local[:, j],
     )
-    return Mesh(out + centre, mesh.faces)
+    joint = mesh.joint and _rotate_joint(mesh.joint, i, j, angle, centre)
+    return Mesh(out + centre, mesh.faces, joint)
+
+
+def _rotate_joint(joint: Joint, i: int, j: int, angle: float, centre: Floats) -> Joint:
+    turn = np.eye(3)
+    turn[i, i] = turn[j, j] = np.cos(angle)
+    turn[i, j], turn[j, i] = -np.sin(angle), np.sin(angle)
+    return transform_joint(joint, turn, centre - turn @ centre)
 
 
 def map_points(points: Floats, source: tuple[Floats, Floats], low: Floats, high: Floats) -> Floats:

@@ -53,7 +53,7 @@ def prism(outline: Floats, base: float, top: float, holes: Sequence[Floats] = ()
     >>> round(volume(prism(np.array([[0.0, 0], [2, 0], [2, 1], [0, 1]]), 0.0, 3.0)), 9)
     6.0
     """
-    upper, flat = sheet(outline, holes, top)
+    upper, flat, _ = sheet(outline, holes, top)
     count = len(upper)
     lower = upper.copy()
     lower[:, 2] = base

@@ -83,7 +83,7 @@ def measure_all_round(mesh: Mesh, found: Saliency) -> ReliefView:
     4.5
     """
     base = clean_mesh(mesh)
-    caster = rays.build(*mesh)
+    caster = rays.build(*mesh[:2])
     relieves, counts = [], np.zeros(len(COMPASS))
     for way in directions(VIEWS, 0.0, STEEPEST):
         starts, along = parallel_rays(way, base.size)

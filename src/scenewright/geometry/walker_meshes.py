@@ -154,7 +154,7 @@ def side_densities(model: SaliencyModel, count: int = 2000) -> Floats:
     So boxes look to a walker about as the models do: for ``density`` of :mod:`.walker`.
     """
     low, high = model.mesh.vertices.min(0), model.mesh.vertices.max(0)
-    caster = rays.build(*model.mesh)
+    caster = rays.build(*model.mesh[:2])
     steps = (np.arange(count) + 0.5) / count
     square = np.stack([steps, (np.arange(count) * 0.6180339887498949) % 1.0], 1)
     out = np.zeros(5)

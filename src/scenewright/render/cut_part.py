@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -21,7 +22,7 @@ def cut_part(part: Part, cut: float | None) -> Part | None:
         np.minimum.at(low, part.faces, least[:, None])
     faces = part.faces[low[part.faces[:, 0]] < cut - 1e-6]
     short = part.vertices * [1, 1, 0] + np.minimum(part.vertices[:, 2:], cut) * [0, 0, 1]
-    return Part(part.material, short, faces) if len(faces) else None
+    return replace(part, vertices=short, faces=faces) if len(faces) else None
 
 
 def leave_out_hanging(parts: Sequence[Part]) -> tuple[Part, ...]:

@@ -157,7 +157,7 @@ def _sweep(outlines: NDArray[np.object_], steps: Floats) -> NDArray[np.object_]:
 
 def make_clear(parts: tuple[Part, ...], opacity: float = CLEAR) -> tuple[Part, ...]:
     """Parts as if of glass, in their colours."""
-    return tuple(Part(_clear(part.material, opacity), part.vertices, part.faces) for part in parts)
+    return tuple(replace(part, material=_clear(part.material, opacity)) for part in parts)
 
 
 def _clear(material: Material, opacity: float) -> Material:

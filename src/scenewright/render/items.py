@@ -276,7 +276,7 @@ def _wall(wall: Wall, cut: float | None, near: NearWalls) -> RenderItem:
 
 def _open_prism(solid: Prism, top: float) -> tuple[Mesh, Mesh]:
     """The sides and underside of a prism, and its upper face."""
-    vertices, faces = prism(solid.outline, solid.base, top, solid.holes)
+    vertices, faces, _ = prism(solid.outline, solid.base, top, solid.holes)
     cap = sheet(solid.outline, solid.holes, top)
     if solid.tilt is not None:
         cap.vertices[:, 2] = height_at(solid.tilt, cap.vertices[:, :2])

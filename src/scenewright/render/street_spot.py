@@ -89,7 +89,7 @@ def _stands(pieces: Sequence[Piece], blocks: Sequence[PartTriangles]) -> Stands:
     counts = [len(b.faces) for b in blocks]
     stems = [p.pose[:2] for p in pieces if p.category != "building"]
     return Stands(
-        rays.build(*merge([Mesh(b.vertices, b.faces) for b in blocks])),
+        rays.build(*merge([Mesh(b.vertices, b.faces) for b in blocks])[:2]),
         np.repeat([_kind(b.category) for b in blocks], counts),
         np.repeat(np.arange(len(blocks)), counts),
         np.array(stems).reshape(-1, 2),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from math import pi
 
+from scenewright.catalog.assets.bodies import front_joint
 from scenewright.catalog.assets.drawing import Drawing
 from scenewright.catalog.assets.materials import (
     BLACK,
@@ -55,7 +56,9 @@ def _machine(size: Size, glass: Material, rim: Material) -> Parts:
         ],
     }
     ring = pipe(radius, 0.76 * radius, (0, 0.04), sides=24)
-    found.setdefault(rim, []).append(_facing(ring, 0, face, middle))
+    across, up = (-radius, radius), (middle - radius, middle + radius)
+    door = front_joint("door", across, up, (face, face + 0.04))
+    found.setdefault(rim, []).append(_facing(ring, 0, face, middle)._replace(joint=door))
     pane = disc(0.78 * radius, (0, 0.02), sides=20)
     found.setdefault(glass, []).append(_facing(pane, 0, face, middle))
     return parts(size, found)

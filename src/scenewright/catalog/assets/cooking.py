@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from scenewright.catalog.assets.bodies import lever_joint
 from scenewright.catalog.assets.drawing import Drawing
-from scenewright.catalog.assets.joinery import door_pulls, fronts
+from scenewright.catalog.assets.joinery import door_pulls, front, fronts
 from scenewright.catalog.assets.kitchen import (
     HANDLE,
     PLINTH,
@@ -73,9 +74,8 @@ def _tap(x: float, y: float, low: float, high: float, reach: float) -> list[Mesh
     ]
     if high - low < 0.1:
         neck = [(x, y, low), (x, y, high - 0.012), (x, y + reach, high - 0.012)]
-    lever = rod(
-        (x + 0.02, y, low + 0.4 * (high - low)), (x + 0.08, y, low + 0.6 * (high - low)), 0.008
-    )
+    ends = (x + 0.02, y, low + 0.4 * (high - low)), (x + 0.08, y, low + 0.6 * (high - low))
+    lever = rod(*ends, 0.008)._replace(joint=lever_joint(*ends))
     return [tube(neck, 0.012, 8), disc(0.024, (low, low + 0.012), (x, y), 12), lever]
 
 
@@ -119,11 +119,12 @@ def _oven(found: Stuff, x: Interval, z: Interval, face: float) -> None:
     wide = min(x[1] - x[0], 0.6) / 2
     if x[1] > wide + 0.02:
         for beside in ((x[0], -wide), (wide, x[1])):
-            found[SAGE] += fronts(beside, z, 1, 1, (face, face + 0.018))
+            found[SAGE] += fronts(beside, z, 1, 1, (face, face + 0.018), "door")
     x = (-wide, wide)
     low, high = max(z[0], z[1] - 0.6), z[1]
     panel = high - 0.1
-    glass = block((x[0] + 0.005, x[1] - 0.005), (face, face + 0.018), (low + 0.004, panel - 0.003))
+    across, up = (x[0] + 0.005, x[1] - 0.005), (low + 0.004, panel - 0.003)
+    glass = front(across, up, (face, face + 0.018), "flap")
     window = ((x[0] + 0.09, x[1] - 0.09), (face + 0.017, face + 0.02), (low + 0.12, panel - 0.11))
     found.setdefault(CERAMIC_GLASS, []).append(glass)
     found.setdefault(GREY, []).append(block(*window))
@@ -168,7 +169,7 @@ def _dishwasher(size: Size) -> Parts:
     strip = z[1] - 0.11
     wide = (x[0] + 0.004, x[1] - 0.004)
     found[STEEL] = [
-        block(wide, (face, face + 0.018), (z[0] + 0.004, strip)),
+        front(wide, (z[0] + 0.004, strip), (face, face + 0.018), "flap"),
         *_bar((x[0] + 0.08, x[1] - 0.08), face, strip - 0.05),
     ]
     found[RUBBER].append(block(wide, (face, face + 0.016), (strip + 0.004, z[1] - 0.004)))
@@ -184,7 +185,7 @@ def _low_fridge(size: Size) -> Parts:
     """A fridge under the worktop: one door, a grille in the plinth."""
     found, x, z, face = unit(size)
     wide = (x[0] + 0.004, x[1] - 0.004)
-    found[STEEL] = [block(wide, (face, face + 0.018), (z[0] + 0.004, z[1] - 0.004))]
+    found[STEEL] = [front(wide, (z[0] + 0.004, z[1] - 0.004), (face, face + 0.018), "door")]
     found[BLACK] = door_pulls(x, z, 1, face + 0.018, HANDLE, 0.7, 0.45)
     slats = np.linspace(0.03, PLINTH - 0.02, 4).tolist()
     across = (x[0] + 0.08, x[1] - 0.08)
@@ -199,7 +200,7 @@ def _fridge(size: Size) -> Parts:
     face = d - 0.075
     columns = 2 if size.width > 0.8 else 1
     split = 0.36 * h if h > 1.3 else 0.02
-    doors = fronts((-w, w), (split, h), columns, 1, (face, face + 0.045))
+    doors = fronts((-w, w), (split, h), columns, 1, (face, face + 0.045), "door")
     pulls = door_pulls(
         (-w, w),
         (split, h),
@@ -210,7 +211,7 @@ def _fridge(size: Size) -> Parts:
         0.45 * (h - split),
     )
     if split > 0.1:
-        doors += fronts((-w, w), (0.02, split), 1, 1, (face, face + 0.045))
+        doors += fronts((-w, w), (0.02, split), 1, 1, (face, face + 0.045), "door")
         pulls += door_pulls((-w, w), (0.02, split), 1, face + 0.045, 0.03, 0.7, 0.3)
     display = block((-w + 0.1, -w + 0.18), (face + 0.044, face + 0.047), (0.62 * h, 0.66 * h))
     return parts(

@@ -8,10 +8,12 @@ import numpy as np
 
 from scenewright.catalog.assets.drawing import Drawing
 from scenewright.catalog.assets.symbols import Line, Lines, close_line
-from scenewright.core.catalog import Covering, Part
+from scenewright.core.catalog import Covering, Part, transform_part
 from scenewright.core.footprint import Footprint, read_footprint
 from scenewright.core.scene import Size
 
+FLIP = np.diag([-1.0, 1.0, 1.0])
+"""Left and right changed over."""
 Outline = list[tuple[float, float]]
 Parts = tuple[Part, ...]
 
@@ -44,8 +46,7 @@ def mirror_drawing(row: Drawing) -> Drawing:
     name = row.name or row.category.replace("_", " ").capitalize()
 
     def mesh(size: Size) -> Parts:
-        flip = np.array([-1.0, 1.0, 1.0])
-        return tuple(Part(p.material, p.vertices * flip, p.faces[:, ::-1]) for p in row.mesh(size))
+        return tuple(transform_part(part, FLIP) for part in row.mesh(size))
 
     def symbol(size: Size) -> Lines:
         return tuple(line * (-1.0, 1.0) for line in row.symbol(size))

@@ -16,6 +16,7 @@ from scenewright.core.catalog import (
     Part,
     Symbol,
     covers_box,
+    transform_part,
 )
 from scenewright.core.errors import InputError
 from scenewright.core.footprint import Footprint, scale_footprint
@@ -65,7 +66,7 @@ def _stretch(mesh: Mesher, small: Size, large: Size) -> Mesher:
         if near == size:
             return mesh(size)
         scale = np.array(size) / np.array(near)
-        return tuple(Part(p.material, p.vertices * scale, p.faces) for p in mesh(near))
+        return tuple(transform_part(p, np.diag(scale)) for p in mesh(near))
 
     return built
 

@@ -7,6 +7,7 @@ from math import pi
 
 import numpy as np
 
+from scenewright.catalog.assets.bodies import Opens, front_joint
 from scenewright.geometry.mesh import Mesh, extrude
 from scenewright.geometry.solids import Interval, block, leg, post, rod
 
@@ -19,13 +20,21 @@ def spread(low: float, high: float, count: int) -> list[Interval]:
     return [(float(a), float(b)) for a, b in pairwise(ends)]
 
 
-def fronts(x: Interval, z: Interval, columns: int, rows: int, y: Interval) -> list[Mesh]:
-    """A grid of doors or drawer fronts with joints between, looking to +y."""
+def fronts(
+    x: Interval, z: Interval, columns: int, rows: int, y: Interval, opens: Opens = "drawer"
+) -> list[Mesh]:
+    """A grid of fronts with gaps between, looking to +y, each a body that ``opens``: doors are
+    hung in pairs, the first of each on its left."""
     return [
-        block((a + GAP, b - GAP), y, (c + GAP, e - GAP))
-        for a, b in spread(*x, columns)
+        front((a + GAP, b - GAP), (c + GAP, e - GAP), y, opens, right=bool(i % 2))
+        for i, (a, b) in enumerate(spread(*x, columns))
         for c, e in spread(*z, rows)
     ]
+
+
+def front(x: Interval, z: Interval, y: Interval, opens: Opens, right: bool = False) -> Mesh:
+    """A plain front, looking to +y, that ``opens``; a door hung on the ``right`` or the left."""
+    return block(x, y, z)._replace(joint=front_joint(opens, x, z, y, right))
 
 
 def drawer_pulls(

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from math import pi
+
 from scenewright.catalog.assets.corners import Outline, corner_outline, cover
 from scenewright.catalog.assets.drawing import Drawing
-from scenewright.catalog.assets.joinery import door_pulls, drawer_pulls, fronts, spread
+from scenewright.catalog.assets.joinery import GAP, door_pulls, drawer_pulls, front, fronts, spread
 from scenewright.catalog.assets.materials import (
     BLACK,
     CERAMIC_GLASS,
@@ -21,7 +23,7 @@ from scenewright.catalog.assets.objects import Stuff
 from scenewright.catalog.assets.symbols import Lines, close_line, draw_crossed_box, path, rectangle
 from scenewright.core.footprint import Footprint
 from scenewright.core.scene import Size
-from scenewright.geometry.mesh import Mesh, extrude, loft
+from scenewright.geometry.mesh import Mesh, extrude, loft, rotate_mesh
 from scenewright.geometry.solids import Interval, block, rectangle_ring, slab
 
 PLINTH, TOP, FACE = 0.1, 0.038, 0.03
@@ -46,7 +48,7 @@ def unit(size: Size, top: bool = True) -> tuple[Stuff, Interval, Interval, float
 
 def doors(found: Stuff, x: Interval, z: Interval, face: float, columns: int) -> None:
     """Add a row of doors with their handles."""
-    found[SAGE] += fronts(x, z, columns, 1, (face, face + 0.018))
+    found[SAGE] += fronts(x, z, columns, 1, (face, face + 0.018), "door")
     found[BLACK] += drawer_pulls(x, z, columns, 1, face + 0.018, HANDLE, 0.4)
 
 
@@ -89,7 +91,7 @@ def _tall_cabinet(size: Size) -> Parts:
             SAGE: [
                 m
                 for z in ((PLINTH, split), (split, h))
-                for m in fronts((-w, w), z, columns, 1, (face, face + 0.018))
+                for m in fronts((-w, w), z, columns, 1, (face, face + 0.018), "door")
             ],
             BLACK: pulls,
         },
@@ -104,7 +106,7 @@ def _wall_cabinet(size: Size) -> Parts:
         size,
         {
             WHITE: [block((-w, w), (-d, face), (0, h))],
-            CREAM: fronts((-w, w), (0, h), columns, 1, (face, d)),
+            CREAM: fronts((-w, w), (0, h), columns, 1, (face, d), "door"),
         },
     )
 
@@ -152,9 +154,9 @@ def _island(size: Size) -> Parts:
         block((a + 0.006, b - 0.006), (front, front + 0.012), (PLINTH + 0.01, high - 0.01))
         for a, b in spread(*x, max(6, round(size.width / 0.12)))
     ]
-    doors = fronts(x, (PLINTH, high), columns, 2, (back - 0.018, back))
-    pulls = drawer_pulls(x, (PLINTH, high), columns, 2, back - 0.018, -0.018, 0.4)
-    pulls = [Mesh(p.vertices, p.faces[:, ::-1]) for p in pulls]
+    cells = (x, (PLINTH, high), columns, 2)
+    fitted = fronts(*cells, (-back, 0.018 - back)), drawer_pulls(*cells, 0.018 - back, 0.018, 0.4)
+    doors, pulls = ([rotate_mesh(mesh, "z", pi) for mesh in meshes] for meshes in fitted)
     return parts(
         size,
         {
@@ -183,16 +185,16 @@ def _corner_cabinet(size: Size) -> Parts:
         ]
 
     y, x = -d + leg - FACE - HANDLE, -w + leg - FACE - HANDLE
-    face = fronts((x + 0.02, w), (PLINTH, high), 1, 1, (y, y + 0.018))
-    side = fronts((y + 0.02, d), (PLINTH, high), 1, 1, (-x - 0.018, -x))
-    side = [Mesh(m.vertices[:, [1, 0, 2]] * (-1, 1, 1), m.faces) for m in side]
+    up = (PLINTH + GAP, high - GAP)
+    face = front((x + 0.02 + GAP, w - GAP), up, (y, y + 0.018), "door", right=True)
+    side = block((x, x + 0.018), (y + 0.02 + GAP, d - GAP), up)
     return parts(
         size,
         {
             STONE: [extrude(outline(0, leg), high, h)],
             WHITE: [extrude(outline(FACE + HANDLE, leg), PLINTH, high)],
             RUBBER: [extrude(outline(0.1, leg), 0, PLINTH)],
-            SAGE: [*face, *side],
+            SAGE: [face, side],
             BLACK: drawer_pulls((x + 0.02, w), (PLINTH, high), 1, 1, y + 0.018, HANDLE, 0.4),
         },
     )

@@ -7,8 +7,10 @@ from typing import TypeVar
 
 import numpy as np
 
+from scenewright.catalog.assets.bodies import assign_bodies
 from scenewright.core.catalog import Material, Part
 from scenewright.core.scene import Size
+from scenewright.geometry.joints import Joint, transform_joint
 from scenewright.geometry.mesh import Mesh, map_points, merge
 
 Choice = TypeVar("Choice")
@@ -17,15 +19,28 @@ Meshes = Mapping[Material, Sequence[Mesh]]
 
 
 def parts(size: Size, meshes: Meshes) -> Parts:
-    """One part a material, taken affinely into exactly ``[-w/2, w/2] x [-d/2, d/2] x [0, h]``."""
-    merged = {material: merge(list(found)) for material, found in meshes.items() if len(found)}
+    """One part a material and body, taken affinely into exactly
+    ``[-w/2, w/2] x [-d/2, d/2] x [0, h]``; bodies as their meshes declare them."""
+    each = [(material, mesh) for material, found in meshes.items() for mesh in found]
+    joints = assign_bodies([mesh for _, mesh in each])
+    groups: dict[tuple[Material, Joint | None], list[Mesh]] = {}
+    for (material, mesh), joint in zip(each, joints, strict=True):
+        groups.setdefault((material, joint), []).append(mesh)
+    merged = {key: merge(found) for key, found in groups.items()}
     points = np.concatenate([mesh.vertices for mesh in merged.values()])
     source = (points.min(0), points.max(0))
     high = np.array([size.width / 2, size.depth / 2, size.height])
     low = np.array([-size.width / 2, -size.depth / 2, 0.0])
+    scale = (high - low) / np.maximum(source[1] - source[0], 1e-12)
+    shift = low - scale * source[0]
     return tuple(
-        Part(material, map_points(mesh.vertices, source, low, high), mesh.faces)
-        for material, mesh in merged.items()
+        Part(
+            material,
+            map_points(mesh.vertices, source, low, high),
+            mesh.faces,
+            joint and transform_joint(joint, np.diag(scale), shift),
+        )
+        for (material, joint), mesh in merged.items()
     )
 
 

@@ -6,6 +6,7 @@ from math import pi
 
 import numpy as np
 
+from scenewright.catalog.assets.bodies import lever_joint
 from scenewright.catalog.assets.drawing import Drawing
 from scenewright.catalog.assets.joinery import drawer_pulls, fronts
 from scenewright.catalog.assets.materials import (
@@ -104,10 +105,11 @@ def _lid_below(lid: Mesh, h: float) -> Mesh:
 def _mixer(y: float, low: float, high: float, reach: float, x: float = 0.0) -> list[Mesh]:
     """A basin tap: body, spout, lever."""
     tall = high - low
+    ends = (x, y, low + 0.85 * tall), (x, y + 0.06, high - 0.008)
     return [
         rod((x, y, low), (x, y, low + 0.8 * tall), 0.018, 0.016, 10),
         rod((x, y + 0.005, low + 0.6 * tall), (x, y + reach, low + 0.5 * tall), 0.012, 0.01),
-        rod((x, y, low + 0.85 * tall), (x, y + 0.06, high - 0.008), 0.008),
+        rod(*ends, 0.008)._replace(joint=lever_joint(*ends)),
     ]
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from math import cos, pi, sin
 
+from scenewright.catalog.assets.bodies import attach_joint
 from scenewright.catalog.assets.corners import Outline, corner_outline, cover, mirror_drawing
 from scenewright.catalog.assets.drawing import Drawing
 from scenewright.catalog.assets.joinery import bent, four_legs, spread
@@ -35,6 +36,7 @@ from scenewright.catalog.assets.symbols import (
     round_plain,
 )
 from scenewright.core.scene import Size
+from scenewright.geometry.joints import Joint
 from scenewright.geometry.mesh import Mesh, rotate_mesh, translate_mesh
 from scenewright.geometry.solids import (
     Interval,
@@ -240,9 +242,11 @@ def _office_chair(size: Size) -> Parts:
     stem = tube(
         [(0, 0, seat - 0.06), (0, -d + 0.06, seat - 0.04), (0, -d + 0.04, seat + 0.25)], 0.022
     )
-    return parts(
-        size, {CHARCOAL: [seat_pad, back], CHROME: [*black, stem], RUBBER: [*wheels, *arms, *rests]}
+    turning, shell, padded = (
+        attach_joint(Joint("seat", "hinge", (0.0, 0.0, seat), (0.0, 0.0, 1.0), -pi, pi), meshes)
+        for meshes in ([stem], [*arms, *rests], [seat_pad, back])
     )
+    return parts(size, {CHARCOAL: padded, CHROME: [*black, *turning], RUBBER: [*wheels, *shell]})
 
 
 def _stool(size: Size) -> Parts:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from scenewright.catalog.assets.bodies import front_joint, slide_joint
 from scenewright.catalog.assets.drawing import Drawing
 from scenewright.catalog.assets.joinery import (
     corpus,
@@ -51,7 +52,7 @@ def _wardrobe(size: Size) -> Parts:
         size,
         {
             WHITE: case,
-            pick(size, (GREIGE, OAK, CREAM)): fronts(x, z, doors, 1, (face, face + 0.022)),
+            pick(size, (GREIGE, OAK, CREAM)): fronts(x, z, doors, 1, (face, face + 0.022), "door"),
             BRASS: door_pulls(x, z, doors, face + 0.022, 0.02, 0.48, 0.32),
         },
     )
@@ -78,7 +79,8 @@ def _sliding_wardrobe(size: Size) -> Parts:
         wide = (a - (0.02 if i else 0), b)
         pane = (wide[0] + 0.012, wide[1] - 0.012)
         panel = MIRROR if i == 1 else WHITE
-        found[BLACK].append(frame(wide, (y, y + 0.024), z, 0.014))
+        joint = slide_joint("panel", wide, z, y, 0.9 * (b - a) * (-1 if i else 1))
+        found[BLACK].append(frame(wide, (y, y + 0.024), z, 0.014)._replace(joint=joint))
         found[panel].append(block(pane, (y + 0.004, y + 0.019), (z[0] + 0.012, z[1] - 0.012)))
     return parts(size, found)
 
@@ -109,7 +111,7 @@ def _sideboard(size: Size) -> Parts:
     third = (x[1] - x[0]) / 3
     doors = [(x[0], x[0] + third), (x[1] - third, x[1])]
     middle = (x[0] + third, x[1] - third)
-    panels = [m for door in doors for m in fronts(door, z, 1, 1, (face - 0.02, face))]
+    panels = [m for door in doors for m in fronts(door, z, 1, 1, (face - 0.02, face), "door")]
     slats = [
         block((a + 0.004, b - 0.004), (face, face + 0.01), (z[0] + 0.02, z[1] - 0.02))
         for door in doors
@@ -145,7 +147,7 @@ def _tv_stand(size: Size) -> Parts:
         size,
         {
             OAK: [*corpus((-w, w), (-d, d), (low, h), 0.02), *solid, shelf],
-            WHITE: [m for s in sides for m in fronts(s, z, 1, 1, (face - 0.02, face))],
+            WHITE: [m for s in sides for m in fronts(s, z, 1, 1, (face - 0.02, face), "door")],
             BRASS: [m for s in sides for m in knobs(s, z, 1, 1, face, 0.012)],
             BLACK: [player, *four_legs(w, d, (0, low + 0.005), 0.016, 0.011, 0.05, 0.025)],
         },
@@ -159,7 +161,7 @@ def _shoe_cabinet(size: Size) -> Parts:
     x, z = (-w + 0.016, w - 0.016), (low, h - 0.025)
     flaps = [
         rotate_mesh(m, "x", 0.03, (0, face, m.vertices[:, 2].min()))
-        for m in fronts(x, z, columns, rows, (face + 0.012, face + 0.028))
+        for m in fronts(x, z, columns, rows, (face + 0.012, face + 0.028), "flap")
     ]
     return parts(
         size,
@@ -210,11 +212,14 @@ def _display_cabinet(size: Size) -> Parts:
             *four_legs(w, d - 0.03, (0, low + 0.01), 0.02, 0.014, 0.03, 0.02),
             block(x, (-d + 0.01, face - 0.003), (low + 0.02, split - 0.002)),
             *(
-                frame((a + 0.003, b - 0.003), (face, face + 0.018), z, 0.035)
-                for a, b in spread(*x, columns)
+                frame(wide, (face, face + 0.018), z, 0.035)._replace(
+                    joint=front_joint("door", wide, z, (face, face + 0.018), bool(i % 2))
+                )
+                for i, (a, b) in enumerate(spread(*x, columns))
+                for wide in [(a + 0.003, b - 0.003)]
             ),
         ],
-        CREAM: fronts(x, (low + 0.02, split), columns, 1, (face, face + 0.018)),
+        CREAM: fronts(x, (low + 0.02, split), columns, 1, (face, face + 0.018), "door"),
         GLASS: [
             block((a + 0.036, b - 0.036), (face + 0.006, face + 0.01), (z[0] + 0.033, z[1] - 0.033))
             for a, b in spread(*x, columns)
@@ -238,7 +243,7 @@ def _bathroom_cabinet(size: Size) -> Parts:
         size,
         {
             WHITE: [block((-w, w), (-d, face), z)],
-            OAK: fronts(x, z, columns, rows, (face, face + 0.018)),
+            OAK: fronts(x, z, columns, rows, (face, face + 0.018), "door"),
             BLACK: [
                 *legs,
                 *(

@@ -7,6 +7,7 @@ models from files keep their own colours.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from zlib import crc32
 
 from scenewright.catalog.assets.materials import BRICK, LIMESTONE, RENDER, TILES, TILES_DARK, TIMBER
@@ -50,8 +51,6 @@ def apply_tint(parts: tuple[Part, ...], tint: int) -> tuple[Part, ...]:
     if not tint:
         return parts
     return tuple(
-        Part(TINTS[part.material][tint], part.vertices, part.faces)
-        if part.material in TINTS
-        else part
+        replace(part, material=TINTS[part.material][tint]) if part.material in TINTS else part
         for part in parts
     )

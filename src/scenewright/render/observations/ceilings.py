@@ -64,7 +64,7 @@ def _cover(shape: shapely.Geometry, space: Space, top: float) -> list[Mesh]:
 def _close(part: Prism, height: float, top: float) -> Mesh:
     if part.tilt is None:
         return extrude_polygon(shapely.Polygon(part.outline, part.holes), height, top)
-    vertices, faces = sheet(part.outline, part.holes, height)
+    vertices, faces, _ = sheet(part.outline, part.holes, height)
     vertices[:, 2] = height_at(part.tilt, vertices[:, :2])
     return Mesh(vertices, faces[:, ::-1])
 

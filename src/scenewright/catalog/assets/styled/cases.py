@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from scenewright.catalog.assets.bodies import Opens
 from scenewright.catalog.assets.joinery import corpus, spread
 from scenewright.catalog.assets.materials import BLACK, CREAM, OAK, RUBBER, WALNUT
 from scenewright.catalog.assets.model import Parts, parts
@@ -51,12 +52,12 @@ def _fill(
     z: Interval,
     grid: tuple[int, int],
     face: float,
-    door: bool,
+    opens: Opens,
 ) -> None:
     """Fronts with their handles over an interval in x and z."""
     columns, rows = grid
-    add(found, draw_fronts(form, x, z, columns, rows, (face, face + FACE), form.panel))
-    add(found, draw_handles(form, x, z, columns, rows, face + FACE, PULL, door))
+    add(found, draw_fronts(form, x, z, columns, rows, (face, face + FACE), form.panel, opens))
+    add(found, draw_handles(form, x, z, columns, rows, face + FACE, PULL, opens == "door"))
 
 
 def _wardrobe(form: Form, size: Size) -> Parts:
@@ -65,16 +66,16 @@ def _wardrobe(form: Form, size: Size) -> Parts:
     doors = max(1, round(size.width / 0.5))
     if form.front in ("framed", "inset"):
         split = z[0] + 0.18 * (z[1] - z[0])
-        _fill(form, found, x, (z[0], split), (max(1, doors // 2), 1), face, False)
+        _fill(form, found, x, (z[0], split), (max(1, doors // 2), 1), face, "drawer")
         z = (split, z[1])
-    _fill(form, found, x, z, (doors, 1), face, True)
+    _fill(form, found, x, z, (doors, 1), face, "door")
     return parts(size, found)
 
 
 def _chest(form: Form, size: Size) -> Parts:
     found, x, z, face = _case(form, size, form.lift)
     rows = max(2, round((z[1] - z[0]) / 0.24))
-    _fill(form, found, x, z, (2 if size.width > 1.05 else 1, rows), face, False)
+    _fill(form, found, x, z, (2 if size.width > 1.05 else 1, rows), face, "drawer")
     return parts(size, found)
 
 
@@ -82,12 +83,12 @@ def _sideboard(form: Form, size: Size) -> Parts:
     """Doors at both ends and drawers between; doors alone where handles are none."""
     found, x, z, face = _case(form, size, form.lift)
     if form.handle == "none":
-        _fill(form, found, x, z, (max(2, round(size.width / 0.5)), 1), face, True)
+        _fill(form, found, x, z, (max(2, round(size.width / 0.5)), 1), face, "door")
         return parts(size, found)
     a, b = (x[0] + k * (x[1] - x[0]) / 3 for k in (1, 2))
-    _fill(form, found, (x[0], a), z, (1, 1), face, True)
-    _fill(form, found, (a, b), z, (1, 3), face, False)
-    _fill(form, found, (b, x[1]), z, (1, 1), face, True)
+    _fill(form, found, (x[0], a), z, (1, 1), face, "door")
+    _fill(form, found, (a, b), z, (1, 3), face, "drawer")
+    _fill(form, found, (b, x[1]), z, (1, 1), face, "door")
     return parts(size, found)
 
 
@@ -102,7 +103,7 @@ def _tv_stand(form: Form, size: Size) -> Parts:
     a, b = (x[0] + k * (x[1] - x[0]) / 3 for k in (1, 2))
     for part in ((x[0], a), (b, x[1])):
         add(found, {body: [block(part, (-d + 0.01, face), z)]})
-        _fill(form, found, part, z, (1, 1), face, True)
+        _fill(form, found, part, z, (1, 1), face, "door")
     middle = sum(z) / 2
     add(found, {body: [block((a, b), (-d + 0.01, face), (middle - 0.008, middle + 0.008))]})
     add(
@@ -115,7 +116,7 @@ def _tv_stand(form: Form, size: Size) -> Parts:
 def _shoe_cabinet(form: Form, size: Size) -> Parts:
     found, x, z, face = _case(form, size, min(form.lift, 0.1))
     rows = max(2, round(size.height / 0.4))
-    _fill(form, found, x, z, (2 if size.width > 0.95 else 1, rows), face, False)
+    _fill(form, found, x, z, (2 if size.width > 0.95 else 1, rows), face, "flap")
     return parts(size, found)
 
 
@@ -124,7 +125,7 @@ def _nightstand(form: Form, size: Size) -> Parts:
     h = size.height
     lift = min(max(form.lift, 0.05), 0.4 * h)
     found, x, z, face = _case(form, size, 0.55 * h if form.legs in ("sled", "cross") else lift)
-    _fill(form, found, x, z, (1, 1 if z[1] - z[0] < 0.26 else 2), face, False)
+    _fill(form, found, x, z, (1, 1 if z[1] - z[0] < 0.26 else 2), face, "drawer")
     return parts(size, found)
 
 
@@ -137,7 +138,7 @@ def _bookcase(form: Form, size: Size) -> Parts:
     if form.front in ("framed", "cane") and h > 1.2:
         low = 0.3 * h
         found, x, z, face = _case(form, size._replace(height=low), 0.05)
-        _fill(form, found, x, z, (columns, 1), face, True)
+        _fill(form, found, x, z, (columns, 1), face, "door")
         shelves = max(1, shelves - 2)
     wood = OAK if body is BLACK else body
     case = corpus((-w, w), (-d, d - 0.02), (low, h), 0.022, shelves, columns - 1, body is not BLACK)

@@ -11,6 +11,7 @@ from collections.abc import Callable
 from functools import partial
 from typing import Literal, NamedTuple
 
+from scenewright.catalog.assets.bodies import Opens, attach_joint, front_joint
 from scenewright.catalog.assets.drawing import Drawing
 from scenewright.catalog.assets.joinery import (
     GAP,
@@ -171,18 +172,26 @@ def _crossed_legs(w: float, d: float, high: float, thick: float) -> list[Mesh]:
 
 
 def draw_fronts(
-    form: Form, x: Interval, z: Interval, columns: int, rows: int, y: Interval, panel: Material
+    form: Form,
+    x: Interval,
+    z: Interval,
+    columns: int,
+    rows: int,
+    y: Interval,
+    panel: Material,
+    opens: Opens = "drawer",
 ) -> Stuff:
     """A grid of doors or drawers of a ``panel`` material between two depths, made as the form has
-    it, with joints between."""
+    it, with gaps between; each is a body, as in :func:`~.joinery.fronts`."""
     found: Stuff = {}
-    for a, b in spread(*x, columns):
+    for i, (a, b) in enumerate(spread(*x, columns)):
         for c, e in spread(*z, rows):
             across, up = (a + GAP, b - GAP), (c + GAP, e - GAP)
-            if min(across[1] - across[0], up[1] - up[0]) < 0.12:
-                add(found, {panel: [block(across, y, up)]})
-            else:
-                add(found, _draw_front(form, across, up, y, panel))
+            joint = front_joint(opens, across, up, y, right=bool(i % 2))
+            plain = min(across[1] - across[0], up[1] - up[0]) < 0.12
+            made = {panel: [block(across, y, up)]}
+            made = made if plain else _draw_front(form, across, up, y, panel)
+            add(found, {material: attach_joint(joint, own) for material, own in made.items()})
     return found
 
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from functools import partial
-
-import numpy as np
+from math import pi
 
 from scenewright.catalog.assets import cooking, kitchen
+from scenewright.catalog.assets.bodies import attach_joint
 from scenewright.catalog.assets.drawing import Drawing
 from scenewright.catalog.assets.joinery import GAP
 from scenewright.catalog.assets.materials import BLACK, CREAM, SAGE
@@ -15,7 +15,7 @@ from scenewright.catalog.assets.objects import Stuff
 from scenewright.catalog.assets.styled.forms import FORMS, Form, add, draw_fronts, draw_handles
 from scenewright.core.catalog import Mesher
 from scenewright.core.scene import Size
-from scenewright.geometry.mesh import Floats, Mesh
+from scenewright.geometry.mesh import Floats, Mesh, rotate_mesh
 from scenewright.geometry.solids import block
 
 UNITS = (
@@ -45,7 +45,6 @@ def _front(form: Form, low: Floats, high: Floats, hung: bool) -> Stuff:
     if deep > wide:
         return add({}, {SAGE: [_box(low, high)]})
     turned = bool(low[1] + high[1] < 0)
-    sign = -1.0 if turned else 1.0
     x = (float(-high[0]), float(-low[0])) if turned else (float(low[0]), float(high[0]))
     y = (float(-high[1]), float(-low[1])) if turned else (float(low[1]), float(high[1]))
     x, z = (x[0] - GAP, x[1] + GAP), (float(low[2]) - GAP, float(high[2]) + GAP)
@@ -55,8 +54,7 @@ def _front(form: Form, low: Floats, high: Floats, hung: bool) -> Stuff:
         add(found, draw_handles(form, x, z, 1, 1, y[1], kitchen.HANDLE, door))
     if not turned:
         return found
-    flip = np.array([sign, sign, 1.0])
-    return {m: [Mesh(one.vertices * flip, one.faces) for one in v] for m, v in found.items()}
+    return {m: [rotate_mesh(one, "z", pi) for one in meshes] for m, meshes in found.items()}
 
 
 def _box(low: Floats, high: Floats) -> Mesh:
@@ -69,9 +67,10 @@ def _unit(form: Form, plain: Mesher, size: Size) -> Parts:
     for part in plain(size):
         if part.material in (SAGE, CREAM):
             for low, high in _boxes(part.vertices):
-                add(found, _front(form, low, high, part.material is CREAM))
+                made = _front(form, low, high, part.material is CREAM)
+                add(found, {material: attach_joint(part.joint, m) for material, m in made.items()})
         elif part.material is not BLACK:
-            add(found, {part.material: [Mesh(part.vertices, part.faces)]})
+            add(found, {part.material: [Mesh(part.vertices, part.faces, part.joint)]})
     return parts(size, found)
 
 
