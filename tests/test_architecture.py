@@ -40,6 +40,8 @@ LAYERS = (
 
 BANNED = {"utils", "util", "helpers", "helper", "common", "manager", "base", "misc", "tools"}
 JUDGED = {"engine", "geometry", "render"}
+VALUE = "scenewright.geometry.joints"
+"""How a part of a model moves: a value that parts hold, which judges nothing."""
 SOLVING = {"terms", "encodings", "energy", "solvers", "solving", "problem", "build_problem"}
 """Parts of a domain that its referee never imports."""
 LOADING = ("scenewright.catalog.loading", "scenewright.catalog.models")
@@ -152,7 +154,8 @@ def test_the_referee_shares_no_code_with_what_it_judges() -> None:
         if module in seen:
             continue
         seen.add(module)
-        assert room_of(module) not in JUDGED, f"the referee reaches {module}"
+        bare = room_of(module) not in JUDGED or module == VALUE
+        assert bare, f"the referee reaches {module}"
         assert not SOLVING & set(module.split(".")[3:]), f"the referee reaches {module}"
         assert not module.startswith(LOADING), f"the referee reaches {module}"
         path = PACKAGE.parent.joinpath(*module.split("."))
