@@ -28,7 +28,7 @@ RED = Material("red", (0.7, 0.1, 0.1))
 
 def obj(size: Size) -> str:
     """A cuboid of a size, y up and the front to +z, as OBJ."""
-    vertices, faces = box(
+    vertices, faces, _ = box(
         (-size.width / 2, 0, -size.depth / 2), (size.width / 2, size.height, size.depth / 2)
     )
     lines = [f"v {x} {y} {z}" for x, y, z in vertices]

@@ -30,7 +30,7 @@ Floats = NDArray[np.float64]
 
 
 def block(material: Material, mesh: Mesh) -> PartTriangles:
-    return PartTriangles(material, mesh.vertices, mesh.faces, corner_normals(*mesh))
+    return PartTriangles(material, mesh.vertices, mesh.faces, corner_normals(*mesh[:2]))
 
 
 def taken(*blocks: PartTriangles, width: int = 160, height: int = 120) -> NDArray[np.int64]:

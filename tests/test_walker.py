@@ -40,7 +40,7 @@ def block(size: Floats, sides: Floats) -> SaliencyModel:
     """A box with a density on each side."""
     w, d, h = size
     mesh = box((-w / 2, -d / 2, 0.0), (w / 2, d / 2, h))
-    x, y, _ = face_normals(*mesh).T
+    x, y, _ = face_normals(*mesh[:2]).T
     side = np.select([y > 0.5, x < -0.5, y < -0.5, x > 0.5], [0, 1, 2, 3], 4)
     return SaliencyModel(mesh, sides[side])
 

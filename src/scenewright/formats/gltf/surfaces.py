@@ -50,7 +50,7 @@ def surface(
     >>> from scenewright.core.catalog import Material
     >>> from scenewright.geometry.prisms import box, corner_normals
     >>> cube = box((0, 0, 0), (1, 1, 1))
-    >>> cube = surface(Part(Material("grey", (0.5, 0.5, 0.5)), *cube), corner_normals(*cube))
+    >>> cube = surface(Part(Material("grey", (0.5, 0.5, 0.5)), *cube), corner_normals(*cube[:2]))
     >>> cube.positions.shape, cube.indices.shape
     ((24, 3), (36,))
     """
