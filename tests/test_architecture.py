@@ -294,7 +294,7 @@ def known_packages(learning: bool) -> frozenset[str]:
     more solvers and of files; what learns may import what the extra of learning lists."""
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     listed = [*project["dependencies"]]
-    extras = ["solve", "bim", "dxf", "pdf", "gis", "svg", "photo", "usd", "parquet"]
+    extras = ["solve", "bim", "dxf", "pdf", "gis", "svg", "photo", "usd", "parquet", "cluster"]
     for extra in [*extras, *(["learn"] if learning else [])]:
         listed += project["optional-dependencies"][extra]
     names = [re.split("[<>=!~ ;\\[]", line)[0] for line in listed]

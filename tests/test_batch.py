@@ -20,6 +20,7 @@ import scenewright as sw
 from scenewright.batch.jobs import BatchOptions, Job, Limits, list_jobs
 from scenewright.batch.ledger import NAME, PARTS, Ledger
 from scenewright.batch.table import COMPLETE, FAILED, ResultRow
+from scenewright.batch.worker import Place
 from scenewright.batch.worker_pool import WorkerPool
 from scenewright.cli import run
 from scenewright.core.errors import InputError
@@ -220,10 +221,9 @@ def test_killed_workers_lose_and_double_nothing(tmp_path: Path) -> None:
 
 
 def test_a_file_that_kills_twice_or_takes_too_long_is_to_blame(tmp_path: Path) -> None:
-    (tmp_path / "parts").mkdir()
-    options = OPTIONS._replace(steps=10_000_000)
+    options, place = OPTIONS._replace(steps=10_000_000), Place(str(tmp_path))
     order = Job("sample:home-flat", "flat", (tmp_path / "flat.json",), "")
-    with WorkerPool(1, Limits(1, 4.0, 60.0), options, tmp_path / "parts") as crew:
+    with WorkerPool(1, Limits(1, 4.0, 60.0), options, place) as crew:
         future = crew.give(order)
         for _ in range(2):
             while not crew.asking():
@@ -233,7 +233,7 @@ def test_a_file_that_kills_twice_or_takes_too_long_is_to_blame(tmp_path: Path) -
         row = future.result()[1]
     assert row.status == FAILED
     assert "killed its worker 2 times (signal 9)" in row.message
-    with WorkerPool(1, Limits(1, 4.0, 1.0), options, tmp_path / "parts") as crew:
+    with WorkerPool(1, Limits(1, 4.0, 1.0), options, place) as crew:
         row = crew.give(order).result()[1]
     assert row.message == "sample:home-flat: took longer than 1 s; allow more with --limit"
     assert not (tmp_path / "flat.json").exists()

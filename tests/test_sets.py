@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import sys
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -19,6 +20,7 @@ from scenewright.building.joinery import parts
 from scenewright.catalog.loading import catalog_of
 from scenewright.cli import run
 from scenewright.core.brief import Brief
+from scenewright.core.errors import InputError
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.space import Opening
 from scenewright.formats import glb, read, read_planned
@@ -214,3 +216,28 @@ def test_the_sun_of_an_hour_shines_in_usd() -> None:
             turn = pxr.Rotation(suns[0].GetAttribute("xformOp:orient").Get())
             away = turn.TransformDir(pxr.Vec3d(0, 0, -1))
             assert [*away] == pytest.approx((-risen.towards).tolist(), abs=1e-6)
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="bounds files as Linux does")
+def test_a_disk_that_fills_is_one_line_and_what_is_done_stays(tmp_path: Path) -> None:
+    import resource
+
+    folder, out = plans(tmp_path / "in", 4), tmp_path / "out"
+    make: dict[str, Any] = {"jobs": 1, "steps": 200, "manifest": "jsonl"}
+    sw.batch(folder, out, **make, variation=Variation(range(1)))
+    whole = {path.name: path.read_bytes() for path in out.glob("wc-*")}
+    most = (out / ".batch.jsonl").stat().st_size + 300
+    before = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (most, before[1]))
+    try:
+        with pytest.raises(InputError, match="cannot be written into") as caught:
+            sw.batch(folder, out, **make, variation=Variation(range(2)))
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, before)
+    assert "\n" not in str(caught.value)
+    assert {name: (out / name).read_bytes() for name in whole} == whole
+    again = list[bool]()
+    heard = lambda *told: again.append(told[3])  # noqa: E731
+    rows = sw.batch(folder, out, **make, variation=Variation(range(2)), progress=heard)
+    assert [row.status for row in rows] == ["complete"] * 8
+    assert sum(again) >= 4

@@ -11,20 +11,34 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Collection, Iterable, Sequence
+from contextlib import ExitStack
 from math import isfinite
 from pathlib import Path
 
+from scenewright.batch.cluster import HERE, Cluster, arrange_on
 from scenewright.batch.jobs import AS_ASKED, BatchOptions, Job, Limits, Variation, list_jobs
 from scenewright.batch.ledger import Ledger
 from scenewright.batch.manifest import check_parquet, is_listed, manifest_line, write_manifest
+from scenewright.batch.store import whole_at
 from scenewright.batch.table import CSV, JSON, ResultRow, write_summary
+from scenewright.batch.worker import Place
 from scenewright.batch.worker_pool import WorkerPool, arrange_with
 from scenewright.core.atomic_file import Identity, RunFiles, check_targets, recorded_run
 from scenewright.core.errors import InputError
 from scenewright.core.map_options import AS_IT_IS, MapOptions
 from scenewright.workflow.looks import check_vary
 
-__all__ = ["MEMORY", "TIME", "BatchOptions", "Job", "Limits", "ResultRow", "Variation", "batch"]
+__all__ = [
+    "MEMORY",
+    "TIME",
+    "BatchOptions",
+    "Cluster",
+    "Job",
+    "Limits",
+    "ResultRow",
+    "Variation",
+    "batch",
+]
 
 MEMORY = 4.0
 """Memory a worker may take, GiB."""
@@ -57,6 +71,7 @@ def batch(
     limit: float = TIME,
     variation: Variation = AS_ASKED,
     manifest: str = "",
+    cluster: Cluster = HERE,
     progress: OnResult | None = None,
     cancel: Callable[[], bool] | None = None,
 ) -> tuple[ResultRow, ...]:
@@ -66,7 +81,8 @@ def batch(
     ``summary.json``. ``jobs`` workers (one for each processor, if not stated) may take ``memory``
     GiB each and ``limit`` seconds a file; the other options are those of
     :func:`scenewright.arrange`. ``variation`` makes several homes and looks of every plan;
-    ``manifest`` (``jsonl`` or ``parquet``) lists all scenes with what is known of them.
+    ``manifest`` (``jsonl`` or ``parquet``) lists all scenes with what is known of them; ``cluster``
+    names a Dask scheduler to work on, and an address of fsspec for the results.
     ``progress`` gets every row as it comes, how many are done, of how many, and whether the row was
     there before; when ``cancel`` answers true the workers are stopped and the rows so far returned.
     """
@@ -80,14 +96,15 @@ def batch(
     _check_manifest(manifest)
     with recorded_run() as run:
         listed = list_jobs(given, out, options, variation)
-        return _batch(listed, out, options, limits, manifest, progress, cancel, run)
+        where = limits, cluster
+        return _batch(listed, out, options, where, manifest, progress, cancel, run)
 
 
 def _batch(
     orders: tuple[Job, ...],
     out: Path,
     options: BatchOptions,
-    limits: Limits,
+    where: tuple[Limits, Cluster],
     manifest: str,
     progress: OnResult | None,
     cancel: Callable[[], bool] | None,
@@ -95,29 +112,30 @@ def _batch(
 ) -> tuple[ResultRow, ...]:
     """The rows of all orders; those that are done already are kept."""
     check_targets([out / CSV, out / JSON])
-    with Ledger(out) as ledger:
+    address = where[1].address
+    with Ledger(out, whole_at(address, out) if address else None) as ledger:
         rows = {order.name: ledger.find(order) for order in orders}
         found = {name: row for name, row in rows.items() if row is not None}
         for done, row in enumerate(found.values(), 1):
             _tell(progress, row, done, len(orders), True)
         waiting = [order for order in orders if order.name not in found]
         try:
-            _work(waiting, options, limits, ledger, found, len(orders), progress, cancel, run.read)
+            _work(waiting, options, *where, ledger, found, len(orders), progress, cancel, run.read)
         finally:
             rows_in_order = tuple(found[order.name] for order in orders if order.name in found)
             write_summary(out, rows_in_order, options)
             if manifest:
-                _write_manifest(out, orders, found, ledger, manifest)
+                _write_manifest(out, orders, found, manifest)
     return rows_in_order
 
 
 def _write_manifest(
-    out: Path, orders: tuple[Job, ...], found: dict[str, ResultRow], ledger: Ledger, kind: str
+    out: Path, orders: tuple[Job, ...], found: dict[str, ResultRow], kind: str
 ) -> None:
     """The line of every scene there is, in the order of the jobs."""
     rows = [(job, found[job.name]) for job in orders if job.name in found]
-    scenes = [(job, row, ledger.files(job)) for job, row in rows if is_listed(row)]
-    write_manifest(out, (manifest_line(*scene) for scene in scenes), kind == "parquet")
+    scenes = (manifest_line(*each) for each in rows if is_listed(each[1]))
+    write_manifest(out, scenes, kind == "parquet")
 
 
 def _check_manifest(kind: str) -> None:
@@ -131,6 +149,7 @@ def _work(
     waiting: list[Job],
     options: BatchOptions,
     limits: Limits,
+    cluster: Cluster,
     ledger: Ledger,
     found: dict[str, ResultRow],
     total: int,
@@ -141,9 +160,15 @@ def _work(
     """Have the waiting orders done; every row goes to the ledger as it comes."""
     if not waiting:
         return
-    count = min(limits.jobs, len(waiting))
-    with WorkerPool(count, limits, options, ledger.parts, protected) as crew:
-        for order, row in arrange_with(crew, waiting, cancel):
+    with ExitStack() as stack:
+        if cluster.scheduler:
+            pairs = arrange_on(cluster, waiting, options, ledger.parts, cancel)
+            stack.callback(pairs.close)
+        else:
+            place, count = Place(str(ledger.parts), cluster.address), min(limits.jobs, len(waiting))
+            pool = WorkerPool(count, limits, options, place, protected)
+            pairs = arrange_with(stack.enter_context(pool), waiting, cancel)
+        for order, row in pairs:
             ledger.write(order, row)
             found[order.name] = row
             _tell(progress, row, len(found), total, False)

@@ -14,7 +14,7 @@ import os
 import re
 import secrets
 import stat
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 from pathlib import Path
 from types import TracebackType
@@ -48,6 +48,10 @@ class ResultFile(NamedTuple):
     digest: str
 
 
+IsWhole = Callable[[Path, ResultFile], bool]
+"""Whether a result is there as it was written."""
+
+
 class LedgerLine(StrictModel):
     """A line: the name of a scene, the key of all it depends on, its row and its files."""
 
@@ -66,16 +70,17 @@ class LedgerLine(StrictModel):
 
 
 class Ledger:
-    """The ledger of a folder of results, and ``parts``, where they are before they are whole.
+    """The ledger of a folder of results, and ``parts``, where they are before they are whole;
+    ``is_whole`` looks at results that are elsewhere.
 
     Used as a context; only one batch at a time may write into a folder.
     """
 
-    def __init__(self, folder: Path) -> None:
+    def __init__(self, folder: Path, is_whole: IsWhole | None = None) -> None:
         self.path = folder / NAME
+        self._is_whole = is_whole or is_as_written
         self.parts = folder / f".scenewright-parts-{secrets.token_hex(8)}"
         self._lines: dict[str, LedgerLine] = {}
-        self._files: dict[str, list[ResultFile]] = {}
         self._file: BinaryIO
 
     def __enter__(self) -> Ledger:
@@ -113,25 +118,19 @@ class Ledger:
             return None
         if len(line.files) != len(order.outputs):
             return None
-        whole = all(map(_is_as_written, order.outputs, line.files))
-        self._files[order.name] = [*line.files]
+        whole = all(map(self._is_whole, order.outputs, line.files))
         return ResultRow(*(getattr(line, name) for name in ResultRow._fields)) if whole else None
 
     def write(self, order: Job, row: ResultRow) -> None:
         """Note that an order is done; it is on the disk when this returns."""
         try:
-            files = [] if row.status == FAILED else [measure_file(path) for path in order.outputs]
+            files = _files_of(order, row)
             known = {"name": order.name, "key": order.key, **row._asdict(), "files": files}
             self._file.write(json.dumps(known).encode() + b"\n")
             self._file.flush()
             os.fsync(self._file.fileno())
-            self._files[order.name] = files
         except OSError as error:
             raise self._refusal(error) from None
-
-    def files(self, order: Job) -> list[ResultFile]:
-        """The files of an order that is done, as they were written."""
-        return self._files.get(order.name, [])
 
     def _claim(self) -> None:
         """Refuse a folder another batch is writing into (where the system can tell)."""
@@ -184,6 +183,15 @@ def _open(path: Path) -> BinaryIO:
     return open(handle, "r+b")
 
 
+def _files_of(order: Job, row: ResultRow) -> list[ResultFile]:
+    """The results of a row as whoever wrote them has measured them, else as they are."""
+    if row.status == FAILED:
+        return []
+    if "files" in row.facts:
+        return [ResultFile(file["bytes"], file["blake2b"]) for file in row.facts["files"]]
+    return [measure_file(path) for path in order.outputs]
+
+
 def measure_file(path: Path) -> ResultFile:
     """Bytes and digest of a file."""
     digest, size = hashlib.blake2b(digest_size=16), 0
@@ -198,7 +206,7 @@ def _blocks(file: BinaryIO) -> Iterator[bytes]:
     return iter(lambda: file.read(BLOCK), b"")
 
 
-def _is_as_written(path: Path, known: ResultFile) -> bool:
+def is_as_written(path: Path, known: ResultFile) -> bool:
     """Whether a result is a plain file of the size and the digest it was written with."""
     try:
         there = path.is_file() and path.stat().st_size == known.size > 0

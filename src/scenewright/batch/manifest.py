@@ -10,7 +10,7 @@ from __future__ import annotations
 import json
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 from typing import TYPE_CHECKING, Any
 
 from scenewright.batch.jobs import MANIFEST, Job
@@ -23,7 +23,6 @@ from scenewright.workflow.looks import describe_look
 from scenewright.workflow.manifest import plan_hash, split_of
 
 if TYPE_CHECKING:
-    from scenewright.batch.ledger import ResultFile
     from scenewright.core.report import Report
     from scenewright.core.solution import Solution
     from scenewright.workflow.looks import Look
@@ -70,27 +69,31 @@ def _score(solution: Solution, report: Report) -> dict[str, Any]:
     }
 
 
-def manifest_line(job: Job, row: ResultRow, files: Sequence[ResultFile]) -> dict[str, Any]:
-    """A scene's line: its name, the file it is made of, what is known of it, and its results with
-    size and BLAKE2b digest of 16 bytes (``b2sum -l 128``)."""
-    names = [path.name for path in job.outputs]
-    folder = job.name.rpartition("/")[0]
-    listed = [
-        {
-            "file": f"{folder}/{name}" if folder else name,
-            "format": suffix_of(name),
-            "bytes": file.size,
-            "blake2b": file.digest,
-        }
-        for name, file in zip(names, files, strict=True)
-    ]
-    return {
-        "scene": job.name,
-        "brief": row.file,
-        "status": row.status,
-        **row.facts,
-        "files": listed,
-    }
+def list_files(name: str, paths: Sequence[Path]) -> list[dict[str, Any]]:
+    """The results of a scene, by their names below the folder of the set, with size and BLAKE2b
+    digest of 16 bytes (``b2sum -l 128``)."""
+    from scenewright.batch.ledger import measure_file
+
+    listed = []
+    for path in paths:
+        size, digest = measure_file(path)
+        place = {"file": place_of(name, path), "format": suffix_of(path)}
+        listed.append({**place, "bytes": size, "blake2b": digest})
+    return listed
+
+
+def place_of(name: str, path: Path) -> str:
+    """The name of a result below the folder of its set, of a scene of some name.
+
+    >>> place_of("old/flat-1", Path("/tmp/set/old/flat-1.glb"))
+    'old/flat-1.glb'
+    """
+    return str(PurePosixPath(name).parent / path.name)
+
+
+def manifest_line(job: Job, row: ResultRow) -> dict[str, Any]:
+    """A scene's line: its name, the file it is made of, and what is known of it."""
+    return {"scene": job.name, "brief": row.file, "status": row.status, **row.facts}
 
 
 def write_manifest(folder: Path, lines: Iterable[Mapping[str, Any]], parquet: bool) -> None:

@@ -13,10 +13,12 @@ import sys
 import time
 from errno import ENOMEM
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from threading import Thread
 from typing import Any, NamedTuple, TextIO
 
 from scenewright.batch.jobs import BatchOptions
+from scenewright.batch.store import put_results
 from scenewright.batch.table import COMPLETE, LEFT_OUT, NOT_VALID, ResultRow, make_failed_row
 from scenewright.core.atomic_file import recorded_run
 from scenewright.core.errors import InputError
@@ -30,12 +32,23 @@ READY = "ready"
 
 
 class Order(NamedTuple):
-    """What a worker is asked to do: a file, where its results go, the seed and the look."""
+    """What a worker is asked to do: a file, the name and the files of its results, the seed and
+    the look; the ``content`` of the file for workers that may not see it."""
 
     source: str
+    name: str
     outputs: tuple[str, ...]
     seed: int = 0
     look: int = 0
+    content: bytes | None = None
+
+
+class Place(NamedTuple):
+    """Where results are before they are whole, and the address they are put at then (empty: they
+    get the names their order says)."""
+
+    parts: str
+    address: str = ""
 
 
 def main() -> None:
@@ -55,8 +68,8 @@ def main() -> None:
     with recorded_run((device, number) for device, number in first["protected"]):
         for line in sys.stdin:
             asked = json.loads(line)
-            order = Order(asked["source"], tuple(asked["outputs"]), asked["seed"], asked["look"])
-            _answer(answers, do_order(order, options, first["memory"], Path(first["parts"])))
+            order = Order(**asked | {"outputs": tuple(asked["outputs"])})
+            _answer(answers, do_order(order, options, first["memory"], Place(*first["place"])))
 
 
 def _answer(answers: TextIO, value: Any) -> None:
@@ -83,11 +96,11 @@ def _bound(memory: float) -> None:
         resource.setrlimit(resource.RLIMIT_DATA, (most, before))
 
 
-def do_order(order: Order, options: BatchOptions, memory: float, parts: Path) -> ResultRow:
+def do_order(order: Order, options: BatchOptions, memory: float, place: Place) -> ResultRow:
     """Do one order, wherever: the one function of a batch. Whatever goes wrong becomes its row."""
     begun, source = time.perf_counter(), order.source
     try:
-        row = _done(order, options, parts)
+        row = _done(order, options, place)
         return row._replace(seconds=round(time.perf_counter() - begun, 3))
     except InputError as error:
         text = str(error.located(file=source))
@@ -109,9 +122,38 @@ def _is_out_of_memory(error: Exception) -> bool:
     return isinstance(error, MemoryError) or number == ENOMEM or unsaid
 
 
-def _done(order: Order, options: BatchOptions, parts: Path) -> ResultRow:
-    """Arrange one file; its results appear when all are written."""
-    from scenewright.batch.manifest import describe_scene
+def _done(order: Order, options: BatchOptions, place: Place) -> ResultRow:
+    """Arrange one file where it is, or a copy of it; its results appear when all are written."""
+    if not place.address and _is_at_hand(order):
+        return _arrange(order, options, Path(place.parts))
+    with TemporaryDirectory(prefix="scenewright-") as folder:
+        source, parts = order.source, Path(place.parts)
+        if not _is_at_hand(order):
+            source = str(Path(folder, Path(order.source).name))
+            Path(source).write_bytes(order.content or b"")
+        outputs = order.outputs
+        if place.address:
+            parts = Path(folder, "made")
+            outputs = tuple(str(parts / Path(path).name) for path in order.outputs)
+            parts.mkdir()
+        try:
+            row = _arrange(order._replace(source=source, outputs=outputs), options, parts)
+        except InputError as error:
+            raise error.located(file=order.source) from None
+        if place.address:
+            outputs = put_results(place.address, order.name, map(Path, outputs))
+        return row._replace(file=order.source, outputs=outputs)
+
+
+def _is_at_hand(order: Order) -> bool:
+    """Whether the file of an order is here as it was where the batch was started."""
+    path = Path(order.source)
+    return order.content is None or (path.is_file() and path.read_bytes() == order.content)
+
+
+def _arrange(order: Order, options: BatchOptions, parts: Path) -> ResultRow:
+    """Arrange one file of this machine into files of it."""
+    from scenewright.batch.manifest import describe_scene, list_files
     from scenewright.workflow.arrange import arrange_file
     from scenewright.workflow.events import run_to_end
     from scenewright.workflow.looks import Look
@@ -135,5 +177,6 @@ def _done(order: Order, options: BatchOptions, parts: Path) -> ResultRow:
     )
     reason = reason or "; ".join(note.message for note in report.notes if note.function == "plan")
     names, facts = order.outputs, describe_scene(solution, report, look)
+    facts["files"] = list_files(order.name, outputs)
     count = len(solution.pieces)
     return ResultRow(source, status, 0.0, count, len(missing), broken, reason, names, facts)

@@ -14,7 +14,7 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Generator, Iterable, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from contextlib import suppress
 from itertools import islice
@@ -26,7 +26,7 @@ from typing import Any
 
 from scenewright.batch.jobs import BatchOptions, Job, Limits
 from scenewright.batch.table import ResultRow, make_failed_row
-from scenewright.batch.worker import READY
+from scenewright.batch.worker import READY, Order, Place
 from scenewright.core.atomic_file import Identity
 
 START = (
@@ -69,9 +69,7 @@ class Worker:
         timer.start()
         self.at_work = process
         try:
-            outputs = [str(path) for path in order.outputs]
-            asked = {"source": order.source, "seed": order.seed, "look": order.look}
-            answer = _said(process, {**asked, "outputs": outputs})
+            answer = _said(process, order_of(order)._asdict())
         finally:
             self.at_work = None
             timer.cancel()
@@ -148,6 +146,11 @@ def _environment() -> dict[str, str]:
     return {**os.environ, **single, "PYTHONPATH": os.pathsep.join(paths)}
 
 
+def order_of(job: Job) -> Order:
+    """What a worker is asked to do for a job."""
+    return Order(job.source, job.name, tuple(map(str, job.outputs)), job.seed, job.look)
+
+
 class WorkerPool:
     """Workers side by side, each with a thread that feeds it; used as a context."""
 
@@ -156,13 +159,13 @@ class WorkerPool:
         count: int,
         limits: Limits,
         options: BatchOptions,
-        parts: Path,
+        place: Place,
         protected: Iterable[Identity] = (),
     ) -> None:
         setting = {
             "options": options._asdict(),
             "memory": limits.memory,
-            "parts": str(parts),
+            "place": place,
             "protected": sorted(protected),
         }
         self.count, self.limits, self.stopping = count, limits, Event()
@@ -229,7 +232,7 @@ class WorkerPool:
 
 def arrange_with(
     crew: WorkerPool, orders: Sequence[Job], cancel: Callable[[], bool] | None
-) -> Iterator[tuple[Job, ResultRow]]:
+) -> Generator[tuple[Job, ResultRow], None, None]:
     """Orders with their rows as they are done; ends early when ``cancel`` answers true."""
     waiting = iter(orders)
     running = {crew.give(order) for order in islice(waiting, AHEAD * crew.count)}

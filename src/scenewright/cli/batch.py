@@ -20,7 +20,7 @@ from scenewright.text import printable
 if TYPE_CHECKING:
     from rich.progress import Progress
 
-    from scenewright.batch import ResultRow, Variation
+    from scenewright.batch import Cluster, ResultRow, Variation
     from scenewright.workflow.request import ArrangeRequest
 
 BatchOption = Annotated[
@@ -44,7 +44,7 @@ MOST = 25
 
 class BatchTerms(NamedTuple):
     """Options of batches alone: formats, workers, memory of each in GiB, seconds for a file, what
-    is made of every plan, and the manifest."""
+    is made of every plan, the manifest, and the cluster that works."""
 
     formats: str | None
     jobs: int | None
@@ -52,6 +52,7 @@ class BatchTerms(NamedTuple):
     limit: float | None
     variation: Variation | None = None
     manifest: str = ""
+    cluster: Cluster | None = None
 
 
 def check_single(sources: Sequence[str], terms: BatchTerms) -> None:
@@ -78,7 +79,7 @@ def run(
 ) -> int:
     """Lay out all files; the exit code: 0 all complete, 1 not all, 2 none could be used, 130
     interrupted."""
-    from scenewright.batch import MEMORY, TIME, Variation, batch
+    from scenewright.batch import MEMORY, TIME, Cluster, Variation, batch
 
     if request.nets:
         raise InputError("--nets is of one run", 'name them as "nets" in the briefs of a batch')
@@ -114,6 +115,7 @@ def run(
             limit=TIME if terms.limit is None else terms.limit,
             variation=terms.variation or Variation(),
             manifest=terms.manifest,
+            cluster=terms.cluster or Cluster(),
             progress=watch.on_row,
             cancel=lambda: bool(interrupted),
         )

@@ -51,13 +51,19 @@ def batch(
     jobs: Annotated[int | None, typer.Option(min=1, max=1024, help="Workers; one a core.")] = None,
     memory: Annotated[float | None, typer.Option(help="GiB a worker may take (4).")] = None,
     limit: Annotated[float | None, typer.Option(help="Seconds a scene may take (600).")] = None,
+    scheduler: Annotated[
+        str, typer.Option(metavar="ADDRESS", help="A Dask scheduler, such as tcp://host:8786.")
+    ] = "",
+    to: Annotated[
+        str, typer.Option(metavar="ADDRESS", help="Where scenes are put, such as s3://bucket/set.")
+    ] = "",
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON document only.")] = False,
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="Print nothing but errors.")] = False,
 ) -> int:
     """Make a set of scenes: every plan of INPUT in many homes, each in many looks, and a manifest.
 
     Killed or stopped, the same command goes on where it was."""
-    from scenewright.batch import Variation
+    from scenewright.batch import Cluster, Variation
     from scenewright.workflow.manifest import seeds_of
     from scenewright.workflow.request import ArrangeRequest
 
@@ -78,5 +84,9 @@ def batch(
         limit,
         Variation(seeds, looks, tuple(filter(None, vary.split(",")))),
         "parquet" if parquet else "jsonl",
+        Cluster(scheduler, to),
     )
+    if scheduler and any(given is not None for given in (jobs, memory, limit)):
+        fault = "--jobs, --memory and --limit are of this machine"
+        raise InputError(fault, "give workers and memory where the cluster is started")
     return cli_batch.run(sources, request, terms, as_json, quiet)
