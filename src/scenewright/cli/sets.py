@@ -23,40 +23,51 @@ from scenewright.core.errors import InputError
 MOST_SEEDS, MOST_LOOKS = 1_000_000, 1000
 
 
+FolderOption = Annotated[
+    Path,
+    typer.Option(
+        "-o", "--output", metavar="FOLDER", help="The set.", autocompletion=completion.outputs
+    ),
+]
+SeedsOption = Annotated[
+    str, typer.Option("--seeds", metavar="FIRST:END", help="A home of every plan a seed.")
+]
+LooksOption = Annotated[int, typer.Option(help="Looks of every home; 0 as it is asked for.")]
+VaryOption = Annotated[
+    str, typer.Option(help="Of looks: style,light,doors,poses; of seeds: residents.")
+]
+FormatsOption = Annotated[str, typer.Option(help="Suffixes, such as .json,.glb.")]
+ParquetOption = Annotated[bool, typer.Option("--parquet", help="The manifest as Parquet too.")]
+JobsOption = Annotated[int | None, typer.Option(min=1, max=1024, help="Workers; one a core.")]
+MemoryOption = Annotated[float | None, typer.Option(help="GiB a worker may take (4).")]
+LimitOption = Annotated[float | None, typer.Option(help="Seconds a scene may take (600).")]
+SchedulerOption = Annotated[
+    str, typer.Option(metavar="ADDRESS", help="A Dask scheduler, such as tcp://host:8786.")
+]
+ToOption = Annotated[
+    str, typer.Option(metavar="ADDRESS", help="Where scenes are put, such as s3://bucket/set.")
+]
+
+
 def batch(
     sources: InputsArgument,
-    output: Annotated[
-        Path,
-        typer.Option(
-            "-o", "--output", metavar="FOLDER", help="The set.", autocompletion=completion.outputs
-        ),
-    ],
-    seed_range: Annotated[
-        str, typer.Option("--seeds", metavar="FIRST:END", help="A home of every plan a seed.")
-    ] = "",
-    looks: Annotated[int, typer.Option(help="Looks of every home; 0 as it is asked for.")] = 0,
-    vary: Annotated[
-        str, typer.Option(help="Of looks: style,light,doors,poses; of seeds: residents.")
-    ] = "style,light,doors,poses",
-    formats: Annotated[str, typer.Option(help="Suffixes, such as .json,.glb.")] = ".json",
-    parquet: Annotated[
-        bool, typer.Option("--parquet", help="The manifest as Parquet too.")
-    ] = False,
+    output: FolderOption,
+    seed_range: SeedsOption = "",
+    looks: LooksOption = 0,
+    vary: VaryOption = "style,light,doors,poses",
+    formats: FormatsOption = ".json",
+    parquet: ParquetOption = False,
     preset: PresetOption = "default",
     steps: StepsOption = None,
     catalogs: CatalogOption = None,
     groups: GroupsOption = None,
     style: StyleOption = "",
     accessible: Annotated[bool, typer.Option(help="Furnish for wheelchair users.")] = False,
-    jobs: Annotated[int | None, typer.Option(min=1, max=1024, help="Workers; one a core.")] = None,
-    memory: Annotated[float | None, typer.Option(help="GiB a worker may take (4).")] = None,
-    limit: Annotated[float | None, typer.Option(help="Seconds a scene may take (600).")] = None,
-    scheduler: Annotated[
-        str, typer.Option(metavar="ADDRESS", help="A Dask scheduler, such as tcp://host:8786.")
-    ] = "",
-    to: Annotated[
-        str, typer.Option(metavar="ADDRESS", help="Where scenes are put, such as s3://bucket/set.")
-    ] = "",
+    jobs: JobsOption = None,
+    memory: MemoryOption = None,
+    limit: LimitOption = None,
+    scheduler: SchedulerOption = "",
+    to: ToOption = "",
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON document only.")] = False,
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="Print nothing but errors.")] = False,
 ) -> int:
