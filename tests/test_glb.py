@@ -273,7 +273,7 @@ def test_faces_look_outwards(scene: Scene) -> None:
 def test_faces_without_area_are_left_out() -> None:
     square = box((0, 0, 0), (1, 1, 1))
     spoilt = Mesh(square.vertices, np.vstack([square.faces, [[0, 0, 1]]]))
-    assert len(surface(Part(GREY, *spoilt), corner_normals(*spoilt)).indices) == 36
+    assert len(surface(Part(GREY, *spoilt), corner_normals(*spoilt[:2])).indices) == 36
 
 
 def test_the_file_is_the_same_each_time_and_leaves_nothing_beside_it(tmp_path: Path) -> None:
@@ -294,3 +294,23 @@ def test_everything_of_a_scene_is_in_the_file(sample: str) -> None:
     assert all("mesh" in nodes[thing.name] for thing in found if thing.parts)
     if sample == "home-house":
         assert {"stairs", "stairs railing"} <= {thing.name for thing in found}
+
+
+def test_a_leaf_is_a_node_that_shuts_its_opening_when_it_is_turned_back(scene: Scene) -> None:
+    """By what its ``extras`` say alone: about its own origin and axis, from where it is to 0."""
+    document, buffer = document_of(scene, shipped())
+    leaves = [n for n in document["nodes"] if node_id(n).endswith(" leaf")]
+    wide = {opening.id: opening.width for opening in scene.openings}
+    assert leaves
+    for node in leaves:
+        joint = node["extras"]["joint"]
+        assert joint["type"] == "hinge"
+        angle = -joint["at"] * joint["axis"][1]
+        turn = np.array([[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]])
+        rows = document["meshes"][node["mesh"]]["primitives"]
+        points = np.vstack([numbers(document, buffer, r["attributes"]["POSITION"]) for r in rows])
+        x, z = (points[:, [0, 2]] @ turn.T + np.array(node["translation"])[[0, 2]]).T
+        width = wide[node_id(node).removesuffix(" leaf")]
+        assert x.min() == pytest.approx(-width / 2, abs=0.04)
+        assert x.max() == pytest.approx(width / 2, abs=0.04)
+        assert np.abs(z).max() < 0.25

@@ -3,6 +3,7 @@
 Ours is z-up, glTF y-up: a point (x, y, z) is written as (x, z, -y), so importers that turn back
 (Blender) show the plan as it was. Pieces of one asset and size share a mesh; materials are
 metallic-roughness, with seamless textures (:mod:`scenewright.render.textures`); lamps are lights.
+What moves - leaves, sashes, doors, drawers - is a node of its own with its hinge as origin.
 Names leave out signs that viewers drop: ``extras`` then has the ``id``. Ceilings are left out, so
 that a viewer can look in from above.
 Khronos Group, *glTF 2.0 Specification* (2021).
@@ -22,13 +23,14 @@ import numpy as np
 from scenewright._version import __version__
 from scenewright.catalog import credits as authorship
 from scenewright.core.atomic_file import atomic_write
-from scenewright.core.catalog import Catalog, Material, Part
+from scenewright.core.catalog import Catalog, Material, Part, transform_part
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Scene
 from scenewright.core.solution import Solution
 from scenewright.formats.gltf.materials import list_materials
 from scenewright.formats.gltf.surfaces import GlbSurface, pack_surfaces, surface
 from scenewright.geometry.prisms import normals_of
+from scenewright.render.bodies import Body, split_bodies
 from scenewright.render.daylight import sun_at
 from scenewright.render.items import RenderItem, things
 from scenewright.render.lamps import lamps_of
@@ -79,14 +81,22 @@ def document_of(scene: Scene, catalog: Catalog) -> tuple[Json, bytes]:
     parts: list[Part] = []
     numbers: dict[Hashable, int] = {}
     places = {thing.name: thing for thing in found}
-    for node in nodes:
+    for index, node in enumerate([*nodes]):
         thing = places.get(node["name"]) if node.pop("drawn", False) else None
         if thing is None:
             continue
-        if thing.key not in numbers:
-            numbers[thing.key] = len(meshes)
-            meshes.append(_mesh(thing, materials, parts))
-        node["mesh"] = numbers[thing.key]
+        still, bodies = split_bodies(thing.parts)
+        drawn = [(node, "", still)] if still else []
+        for body in bodies:
+            child = _body_node(thing, body)
+            _add(nodes, index, child)
+            drawn.append((child, body.joint.body, _about_pivot(body)))
+        for place, name, own in drawn:
+            key = (thing.key, name)
+            if key not in numbers:
+                numbers[key] = len(meshes)
+                meshes.append(_mesh(thing, own, name, materials, parts))
+            place["mesh"] = numbers[key]
     lights = _light_nodes(nodes, found, catalog)
     _add_sun(nodes, lights, scene.hour)
     names = [*_safe_names([node["name"] for node in nodes])]
@@ -248,15 +258,44 @@ def _node(thing: RenderItem) -> Json:
     return node
 
 
-def _mesh(thing: RenderItem, materials: dict[Material, int], parts: list[Part]) -> Json:
+def _body_node(thing: RenderItem, body: Body) -> Json:
+    """A node about whose origin a body turns or from which it slides; what it may do is in its
+    ``extras``: axis in glTF's frame, limits in radians or metres, and where it is ``at`` now."""
+    joint = body.joint
+    (x, y, z), (ax, ay, az) = joint.pivot, joint.axis
+    facts = {
+        "type": joint.kind,
+        "axis": [ax, az, -ay if ay else 0.0],
+        "lower": joint.lower,
+        "upper": joint.upper,
+        "at": joint.at,
+    }
+    place = [x, z, -y if y else 0.0]
+    extras = {"category": "body", "joint": facts}
+    return {"name": f"{thing.name} {joint.body}", "translation": place, "extras": extras}
+
+
+def _about_pivot(body: Body) -> tuple[Part, ...]:
+    return tuple(
+        transform_part(part, np.eye(3), -np.array(body.joint.pivot)) for part in body.parts
+    )
+
+
+def _mesh(
+    thing: RenderItem,
+    own: Sequence[Part],
+    body: str,
+    materials: dict[Material, int],
+    parts: list[Part],
+) -> Json:
     """One mesh with a primitive a part, by its number among all ``parts``."""
     primitives = []
-    for part in thing.parts:
+    for part in own:
         material = materials.setdefault(part.material, len(materials))
         primitives.append({"part": len(parts), "material": material})
         parts.append(part)
     name = thing.extras.get("asset", thing.name) if thing.kind == "piece" else thing.name
-    return {"name": str(name), "primitives": primitives}
+    return {"name": f"{name} {body}".strip(), "primitives": primitives}
 
 
 def _surfaces(parts: Sequence[Part]) -> Iterator[GlbSurface]:
