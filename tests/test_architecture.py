@@ -33,7 +33,7 @@ LAYERS = (
     {"domains"},
     {"formats"},
     {"workflow"},
-    {"batch"},
+    {"batch", "studio"},
     {"scenewright", "cli", "__main__"},
 )
 """Top-level packages from the ground up."""
@@ -294,9 +294,10 @@ def known_packages(learning: bool) -> frozenset[str]:
     more solvers and of files; what learns may import what the extra of learning lists."""
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     listed = [*project["dependencies"]]
-    extras = ["solve", "bim", "dxf", "pdf", "gis", "svg", "photo", "usd", "parquet", "cluster"]
+    optional = project["optional-dependencies"]
+    extras = optional.keys() - {"dev", "docs", "learn", "peers"}
     for extra in [*extras, *(["learn"] if learning else [])]:
-        listed += project["optional-dependencies"][extra]
+        listed += optional[extra]
     names = [re.split("[<>=!~ ;\\[]", line)[0] for line in listed]
     return frozenset({NAMED.get(name, name) for name in names} | sys.stdlib_module_names | OUR_OWN)
 

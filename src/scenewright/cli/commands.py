@@ -29,6 +29,8 @@ from scenewright.cli import photo as cli_photo
 from scenewright.cli import plan as cli_plan
 from scenewright.cli import render as cli_render
 from scenewright.cli import sets as cli_sets
+from scenewright.cli import studio as cli_studio
+from scenewright.cli import warm as cli_warm
 from scenewright.cli.arguments import check_budget, check_repeated, check_words
 from scenewright.cli.faults import describe_usage_fault, drop_output, is_output_full, write_fault
 from scenewright.cli.pass_table import print_passes
@@ -290,7 +292,7 @@ def explain(
 for verb in (
     *(cli_adjust.adjust, cli_evolve.evolve, cli_compare.compare, cli_fold.fold),
     *(cli_generate.generate, cli_learn.learn, cli_plan.plan, cli_render.render, cli_photo.photo),
-    cli_sets.batch,
+    *(cli_sets.batch, cli_studio.studio, cli_warm.warm),
 ):
     app.command()(verb)
 app.command("list")(listing.list_)
@@ -376,25 +378,3 @@ def view(
     viewed = cli_view.view(request, terminal.console(stderr=True, quiet=quiet))
     cli_view.tell_viewed(request, viewed, as_json, quiet)
     return 1 if viewed.skipped else 0
-
-
-@app.command()
-def warm(
-    kinds: Annotated[
-        list[str] | None,
-        typer.Argument(
-            metavar="[KIND]...",
-            help="home, hall, site, village, extend; or all.",
-            autocompletion=completion.domains,
-        ),
-    ] = None,
-    as_json: JsonOption = False,
-    quiet: QuietOption = False,
-) -> int:
-    """Compile ahead of time what the first run of each kind of scene needs."""
-    from scenewright.cli import warm as cli_warm
-
-    rows = cli_warm.run(kinds or (), terminal.console(stderr=True, quiet=quiet or as_json))
-    if as_json:
-        tables.print_json(cli_warm.document(rows))
-    return 0

@@ -15,10 +15,12 @@ import time
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Annotated, Any, NamedTuple
 
+import typer
 from rich.console import Console
 
+from scenewright.cli import completion, tables, terminal
 from scenewright.core.errors import InputError
 
 SAMPLES = {
@@ -136,3 +138,22 @@ def tell(row: Warmed) -> str:
 
 def _plural(kind: str) -> str:
     return PLURALS.get(kind, f"{kind}s")
+
+
+def warm(
+    kinds: Annotated[
+        list[str] | None,
+        typer.Argument(
+            metavar="[KIND]...",
+            help="home, hall, site, village, extend; or all.",
+            autocompletion=completion.domains,
+        ),
+    ] = None,
+    as_json: Annotated[bool, typer.Option("--json", help="Print one JSON document only.")] = False,
+    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="Print nothing but errors.")] = False,
+) -> int:
+    """Compile ahead of time what the first run of each kind of scene needs."""
+    rows = run(kinds or (), terminal.console(stderr=True, quiet=quiet or as_json))
+    if as_json:
+        tables.print_json(document(rows))
+    return 0

@@ -16,6 +16,7 @@ EXTRAS = {
     "pdf": ("fpdf", "fontTools", "fontpkg_noto_sans", "pypdfium2"),
     "peers": ("scipy", "cma", "pymoo", "deap"),
     "solve": ("ortools",),
+    "studio": ("starlette", "uvicorn"),
     "svg": ("svgelements",),
     "usd": ("pxr",),
 }

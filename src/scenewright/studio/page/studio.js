@@ -1,0 +1,289 @@
+// The page: shows the server's document, sends verbs, listens to events. Lengths are metres, the
+// plan's y points up, the screen's down.
+const SVG = "http://www.w3.org/2000/svg";
+const $ = (id) => document.getElementById(id);
+const NUDGE = 0.05, QUARTER = Math.PI / 2, MARGIN = 0.6;
+
+let doc = { version: 0 }, level = "", picked = "", view = null, drag = null, touched = false, changes = [];
+
+function element(name, attributes = {}, parent = null, text = "") {
+  const made = document.createElementNS(SVG, name);
+  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
+  if (text) made.textContent = text;
+  if (parent) parent.append(made);
+  return made;
+}
+
+function say(text) {
+  $("note").textContent = text;
+  clearTimeout(say.timer);
+  if (text) say.timer = setTimeout(() => { $("note").textContent = ""; }, 7000);
+}
+
+async function send(verb, keys = {}) {
+  const reply = await fetch("/do", { method: "POST", body: JSON.stringify({ verb, ...keys }) });
+  const said = await reply.json().catch(() => ({ fault: `the studio answered ${reply.status}` }));
+  if (said.fault) say(said.fault);
+  return said;
+}
+
+async function change(verb, keys = {}) {
+  const said = await send(verb, keys);
+  changes = said.changes ?? [];
+  await refresh();
+  return said;
+}
+
+let asked = 0;
+async function refresh() {
+  const turn = ++asked;
+  const fresh = await (await fetch("/state")).json();
+  if (turn !== asked) return;
+  if (fresh.name !== doc.name) { view = null; touched = false; picked = ""; }
+  doc = fresh;
+  if (!(doc.levels ?? []).some((one) => one.id === level)) level = doc.levels?.[0]?.id ?? "";
+  show();
+}
+
+const outline = (rings) => rings.map((ring) => "M" + ring.map(([x, y]) => `${x},${-y}`).join(" ") + "Z").join("");
+const line = (points) => "M" + points.map(([x, y]) => `${x},${-y}`).join(" ");
+const placed = ([x, y, , heading]) => `translate(${x} ${-y}) rotate(${90 - heading * 180 / Math.PI})`;
+
+function show() {
+  $("name").textContent = doc.name || "Scenewright";
+  $("undo").disabled = !doc.undo; $("redo").disabled = !doc.redo;
+  $("arrange").disabled = !doc.version || doc.running;
+  $("stop").hidden = !doc.running; $("share").hidden = !doc.running;
+  $("levels").replaceChildren(...((doc.levels ?? []).length > 1 ? doc.levels : []).map((one) => {
+    const tab = document.createElement("button");
+    tab.textContent = one.name || one.id; tab.role = "tab"; tab.ariaSelected = one.id === level;
+    tab.onclick = () => { level = one.id; view = null; show(); };
+    return tab;
+  }));
+  drawPlan(); showSelected(); showLists();
+}
+
+function drawPlan() {
+  const plan = $("plan"), here = (doc.levels ?? []).find((one) => one.id === level);
+  plan.replaceChildren();
+  if (!here) {
+    plan.setAttribute("viewBox", "0 0 600 300");
+    element("text", { class: "empty", x: 300, y: 150 }, plan, "Bring a plan, or choose a sample.");
+    return;
+  }
+  if (!view) view = extent(here);
+  plan.setAttribute("viewBox", view.join(" "));
+  for (const one of here.surfaces) element("path", { class: "ground", d: outline(one.rings) }, plan);
+  for (const one of here.spaces) element("path", { class: "space", d: outline(one.rings), "fill-rule": "evenodd" }, plan);
+  const bad = new Set((doc.findings ?? []).flatMap((found) => found.pieces));
+  for (const piece of doc.pieces.filter((one) => one.level === level)) drawPiece(piece, bad, plan);
+  for (const one of here.walls) element("path", { class: one.low ? "low" : "wall", d: outline(one.rings) }, plan);
+  for (const one of here.openings) drawOpening(one, plan);
+  for (const one of here.spaces) {
+    const [x, y] = one.label;
+    element("text", { class: "room", x, y: -y }, plan, one.name);
+  }
+}
+
+function drawPiece(piece, bad, plan) {
+  const names = ["piece", piece.flat && "flat", piece.hangs && "hangs", piece.locked && "locked",
+    bad.has(piece.id) && "bad", piece.id === picked && "on"].filter(Boolean).join(" ");
+  const group = element("g", { class: names, transform: placed(piece.pose), "data-id": piece.id }, plan);
+  element("title", {}, group, piece.name);
+  for (const points of doc.symbols[piece.symbol]) element("path", { d: line(points) }, group);
+}
+
+function drawOpening(one, plan) {
+  const [x, y] = one.at, [ux, uy] = one.along, half = one.width / 2;
+  const a = [x - ux * half, y - uy * half], b = [x + ux * half, y + uy * half];
+  if (one.kind === "window") { element("path", { class: "opening", d: line([a, b]) }, plan); return; }
+  if (!one.hinge || !one.swing) return;
+  const at = one.hinge < 0 ? a : b, far = one.hinge < 0 ? b : a;
+  const tip = [at[0] - uy * one.swing * one.width, at[1] + ux * one.swing * one.width];
+  const sweep = one.hinge * one.swing < 0 ? 0 : 1;
+  const arc = ` A${one.width} ${one.width} 0 0 ${1 - sweep} ${far[0]},${-far[1]}`;
+  element("path", { class: "opening door", d: line([at, tip]) + arc }, plan);
+}
+
+function extent(here) {
+  const points = here.spaces.flatMap((one) => one.rings[0]);
+  const xs = points.map((p) => p[0]), ys = points.map((p) => -p[1]);
+  const x = Math.min(...xs) - MARGIN, y = Math.min(...ys) - MARGIN;
+  return [x, y, Math.max(...xs) + MARGIN - x, Math.max(...ys) + MARGIN - y];
+}
+
+const chosen = () => doc.pieces?.find((piece) => piece.id === picked);
+
+function showSelected() {
+  const piece = chosen();
+  $("selected").hidden = !piece;
+  if (!piece) return;
+  const [x, y, , heading] = piece.pose, [w, d, h] = piece.size;
+  $("piece").textContent = piece.name;
+  $("measures").textContent = `${w.toFixed(2)} × ${d.toFixed(2)} × ${h.toFixed(2)} m at ${x.toFixed(2)}, ${y.toFixed(2)}, ` +
+    `${Math.round(heading * 180 / Math.PI)}°`;
+  $("lock").textContent = piece.locked ? "Unlock" : "Lock";
+}
+
+function fill(id, rows, make) { $(id).replaceChildren(...rows.map(make)); }
+
+function item(text, pieces = [], bad = false) {
+  const row = document.createElement("li"), button = document.createElement("button");
+  button.textContent = text; if (bad) row.className = "bad";
+  button.onclick = () => {
+    const found = doc.pieces.find((piece) => pieces.includes(piece.id));
+    if (found) { picked = found.id; level = found.level; show(); }
+  };
+  row.append(button);
+  return row;
+}
+
+function showLists() {
+  $("verdict").textContent = doc.verdict ?? "";
+  fill("findings", doc.findings ?? [], (found) => item(found.message, found.pieces, found.blamed));
+  fill("left-out", doc.left_out ?? [], (out) => item(`${out.what.replaceAll("_", " ")}: ${out.reason}`, [], out.required));
+  fill("changes", changes, (one) => item(`${one.piece.replaceAll("_", " ")} ${one.change}: ${one.reason}`, [one.piece]));
+  fill("history", doc.history ?? [], (step) => {
+    const row = item(step.what);
+    row.ariaCurrent = step.id === doc.version;
+    row.firstChild.onclick = () => change("go", { version: step.id });
+    return row;
+  });
+}
+
+// Moving by pointer: the piece follows, the referee is asked for the latest place only.
+function planPoint(event) {
+  const point = new DOMPoint(event.clientX, event.clientY).matrixTransform($("plan").getScreenCTM().inverse());
+  return [point.x, -point.y];
+}
+
+$("plan").addEventListener("pointerdown", (event) => {
+  const group = event.target.closest?.(".piece"), at = planPoint(event);
+  $("plan").setPointerCapture(event.pointerId);
+  if (group) {
+    picked = group.dataset.id;
+    const piece = chosen();
+    drag = { piece, from: at, start: [...piece.pose], moved: false };
+    show();
+  } else {
+    drag = { pan: true, from: [event.clientX, event.clientY], start: [...view ?? [0, 0, 1, 1]] };
+    picked = ""; show();
+  }
+});
+
+$("plan").addEventListener("pointermove", (event) => {
+  if (!drag) return;
+  if (drag.pan) {
+    const scale = drag.start[2] / $("plan").clientWidth;
+    view = [drag.start[0] - (event.clientX - drag.from[0]) * scale,
+      drag.start[1] - (event.clientY - drag.from[1]) * scale, drag.start[2], drag.start[3]];
+    $("plan").setAttribute("viewBox", view.join(" "));
+    return;
+  }
+  const [x, y] = planPoint(event), step = event.altKey ? 0.001 : 0.05;
+  const snap = (value) => Math.round(value / step) * step;
+  const dx = snap(x - drag.from[0]), dy = snap(y - drag.from[1]);
+  if (!dx && !dy && !drag.moved) return;
+  drag.moved = true;
+  drag.piece.pose = [drag.start[0] + dx, drag.start[1] + dy, drag.start[2], drag.start[3]];
+  document.querySelector(`[data-id="${CSS.escape(picked)}"]`)?.setAttribute("transform", placed(drag.piece.pose));
+  showSelected(); ask();
+});
+
+let asking = false, latest = null;
+async function ask() {
+  latest = chosen();
+  if (asking || !latest) return;
+  asking = true;
+  while (latest) {
+    const piece = latest; latest = null;
+    const [x, y, , heading] = piece.pose;
+    const said = await send("judge", { piece: piece.id, pose: [x, y, heading] });
+    const found = said.findings ?? [];
+    document.querySelector(`[data-id="${CSS.escape(piece.id)}"]`)?.classList.toggle("bad", found.length > 0);
+    if (drag) fill("findings", found, (one) => item(one.message, one.pieces, true));
+  }
+  asking = false;
+}
+
+$("plan").addEventListener("pointerup", async () => {
+  const done = drag; drag = null;
+  if (done?.moved) await place(done.piece);
+});
+
+async function place(piece) {
+  const [x, y, , heading] = piece.pose, name = piece.id;
+  const said = await change("move", { piece: name, pose: [x, y, heading] });
+  if (said.fault) return;
+  const now = (said.changes ?? []).find((one) => one.was === name);
+  if (now) { picked = now.piece; show(); }
+}
+
+$("plan").addEventListener("wheel", (event) => {
+  if (!view) return;
+  event.preventDefault();
+  const [x, y] = planPoint(event), by = Math.exp(event.deltaY * 0.0012);
+  view = [x + (view[0] - x) * by, -y + (view[1] + y) * by, view[2] * by, view[3] * by];
+  $("plan").setAttribute("viewBox", view.join(" "));
+}, { passive: false });
+
+document.addEventListener("keydown", (event) => {
+  if (event.target.matches("input, select")) return;
+  const piece = chosen(), key = event.key.toLowerCase(), command = event.ctrlKey || event.metaKey;
+  const way = { arrowleft: [-1, 0], arrowright: [1, 0], arrowup: [0, 1], arrowdown: [0, -1] }[key];
+  if (command && key === "z" && !event.shiftKey) change("undo");
+  else if (command && (key === "y" || key === "z")) change("redo");
+  else if (key === "escape") { picked = ""; show(); }
+  else if (piece && way) nudge(piece, way[0] * NUDGE, way[1] * NUDGE, 0);
+  else if (piece && key === "r") nudge(piece, 0, 0, event.shiftKey ? -QUARTER : QUARTER);
+  else if (piece && key === "l") $("lock").click();
+  else return;
+  event.preventDefault();
+});
+
+function nudge(piece, dx, dy, turn) {
+  const [x, y, z, heading] = piece.pose;
+  piece.pose = [x + dx, y + dy, z, heading + turn];
+  return place(piece);
+}
+
+$("arrange").onclick = () => change("arrange", { seed: Number($("seed").value) || 0 });
+$("stop").onclick = () => send("stop");
+$("undo").onclick = () => change("undo");
+$("redo").onclick = () => change("redo");
+$("turn").onclick = () => { const piece = chosen(); if (piece) nudge(piece, 0, 0, QUARTER); };
+$("lock").onclick = () => { const piece = chosen(); if (piece) change(piece.locked ? "unlock" : "lock", { piece: piece.id }); };
+$("again").onclick = () => {
+  const piece = chosen();
+  if (piece) change("again", { space: piece.space, seed: 1 + Math.floor(Math.random() * 999) });
+};
+$("picture").onclick = async () => {
+  say("drawing …");
+  const reply = await fetch("/picture.png");
+  if (!reply.ok) { say((await reply.json()).fault); return; }
+  say(""); $("image").src = URL.createObjectURL(await reply.blob()); $("shown").showModal();
+};
+$("samples").onchange = async (event) => { if (event.target.value) await change("open", { source: event.target.value }); };
+$("file").onchange = (event) => bring(event.target.files[0]);
+document.addEventListener("dragover", (event) => event.preventDefault());
+document.addEventListener("drop", (event) => { event.preventDefault(); bring(event.dataTransfer.files[0]); });
+
+async function bring(file) {
+  if (!file) return;
+  const reply = await fetch(`/bring?name=${encodeURIComponent(file.name)}`, { method: "POST", body: file });
+  const said = await reply.json().catch(() => ({ fault: `the studio answered ${reply.status}` }));
+  if (said.fault) say(said.fault);
+  await refresh();
+}
+
+const events = new EventSource("/events");
+events.onmessage = (message) => {
+  const event = JSON.parse(message.data);
+  if (event.changed) refresh();
+  if (event.fault || event.notice) say(event.fault ?? event.notice);
+  if (event.share !== undefined) { $("share").value = event.share; $("share").title = event.what; }
+};
+events.onerror = () => say("the studio does not answer; start it again and use its new link");
+
+for (const name of await (await fetch("/samples")).json()) $("samples").append(new Option(name.replace("sample:", ""), name));
+await refresh();

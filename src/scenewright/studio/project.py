@@ -1,0 +1,131 @@
+"""A project file: every version of a scene, one after another, in SQLite.
+
+Append-only: a verb adds a version below the one it changed, and undo, redo and going back only
+add to the list of which version was shown when. With a write-ahead log and full synchronisation
+what was acknowledged survives a kill at any moment.
+"""
+
+from __future__ import annotations
+
+import sqlite3
+import zlib
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import NamedTuple
+
+from scenewright.core.errors import InputError
+
+MARK = 0x5CE9E
+"""``application_id`` of our project files."""
+SUFFIX = ".studio"
+TABLES = """
+CREATE TABLE IF NOT EXISTS version (
+    id INTEGER PRIMARY KEY, parent INTEGER, what TEXT NOT NULL, solution BLOB NOT NULL);
+CREATE TABLE IF NOT EXISTS shown (id INTEGER PRIMARY KEY, version INTEGER NOT NULL);
+"""
+
+
+class Version(NamedTuple):
+    """A version of the scene: the one it was made from (0: none), and what was done."""
+
+    id: int
+    parent: int
+    what: str
+
+
+def open_project(path: Path) -> sqlite3.Connection:
+    """The project in a file, begun if there is none. InputError for a file that is none.
+
+    >>> open_project(Path(":memory:")).execute("SELECT count(*) FROM version").fetchone()
+    (0,)
+    """
+    db = sqlite3.connect(path, check_same_thread=False, isolation_level=None)
+    try:
+        _check_mark(db)
+        db.execute("PRAGMA journal_mode=WAL")
+        db.execute("PRAGMA synchronous=FULL")
+        db.executescript(TABLES)
+    except (sqlite3.Error, InputError) as error:
+        db.close()
+        raise InputError(
+            f"is not a project of the studio: {error}", "choose another name", file=str(path)
+        ) from None
+    return db
+
+
+def _check_mark(db: sqlite3.Connection) -> None:
+    (mark,), (tables,) = (
+        db.execute(text).fetchone()
+        for text in ("PRAGMA application_id", "SELECT count(*) FROM sqlite_master")
+    )
+    if tables and mark != MARK:
+        raise InputError("it is a database of another program")
+    db.execute(f"PRAGMA application_id={MARK}")
+
+
+@contextmanager
+def _saved(db: sqlite3.Connection) -> Iterator[None]:
+    """All that is written inside, or nothing."""
+    db.execute("BEGIN IMMEDIATE")
+    try:
+        yield
+    except BaseException:
+        db.execute("ROLLBACK")
+        raise
+    db.execute("COMMIT")
+
+
+def add_version(db: sqlite3.Connection, parent: int, what: str, solution: str) -> int:
+    """Add a version made from ``parent`` and show it; its number.
+
+    >>> db = open_project(Path(":memory:"))
+    >>> add_version(db, 0, "arranged", "{}"), shown_version(db), solution_text(db, 1)
+    (1, Version(id=1, parent=0, what='arranged'), '{}')
+    """
+    with _saved(db):
+        packed = zlib.compress(solution.encode(), 6)
+        row = db.execute(
+            "INSERT INTO version (parent, what, solution) VALUES (?, ?, ?)", (parent, what, packed)
+        )
+        number = int(row.lastrowid or 0)
+        db.execute("INSERT INTO shown (version) VALUES (?)", (number,))
+    return number
+
+
+def show_version(db: sqlite3.Connection, number: int) -> None:
+    """Show a version that was there before."""
+    with _saved(db):
+        db.execute("INSERT INTO shown (version) VALUES (?)", (number,))
+
+
+def shown_version(db: sqlite3.Connection) -> Version | None:
+    """The version shown last."""
+    row = db.execute(
+        "SELECT v.id, v.parent, v.what FROM shown s JOIN version v ON v.id = s.version"
+        " ORDER BY s.id DESC LIMIT 1"
+    ).fetchone()
+    return Version(*row) if row else None
+
+
+def next_version(db: sqlite3.Connection, number: int) -> int:
+    """The version to go to by redo: of those made from this one the one shown last (0: none)."""
+    row = db.execute(
+        "SELECT v.id FROM version v JOIN shown s ON s.version = v.id WHERE v.parent = ?"
+        " ORDER BY s.id DESC LIMIT 1",
+        (number,),
+    ).fetchone()
+    return int(row[0]) if row else 0
+
+
+def list_versions(db: sqlite3.Connection) -> list[Version]:
+    """All versions in the order in which they were made."""
+    return [Version(*row) for row in db.execute("SELECT id, parent, what FROM version ORDER BY id")]
+
+
+def solution_text(db: sqlite3.Connection, number: int) -> str:
+    """The JSON text of a version's solution."""
+    row = db.execute("SELECT solution FROM version WHERE id = ?", (number,)).fetchone()
+    if row is None:
+        raise InputError(f"there is no version {number}", "choose one of the history")
+    return zlib.decompress(row[0]).decode()

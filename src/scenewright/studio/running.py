@@ -1,0 +1,40 @@
+"""The server, from the first request until Ctrl-C."""
+
+from __future__ import annotations
+
+import socket
+import sqlite3
+from collections.abc import Callable
+from pathlib import Path
+
+import uvicorn
+
+from scenewright.studio.guard import Keys, guarded
+from scenewright.studio.server import Listeners, studio_app
+from scenewright.studio.session import Session
+
+PATIENCE = 1
+"""Seconds that pages which still listen are given at the end."""
+
+
+def serve(
+    db: sqlite3.Connection,
+    source: str,
+    folder: Path,
+    listening: socket.socket,
+    ready: Callable[[str], None],
+) -> None:
+    """Serve the studio of a project on a socket; a ``source`` is opened first. ``ready`` is given
+    the token of the link, once the plan is read."""
+    listeners = Listeners()
+    session = Session(db, listeners.tell)
+    if source:
+        session.open(source)
+    keys = Keys()
+    port = listening.getsockname()[1]
+    app = guarded(studio_app(session, listeners, folder), keys, port)
+    config = uvicorn.Config(
+        app, log_level="warning", timeout_graceful_shutdown=PATIENCE, lifespan="off"
+    )
+    ready(keys.token or "")
+    uvicorn.Server(config).run(sockets=[listening])

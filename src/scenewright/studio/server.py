@@ -1,0 +1,219 @@
+"""The studio's addresses: the page, the document, verbs by POST, events as they happen (SSE)."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import math
+from collections.abc import AsyncIterator, Awaitable, Callable
+from importlib import resources
+from pathlib import Path, PurePath
+from typing import Any
+
+from starlette.applications import Starlette
+from starlette.concurrency import run_in_threadpool
+from starlette.requests import Request
+from starlette.responses import JSONResponse, Response, StreamingResponse
+from starlette.routing import Route
+
+from scenewright.core.errors import InputError
+from scenewright.formats import samples
+from scenewright.formats.table import formats
+from scenewright.studio.drawable import Json
+from scenewright.studio.session import FORMATS, Session
+
+PAGES = {"": "text/html", "studio.css": "text/css", "studio.js": "text/javascript"}
+PAUSE = 10.0
+"""Seconds after which a line that says nothing keeps an event stream open."""
+NAMED_FILES = ("catalogs", "groups", "sources", "source_file", "nets", "style")
+"""Keys of a brief that name further files, which what is brought by the page may not."""
+
+
+class Listeners:
+    """The pages that listen; ``tell`` may be called from any thread."""
+
+    def __init__(self) -> None:
+        self.queues: set[tuple[asyncio.AbstractEventLoop, asyncio.Queue[Json]]] = set()
+
+    def tell(self, event: Json) -> None:
+        """Send an event to every page."""
+        for loop, queue in [*self.queues]:
+            loop.call_soon_threadsafe(queue.put_nowait, event)
+
+    async def stream(self) -> AsyncIterator[str]:
+        """Events for one page until it goes away."""
+        mine = (asyncio.get_running_loop(), asyncio.Queue[Json]())
+        self.queues.add(mine)
+        try:
+            yield ": here\n\n"
+            while True:
+                try:
+                    event = await asyncio.wait_for(mine[1].get(), PAUSE)
+                    yield f"data: {json.dumps(event)}\n\n"
+                except TimeoutError:
+                    yield ": here\n\n"
+        finally:
+            self.queues.discard(mine)
+
+
+def studio_app(session: Session, listeners: Listeners, folder: Path) -> Starlette:
+    """The application; what the page brings is kept in ``folder``, a folder of its own."""
+
+    async def state(_request: Request) -> Response:
+        return JSONResponse(await run_in_threadpool(session.state))
+
+    async def events(_request: Request) -> Response:
+        return StreamingResponse(listeners.stream(), media_type="text/event-stream")
+
+    async def do(request: Request) -> Response:
+        return await _answer(do_verb, session, await request.body())
+
+    async def bring(request: Request) -> Response:
+        name = request.query_params.get("name", "")
+        return await _answer(_bring, session, await request.body(), folder, name)
+
+    async def export(request: Request) -> Response:
+        asked = request.query_params.get("formats", ",".join(FORMATS)).split(",")
+        known = {row.suffix.removeprefix(".") for row in formats() if row.writer}
+        return await _file(session.export, "application/zip", [e for e in asked if e in known])
+
+    async def picture(_request: Request) -> Response:
+        return await _file(session.picture, "image/png")
+
+    async def list_samples(_request: Request) -> Response:
+        return JSONResponse([*samples()])
+
+    return Starlette(
+        routes=[
+            *(Route(f"/{name}", _page(name)) for name in PAGES),
+            Route("/state", state),
+            Route("/events", events),
+            Route("/samples", list_samples),
+            Route("/export.zip", export),
+            Route("/picture.png", picture),
+            Route("/do", do, methods=["POST"]),
+            Route("/bring", bring, methods=["POST"]),
+        ]
+    )
+
+
+def _page(name: str) -> Callable[[Request], Awaitable[Response]]:
+    file = resources.files("scenewright.studio") / "page" / (name or "studio.html")
+
+    async def page(_request: Request) -> Response:
+        return Response(file.read_bytes(), media_type=PAGES[name])
+
+    return page
+
+
+async def _file(make: Callable[..., bytes], kind: str, *args: Any) -> Response:
+    try:
+        return Response(await run_in_threadpool(make, *args), media_type=kind)
+    except InputError as error:
+        return JSONResponse({"fault": str(error)}, 422)
+
+
+async def _answer(verb: Callable[..., Json], session: Session, body: bytes, *more: Any) -> Response:
+    """What a verb answers, or its fault in one line."""
+    try:
+        return JSONResponse(await run_in_threadpool(verb, session, body, *more))
+    except InputError as error:
+        return JSONResponse({"fault": str(error)}, 422)
+
+
+def do_verb(session: Session, body: bytes) -> Json:
+    """Do what a request asks: ``{"verb": "move", "piece": "sofa", "pose": [x, y, heading]}``."""
+    asked = _read_request(body)
+    verb, piece = asked.get("verb"), str(asked.get("piece", ""))
+    match verb:
+        case "open":
+            session.open(_sample(asked))
+        case "arrange":
+            session.arrange(_whole(asked, "seed"))
+        case "stop":
+            session.stop()
+        case "undo" | "redo":
+            getattr(session, verb)()
+        case "go":
+            session.go(_whole(asked, "version"))
+        case "judge":
+            return {"findings": session.judge(piece, _pose(asked))}
+        case "move":
+            return {"changes": session.change(f"moved {piece}", move={piece: _pose(asked)})}
+        case "swap":
+            other = str(asked.get("other", ""))
+            return {"changes": session.change(f"swapped {piece}, {other}", swap=[(piece, other)])}
+        case "lock" | "unlock":
+            return {"changes": session.change(f"{verb}ed {piece}", **{verb: [piece]})}
+        case "again":
+            space, seed = str(asked.get("space", "")), _whole(asked, "seed")
+            done = f"arranged {space} again, seed {seed}"
+            return {"changes": session.change(done, again=[space], seed=seed)}
+        case _:
+            raise InputError(f"there is no verb {verb!r}", "see the page's requests")
+    return {}
+
+
+def _read_request(body: bytes) -> Json:
+    try:
+        asked = json.loads(body)
+    except ValueError:
+        asked = None
+    if not isinstance(asked, dict):
+        raise InputError("the request is no JSON object", "send one verb with its keys")
+    return asked
+
+
+def _whole(asked: Json, key: str) -> int:
+    number = asked.get(key, 0)
+    if not isinstance(number, int) or not 0 <= number < 1 << 53:
+        raise InputError(f"{key}: {number!r} is no whole number", "give one from 0 on")
+    return number
+
+
+def _pose(asked: Json) -> tuple[float, float, float]:
+    pose = asked.get("pose")
+    listed = pose if isinstance(pose, list) and len(pose) == 3 else [None]
+    if not all(isinstance(number, int | float) and math.isfinite(number) for number in listed):
+        raise InputError("pose: is no place", "give [x, y, heading] in metres and radians")
+    x, y, heading = map(float, listed)
+    return x, y, math.remainder(heading, math.tau)
+
+
+def _sample(asked: Json) -> str:
+    """The name of a sample: the page names no other file of this machine."""
+    name = str(asked.get("source", ""))
+    if name not in samples():
+        raise InputError(f"there is no sample {name!r}", "choose one of the list")
+    return name
+
+
+def _bring(session: Session, body: bytes, folder: Path, name: str) -> Json:
+    plain = PurePath(name.replace("\\", "/")).name
+    if not plain or plain.startswith(".") or plain != name:
+        raise InputError(f"{name!r} is no name of a file", "bring the file itself")
+    if plain.lower().endswith(".json"):
+        check_names_no_file(_read_request(body), plain)
+    path = folder / plain
+    path.write_bytes(body)
+    session.open(str(path))
+    return {}
+
+
+def check_names_no_file(document: Json, name: str) -> None:
+    """InputError for a brief that names further files: those of the server's machine are nobody's
+    business.
+
+    >>> check_names_no_file({"catalogs": ["/etc"]}, "flat.json")
+    Traceback (most recent call last):
+    scenewright.core.errors.InputError: flat.json: catalogs: names files, which a brief that is \
+brought may not; start the studio with the file
+    """
+    inner = document.get("brief")
+    if isinstance(inner, dict):
+        check_names_no_file(inner, name)
+    for key in NAMED_FILES:
+        value = document.get(key)
+        if value and (key != "style" or str(value).endswith(".npz")):
+            fault = "names files, which a brief that is brought may not"
+            raise InputError(fault, "start the studio with the file", file=name, place=key)

@@ -1,0 +1,242 @@
+"""A scene under work: verbs that change it, one after another, each a version of its project."""
+
+from __future__ import annotations
+
+import math
+import sqlite3
+import tempfile
+import zipfile
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import AbstractContextManager
+from dataclasses import replace
+from io import BytesIO
+from pathlib import Path
+from threading import Event, RLock, Thread
+from typing import Any, NamedTuple
+
+from scenewright import domains
+from scenewright.core.brief import Brief
+from scenewright.core.errors import CancelledError, InputError
+from scenewright.core.plan import Plan
+from scenewright.core.report import Report
+from scenewright.core.solution import Solution, unfurnished
+from scenewright.formats import read_planned, solution_json, write
+from scenewright.studio import project
+from scenewright.studio.drawable import Json, describe_finding, draw
+
+Tell = Callable[[Json], None]
+"""Called with every event: progress, and that another version is shown."""
+BUSY = InputError("something is being arranged", "wait, or stop it first")
+FORMATS = ("json", "glb", "svg", "png")
+
+
+class Shown(NamedTuple):
+    """The version on the page, with what is worked out of it once."""
+
+    version: int
+    solution: Solution
+    plan: Plan
+    report: Report
+
+
+class Session:
+    """One project, the version it shows, and the search that runs, if any. Verbs come from any
+    thread and are done one at a time; ``tell`` hears what happens meanwhile."""
+
+    def __init__(self, db: sqlite3.Connection, tell: Tell) -> None:
+        self.db, self.tell = db, tell
+        self.lock, self.stopping = RLock(), Event()
+        self.running = False
+        self.shown: Shown | None = None
+        version = project.shown_version(db)
+        if version is not None:
+            self.shown = _load(db, version.id, None)
+
+    def state(self) -> Json:
+        """All that the page shows."""
+        with self.lock:
+            version, shown = project.shown_version(self.db), self.shown
+            if shown is None or version is None:
+                return {"running": self.running, "version": 0, "history": []}
+            steps = [row._asdict() for row in project.list_versions(self.db)]
+            redo = project.next_version(self.db, version.id)
+        where = {"version": version.id, "history": steps, "undo": version.parent, "redo": redo}
+        return {"running": self.running, **where, **draw(*shown[1:])}
+
+    def open(self, source: str) -> None:
+        """Begin with a file or a sample: its plan, with what is fixed in it."""
+        with self._turn():
+            brief, plan = read_planned(source)
+            self._keep(0, f"opened {Path(source).name}", unfurnished(brief), plan)
+
+    def arrange(self, seed: int = 0) -> None:
+        """Furnish the plan anew in a thread of its own; locked pieces stay."""
+        shown = self._must_show()
+        with self.lock:
+            if self.running:
+                raise BUSY
+            self.running = True
+        self.stopping.clear()
+        Thread(target=self._arrange, args=(shown, seed), daemon=True).start()
+
+    def stop(self) -> None:
+        """Ask the search that runs to end with the best so far."""
+        self.stopping.set()
+
+    def _arrange(self, shown: Shown, seed: int) -> None:
+        brief = _keep_locked(shown.solution)
+        try:
+            plan = domains.plan_of(brief)
+            solution = domains.solve(
+                brief,
+                plan=plan,
+                seed=seed,
+                progress=lambda share, what: self.tell({"share": share, "what": what}),
+                cancel=self.stopping.is_set,
+            )
+            with self.lock:
+                self._keep(shown.version, f"arranged, seed {seed}", solution, plan)
+        except CancelledError:
+            self.tell({"notice": "stopped before anything was found"})
+        except InputError as error:
+            self.tell({"fault": str(error)})
+        finally:
+            self.running = False
+            self.tell({"changed": True})
+
+    def change(self, what: str, **edits: Any) -> list[Json]:
+        """Change the scene by hand (the edits of :func:`scenewright.domains.adjust`); every change
+        with its reason."""
+        shown = self._must_show()
+        with self._turn():
+            adjusted = domains.adjust(shown.solution, plan=shown.plan, **edits)
+            same = adjusted.solution.brief is shown.solution.brief
+            plan = shown.plan if same else domains.plan_of(adjusted.solution.brief)
+            self._keep(shown.version, what, adjusted.solution, plan)
+        return [change._asdict() for change in adjusted.changes]
+
+    def judge(self, piece: str, pose: Sequence[float]) -> list[Json]:
+        """What the referee would say if a piece, with all that lies on it, were put there."""
+        shown = self._must_show()
+        moved = put(shown.solution, piece, pose)
+        report = domains.check(moved, plan=shown.plan)
+        before = {(f.kind, f.piece, f.other) for f in shown.report.findings}
+        new = (f for f in report.findings if (f.kind, f.piece, f.other) not in before)
+        return [describe_finding(found) for found in new]
+
+    def go(self, version: int) -> None:
+        """Show another version: one further back, or one that was undone."""
+        with self._turn():
+            plan = self.shown and (self.shown.solution.brief, self.shown.plan)
+            self.shown = _load(self.db, version, plan)
+            project.show_version(self.db, version)
+        self.tell({"changed": True})
+
+    def undo(self) -> None:
+        """Go back to the version that this one was made from."""
+        with self.lock:
+            version = project.shown_version(self.db)
+            if version is None or not version.parent:
+                raise InputError("there is nothing to undo", "change something first")
+            self.go(version.parent)
+
+    def redo(self) -> None:
+        """Go forward again to what was undone last."""
+        with self.lock:
+            version = project.shown_version(self.db)
+            following = project.next_version(self.db, version.id) if version else 0
+            if not following:
+                raise InputError("there is nothing to redo", "undo something first")
+            self.go(following)
+
+    def export(self, endings: Sequence[str] = FORMATS) -> bytes:
+        """The scene in several formats as one zip archive; what cannot be written is told in it."""
+        shown = self._must_show()
+        kept, faults = BytesIO(), []
+        with tempfile.TemporaryDirectory() as folder, zipfile.ZipFile(kept, "w") as archive:
+            for ending in endings:
+                path = Path(folder, f"scene.{ending}")
+                try:
+                    write(shown.solution, path)
+                except (InputError, ModuleNotFoundError) as error:
+                    faults.append(f"{path.name}: {error}")
+            for path in sorted(Path(folder).iterdir()):
+                archive.write(path, path.name, zipfile.ZIP_DEFLATED)
+            if faults:
+                archive.writestr("left_out.txt", "\n".join(faults) + "\n")
+        return kept.getvalue()
+
+    def picture(self) -> bytes:
+        """The scene from above at an angle, as PNG."""
+        shown = self._must_show()
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder, "scene.png")
+            write(shown.solution, path)
+            return path.read_bytes()
+
+    def _turn(self) -> AbstractContextManager[Any]:
+        if self.running:
+            raise BUSY
+        return self.lock
+
+    def _must_show(self) -> Shown:
+        if self.shown is None:
+            raise InputError("nothing is open", "open a plan first")
+        return self.shown
+
+    def _keep(self, parent: int, what: str, solution: Solution, plan: Plan) -> None:
+        report = domains.check(solution, plan=plan)
+        number = project.add_version(self.db, parent, what, solution_json.dumps(solution))
+        self.shown = Shown(number, solution, plan, report)
+        self.tell({"changed": True})
+
+
+def _load(db: sqlite3.Connection, version: int, known: tuple[Brief, Plan] | None) -> Shown:
+    solution = solution_json.loads(project.solution_text(db, version))
+    same = known is not None and known[0] == solution.brief
+    plan = known[1] if known is not None and same else domains.plan_of(solution.brief)
+    return Shown(version, solution, plan, domains.check(solution, plan=plan))
+
+
+def _keep_locked(solution: Solution) -> Brief:
+    """The brief to arrange, with what a person locked standing where it is."""
+    domain = domains.domain_of(solution.brief.domain)
+    if not domain.has("locked") or not any(piece.fixed for piece in solution.pieces):
+        return solution.brief
+    brief: Brief = domain.verb("locked")(solution)
+    return brief
+
+
+def put(solution: Solution, piece: str, pose: Sequence[float]) -> Solution:
+    """A solution with one piece put at (x, y, heading), and what lies on it beside it.
+
+    >>> from scenewright.formats import read
+    >>> put(unfurnished(read("sample:home-room")), "sofa", (1.0, 1.0, 0.0))
+    Traceback (most recent call last):
+    scenewright.core.errors.InputError: there is no piece 'sofa'; choose one of the scene
+    """
+    known = {one.id: one for one in solution.pieces}
+    if piece not in known:
+        raise InputError(f"there is no piece '{piece}'", "choose one of the scene")
+    start = known[piece].pose
+    x, y, heading = pose
+    turn = heading - start.heading
+    cos, sin = math.cos(turn), math.sin(turn)
+    found = []
+    for one in solution.pieces:
+        if one.id == piece or is_carried(one.id, piece, known):
+            dx, dy = one.pose.x - start.x, one.pose.y - start.y
+            spot = one.pose._replace(
+                x=x + cos * dx - sin * dy,
+                y=y + sin * dx + cos * dy,
+                heading=one.pose.heading + turn,
+            )
+            one = replace(one, pose=spot)
+        found.append(one)
+    return replace(solution, pieces=tuple(found))
+
+
+def is_carried(name: str, by: str, known: Mapping[str, Any]) -> bool:
+    """Whether a piece lies on another, or on one that does."""
+    on = known[name].on
+    return on is not None and (on == by or (on in known and is_carried(on, by, known)))
