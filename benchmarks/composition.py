@@ -49,7 +49,7 @@ USUAL, QUICK = 4, 50
 ASIDE = 2
 """The first of the flats that are kept aside; between them lie as many as between the others."""
 STORAGE = ("wardrobe", "chest_of_drawers", "bookcase", "sideboard", "shelf_unit", "storage_shelf")
-WORKTOP = ("base_cabinet", "drawer_cabinet", "corner_cabinet", "dishwasher")
+WORKTOP = ("base_cabinet", "drawer_cabinet", "corner_cabinet", "dishwasher", "filler_panel")
 
 
 REFERENCE = 400

@@ -11,7 +11,10 @@ from math import cos, hypot, remainder, sin, tau
 
 from scenewright.core.scene import Piece
 
-WORKTOP = ("base_cabinet", "drawer_cabinet", "corner_cabinet", "dishwasher", "washing_machine")
+WORKTOP = (
+    *("base_cabinet", "drawer_cabinet", "corner_cabinet", "filler_panel", "dishwasher"),
+    "washing_machine",
+)
 RUN = (*WORKTOP[:-1], "sink_cabinet", "hob_cabinet")
 UNDER = 0.95  # a fridge no higher is under the worktop, metres
 TOUCH = 0.03  # cabinets nearer than this have one worktop, metres

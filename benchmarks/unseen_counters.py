@@ -25,7 +25,7 @@ PLACES = ("dining_chair", "stool", "bar_stool", "bench")
 SLEEPERS = {"double_bed": 2, "bunk_bed": 2, "single_bed": 1}
 RUN = (
     *("sink_cabinet", "hob_cabinet", "base_cabinet", "drawer_cabinet", "corner_cabinet"),
-    *("tall_cabinet", "oven_cabinet", "dishwasher", "fridge"),
+    *("tall_cabinet", "oven_cabinet", "dishwasher", "fridge", "filler_panel"),
 )
 STRANGERS = ("wardrobe", "shoe_cabinet", "desk", "kids_desk", "corner_desk", "tv", "tv_stand")
 
@@ -35,6 +35,16 @@ PULLED = 0.5
 """A chair further than this from every table is none to eat at, in metres."""
 WARDROBE, CABINET, SINK = 0.5, 0.3, 0.5
 """Least depth of a wardrobe (hangers are 0.45 m wide), least widths of cabinet and sink."""
+ACROSS = 0.35
+"""Least depth of a wardrobe with rails from front to back, to which hangers are square."""
+SMALLEST = {
+    "bed": (("single_bed", "double_bed", "bunk_bed"), 0.8, 1.9),
+    "desk": (("desk", "kids_desk"), 0.8, 0.5),
+    "chest": (("chest_of_drawers",), 0.6, 0.38),
+    "shelf": (("bookcase", "storage_shelf"), 0.4, 0.19),
+    "basin": (("basin", "pedestal_basin"), 0.45, 0.3),
+}
+"""What else serves nobody when smaller: kinds, width and depth in metres."""
 AT_RUN, AT_UNIT = 0.1, 0.3
 """What stands nearer to a kitchen run is butted to it; a sofa nearer than that is in its way."""
 SCREEN, PILLOW, COLD = 1.5, 0.5, 0.5
@@ -125,9 +135,34 @@ def too_few_places(home: Home, beyond: float) -> Count:
     return _tally([count_places(home, beyond) < sleepers] if sleepers else [])
 
 
+def _has_rails_across(piece: Piece) -> bool:
+    return piece.asset == "wardrobe_shallow"
+
+
 def shallow_wardrobe(home: Home, beyond: float) -> Count:
-    """Wardrobes too shallow for a hanger."""
-    return _tally(p.size.depth < WARDROBE + beyond - 1e-6 for p in _all(home, "wardrobe"))
+    """Wardrobes too shallow for a hanger, along them or, with rails from front to back, across."""
+    return _tally(
+        p.size.depth < (ACROSS if _has_rails_across(p) else WARDROBE) + beyond - 1e-6
+        for p in _all(home, "wardrobe")
+    )
+
+
+def rails_across(home: Home, _beyond: float) -> Count:
+    """Wardrobes with rails from front to back: those of the usual depth had no place."""
+    return _tally(map(_has_rails_across, _all(home, "wardrobe")))
+
+
+def below(name: str) -> Counter:
+    """A counter of pieces smaller than one of :data:`SMALLEST`."""
+    kinds, width, depth = SMALLEST[name]
+
+    def count(home: Home, beyond: float) -> Count:
+        return _tally(
+            p.size.width < width + beyond - 1e-6 or p.size.depth < depth + beyond - 1e-6
+            for p in _all(home, *kinds)
+        )
+
+    return count
 
 
 def homes_shallow_wardrobe(home: Home, beyond: float) -> Count:
@@ -251,6 +286,11 @@ COUNTERS: tuple[Row, ...] = (
     Row("home with a wardrobe under 0.5 m deep", homes_shallow_wardrobe, "homes"),
     Row("drawer cabinet under 0.3 m wide", narrow_cabinet, "cabinets"),
     Row("sink under 0.5 m wide", narrow_sink, "sinks"),
+    Row("wardrobe with rails across", rails_across, "wardrobes"),
+    *(
+        Row(f"{name} under {width:g} x {depth:g} m", below(name), f"{name}s")
+        for name, (_, width, depth) in SMALLEST.items()
+    ),
     Row("butted kitchen run", butted_run, "kitchens"),
     Row("soft seat at a unit", sofa_at_unit, "kitchens"),
     Row("fridge between sink and hob", fridge_between, "kitchens"),

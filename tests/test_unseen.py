@@ -76,6 +76,24 @@ CASES = {
         (piece("sink_cabinet", 2, 2, 0.5),),
         (piece("sink_cabinet", 2, 2, 0.6),),
     ),
+    "wardrobe with rails across": (
+        (replace(piece("wardrobe", 2, 2, 1.0, 0.45), asset="wardrobe_shallow"),),
+        (piece("wardrobe", 2, 2, 1.0, 0.55),),
+        (piece("wardrobe", 2, 2, 1.0, 0.55),),
+    ),
+    "bed under 0.8 x 1.9 m": tuple(
+        (piece("single_bed", 2, 2, wide, 1.9 + wide - 0.8),) for wide in (0.75, 0.8, 0.9)
+    ),
+    "desk under 0.8 x 0.5 m": tuple((piece("desk", 2, 2, wide, 0.6),) for wide in (0.75, 0.8, 0.9)),
+    "chest under 0.6 x 0.38 m": tuple(
+        (piece("chest_of_drawers", 2, 2, 0.8, deep),) for deep in (0.36, 0.38, 0.48)
+    ),
+    "shelf under 0.4 x 0.19 m": tuple(
+        (piece("storage_shelf", 2, 2, 0.5, deep),) for deep in (0.15, 0.19, 0.29)
+    ),
+    "basin under 0.45 x 0.3 m": tuple(
+        (piece("pedestal_basin", 2, 2, wide, 0.42),) for wide in (0.4, 0.45, 0.55)
+    ),
     "butted kitchen run": (
         (SINK, piece("wardrobe", 1.65, 0.3)),
         (SINK, piece("wardrobe", 1.75, 0.3)),

@@ -16,7 +16,7 @@ DESKS = frozenset(("desk", "kids_desk", "corner_desk"))
 """What one works at."""
 PLAIN_CABINETS = frozenset(("base_cabinet", "drawer_cabinet"))
 """Units of a kitchen that only store: of any width."""
-WORKTOP = frozenset(("base_cabinet", "drawer_cabinet", "corner_cabinet", "dishwasher"))
+WORKTOP = PLAIN_CABINETS | {"corner_cabinet", "dishwasher", "filler_panel"}
 """Units of a kitchen with worktop on them."""
 RUN = WORKTOP | {"sink_cabinet", "hob_cabinet", "fridge"}
 """Units of a kitchen side by side."""

@@ -74,6 +74,13 @@ def _drawer_cabinet(size: Size) -> Parts:
     return parts(size, found)
 
 
+def _filler_panel(size: Size) -> Parts:
+    """A plain panel in line with the fronts, worktop over it, nothing to open."""
+    found, x, z, face = unit(size)
+    found[SAGE].append(block(x, (face, face + 0.018), z))
+    return parts(size, found)
+
+
 def _tall_cabinet(size: Size) -> Parts:
     w, d, h = size.width / 2, size.depth / 2, size.height
     face, columns = d - FACE - HANDLE, 2 if size.width > 0.65 else 1
@@ -235,6 +242,7 @@ def _corner_symbol(size: Size) -> Lines:
 ASSETS = (
     Drawing("base_cabinet", _base_cabinet, unit_symbol),
     Drawing("drawer_cabinet", _drawer_cabinet, _drawer_symbol),
+    Drawing("filler_panel", _filler_panel),
     Drawing("tall_cabinet", _tall_cabinet, draw_crossed_box),
     Drawing("wall_cabinet", _wall_cabinet, draw_crossed_box),
     Drawing("hood", _hood, draw_crossed_box),

@@ -34,7 +34,7 @@ from scenewright.catalog.assets.symbols import Lines, box, path, rectangle
 from scenewright.core.catalog import Material
 from scenewright.core.scene import Size
 from scenewright.geometry.mesh import Mesh, rotate_mesh
-from scenewright.geometry.solids import block, frame, slab
+from scenewright.geometry.solids import block, frame, rod, slab
 
 
 def _wardrobe(size: Size) -> Parts:
@@ -56,6 +56,27 @@ def _wardrobe(size: Size) -> Parts:
             BRASS: door_pulls(x, z, doors, face + 0.022, 0.02, 0.48, 0.32),
         },
     )
+
+
+def _shallow_wardrobe(size: Size) -> Parts:
+    """Open bays of half a metre, in each a rail from front to back: hangers face the room."""
+    w, d, h = size.width / 2, size.depth / 2, size.height
+    bays = max(1, round(size.width / 0.5))
+    x, z = (-w + 0.018, w - 0.018), (0.08, h - 0.018)
+    rails = [0.5 * (a + b) for a, b in spread(*x, bays)]
+    walls = [block((a - 0.009, a + 0.009), (-d + 0.012, d), z) for a, _ in spread(*x, bays)[1:]]
+    case = [
+        *corpus((-w, w), (-d, d), (z[0], h), 0.018, back=True),
+        block(x, (-d, d - 0.03), (0, z[0])),
+        *walls,
+    ]
+    coats = [
+        block((at - 0.2, at + 0.2), (y, y + 0.03), (0.32 * h, h - 0.2))
+        for at in rails
+        for y in (-0.6 * d, -0.1 * d, 0.4 * d)
+    ]
+    rods = [rod((at, -d + 0.02, h - 0.12), (at, d - 0.03, h - 0.12), 0.012) for at in rails]
+    return parts(size, {OAK: case, GREIGE: coats[::2], SAGE: coats[1::2], STEEL: rods})
 
 
 def _sliding_wardrobe(size: Size) -> Parts:
@@ -318,6 +339,16 @@ def _chest_symbol(size: Size) -> Lines:
     )
 
 
+def _draw_facing_hangers(size: Size) -> Lines:
+    """The outline, and in each bay a rail from front to back with hangers across it."""
+    w, d = size.width / 2, size.depth / 2
+    bays = spread(-w, w, max(1, round(size.width / 0.5)))
+    rails = [path((0.5 * (a + b), -d), (0.5 * (a + b), d)) for a, b in bays]
+    hangers = [path((a + 0.04, y * d), (b - 0.04, y * d)) for a, b in bays for y in (-0.4, 0.3)]
+    return rectangle(size), *rails, *hangers
+
+
+_SHALLOW = (Size(0.5, 0.35, 1.8), Size(1.0, 0.4, 2.0), Size(2.0, 0.45, 2.2))
 _SLIDING = (Size(1.6, 0.55, 1.9), Size(2.4, 0.65, 2.3), Size(3.6, 0.75, 2.7))
 
 ASSETS = (
@@ -329,6 +360,15 @@ ASSETS = (
         id="wardrobe_sliding",
         name="Sliding wardrobe",
         sizes=_SLIDING,
+    ),
+    Drawing(
+        "wardrobe",
+        _shallow_wardrobe,
+        _draw_facing_hangers,
+        id="wardrobe_shallow",
+        name="Shallow wardrobe",
+        sizes=_SHALLOW,
+        called=("shallow wardrobe",),
     ),
     Drawing("chest_of_drawers", _chest, _chest_symbol),
     Drawing("sideboard", _sideboard, _sideboard_symbol),

@@ -68,6 +68,23 @@ KINDS = (
         drawn_by=(".kitchen", ".styled.kitchens"),
     ),
     Kind(
+        "filler_panel",
+        back="flat",
+        label="filler strip",
+        sizes=size_range("1 10 30", "50 60 66", "80 90 96"),
+        words=(
+            words(
+                en="filler strip, filler panel",
+                fr="fileur",
+                de="passleiste, blende",
+                es="regleta",
+                zh="封板",
+                ja="フィラー",
+            ),
+        ),
+        drawn_by=(".kitchen",),
+    ),
+    Kind(
         "tall_cabinet",
         access=FRONT,
         reach=0.9,

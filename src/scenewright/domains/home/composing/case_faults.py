@@ -15,6 +15,7 @@ from math import cos, hypot, pi, remainder, sin
 from scenewright.catalog.assets.cooking import UNDER_WORKTOP
 from scenewright.catalog.classes import RUN, WORKTOP
 from scenewright.core.catalog import Group, Member
+from scenewright.domains.home.least_sizes import WARDROBE
 from scenewright.domains.home.measures import HAIR, RAISED, SOFA_OF_THREE
 
 Faults = dict[str, float]
@@ -24,7 +25,6 @@ FOUR_RINGS = 0.6  # width of a hob of four rings, metres
 FULL_SINK = 0.6  # width of a sink for a household, metres
 MANY = 3  # seats of a room that is roomy
 FULL = 1.0  # width of a wardrobe, metres
-DEEP = 0.4  # depth of a wardrobe, metres: with less, clothes hang on a rail that is pulled out
 LONG = 2.0  # a bed for two, metres
 FULL_BED = 0.9  # a bed for one, metres
 SLIM = 0.35  # a nightstand that is narrower leaves no way beside the bed, metres
@@ -55,7 +55,7 @@ def _faults(case: Group) -> list[tuple[str, float]]:
         deep = max(member.size.depth for member in case.members)
         return [
             ("wardrobe", max(0.0, 1.0 - case.width / FULL)),
-            ("shallow", max(0.0, 1.0 - deep / DEEP)),
+            ("shallow", float(deep < WARDROBE.depth - HAIR)),
         ]
     if case.function == "sleeping":
         stands = [m.size.width for m in case.members if m.category == "nightstand"]

@@ -41,6 +41,7 @@ from scenewright.domains.home.composing.spacing.shifts import list_shifted
 from scenewright.domains.home.composing.verdict import FEWER, STUCK
 from scenewright.domains.home.groups.classes import BED_GROUPS, RUNS
 from scenewright.domains.home.groups.least import LEAST as LEAST_FORMS
+from scenewright.domains.home.least_sizes import BED
 from scenewright.domains.home.measures import HAIR
 from scenewright.domains.home.programme import WELCOME
 
@@ -53,8 +54,6 @@ MOVED = (
 STEP = 0.05  # between places along a wall, metres
 WORTH = 30.0  # what a room may cost more for what an eye finds
 CHAIR = "dining_chair"
-BED = (0.8, 1.9)
-"""No bed becomes smaller than this, or than it is, metres."""
 PAIRED = frozenset(("wardrobe", "one_side"))
 """Faults of a case that no pair of places is to have."""
 SEATED_FROM = 11.0
@@ -182,7 +181,7 @@ def _list_sound(task: RoomTask, group: FurnishedGroup) -> Iterator[Group]:
     smaller first, those of a bed that are hardly smaller than it is."""
     forms = sorted(list_forms(task, group), key=lambda form: form.width * form.depth)
     least = LEAST_FORMS[group.wish.group]() if group.wish.group in LEAST_FORMS else ()
-    now = [min(size) for size in zip(_size_of(group.dressed.case), BED, strict=True)]
+    now = [min(size) for size in zip(_size_of(group.dressed.case), BED[:2], strict=True)]
     for form in (*least, *forms):
         sound = not PAIRED.intersection(dict(find_case_faults(form)))
         pairs = zip(_size_of(form), now, strict=True)

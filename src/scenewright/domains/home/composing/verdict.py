@@ -9,7 +9,7 @@ import numpy as np
 
 from scenewright.arranging.verdict import LEAST, Verdict
 from scenewright.catalog.assets.cooking import UNDER_WORKTOP
-from scenewright.catalog.classes import TABLE_SEATS, WORKTOP
+from scenewright.catalog.classes import BEDS, TABLE_SEATS, WORKTOP
 from scenewright.core.same import once
 from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask, penalty
@@ -29,6 +29,7 @@ from scenewright.domains.home.composing.placed_faults import (
 from scenewright.domains.home.composing.seats.unseen import is_screen_unseen
 from scenewright.domains.home.composing.spacing.rules import list_close
 from scenewright.domains.home.household import STORING
+from scenewright.domains.home.least_sizes import LEAST_SIZES
 from scenewright.domains.home.measures import RAISED
 from scenewright.domains.home.programme import WELCOME
 
@@ -46,8 +47,6 @@ LESS = {"worktop": 0.1, "storage": 0.1}
 HELD = ("worktop", "storage", "seats", "places", "bed")
 """What rooms are to hold no less of."""
 FEWER = "a chair less stands at it: it could not be drawn back"
-BED_ENOUGH = {"double_bed": (1.4, 1.9), "single_bed": (0.8, 1.9), "bunk_bed": (0.8, 1.9)}
-"""Beds as wide and as long are long and wide enough, metres."""
 
 
 def judge_room(task: RoomTask, answer: RoomAnswer, before: Placed = ()) -> Verdict:
@@ -160,7 +159,8 @@ def _measure_held(group: FurnishedGroup) -> tuple[float, ...]:
 
 
 def _measure_bed(piece: Piece) -> float:
-    wide, long = BED_ENOUGH.get(piece.category, (0.0, 0.0))
+    """By how much a bed is as wide and long as one is enough, metres."""
+    wide, long, _ = LEAST_SIZES[piece.category] if piece.category in BEDS else (0.0, 0.0, "")
     return min(piece.size.width, wide) + min(piece.size.depth, long)
 
 

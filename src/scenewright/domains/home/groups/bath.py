@@ -8,6 +8,7 @@ from itertools import product
 from scenewright.core.catalog import Group, Member
 from scenewright.core.scene import Size
 from scenewright.domains.home.groups.sleeping import DEPTHS
+from scenewright.domains.home.least_sizes import HAND_BASIN
 
 
 def toilet() -> Iterator[Group]:
@@ -22,15 +23,22 @@ def toilet() -> Iterator[Group]:
 
 def basin() -> Iterator[Group]:
     """A wash basin, on a cabinet where wide enough, with its mirror."""
-    sizes = ((0.4, 0.32), (0.5, 0.42), (0.6, 0.46), (0.8, 0.48), (1.0, 0.5), (1.2, 0.5))
+    sizes = (
+        (HAND_BASIN.width, HAND_BASIN.depth + 0.01),
+        (0.5, 0.42),
+        (0.6, 0.46),
+        (0.8, 0.48),
+        (1.0, 0.5),
+        (1.2, 0.5),
+    )
     for width, depth in sizes:
         yield _basin(width, depth, f"{width:.1f} m basin")
 
 
 def fitted_basins() -> Iterator[Group]:
-    """Wash basins as wide as what is left of a wall, 0.4 to 1.2 m."""
-    for width in range(8, 25):
-        depth = 0.32 if width < 10 else 0.42 if width < 12 else 0.46 if width < 16 else 0.5
+    """Wash basins as wide as what is left of a wall, 0.45 to 1.2 m."""
+    for width in range(9, 25):
+        depth = 0.33 if width < 10 else 0.42 if width < 12 else 0.46 if width < 16 else 0.5
         yield _basin(width / 20, depth, f"{width / 20:.2f} m basin")
 
 

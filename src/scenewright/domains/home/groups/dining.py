@@ -7,6 +7,7 @@ from math import pi
 
 from scenewright.core.catalog import Group, Member
 from scenewright.core.scene import Size
+from scenewright.domains.home.least_sizes import TABLE
 
 CHAIR = Size(0.46, 0.5, 0.85)
 SEAT = 0.5  # free depth a chair and its sitter take beyond the table's edge
@@ -18,7 +19,7 @@ TUCK = 0.2  # how far a chair stands under the table
 
 def dining() -> Iterator[Group]:
     """Tables for two to eight, chairs on all used sides."""
-    yield _table(0.75, 0.75, sides=1, ends=0)
+    yield _table(TABLE.width, 0.75, sides=1, ends=0)
     yield _table(0.9, 0.9, sides=1, ends=1)
     for length, deep in ((1.2, 0.75), (1.3, 0.8), (1.4, 0.85), (1.6, 0.9)):
         yield _table(length, deep, sides=2, ends=0)
@@ -32,7 +33,7 @@ def dining() -> Iterator[Group]:
 def dining_wall() -> Iterator[Group]:
     """A table with its long side at the wall: two chairs at the front or at the ends, small ones
     also with one at the front, or with one there and one at an end, the other in a corner."""
-    for length, deep in ((0.7, 0.6), (0.9, 0.6), (1.0, 0.65), (1.2, 0.75)):
+    for length, deep in (TABLE[:2], (0.9, 0.6), (1.0, 0.65), (1.2, 0.75)):
         yield _wall_table(length, deep, front=1 if length < 1 else 2, ends=0)
         yield _wall_table(length, deep, front=0, ends=1)
         if length < 1.0:
@@ -57,9 +58,23 @@ def tables_for_many() -> Iterator[Group]:
 
 
 def tables_with_stools() -> Iterator[Group]:
-    """Small tables with their long side at the wall and two stools pushed under, where two chairs
-    have no place."""
-    for length, deep in ((0.7, 0.45), (0.8, 0.5), (1.0, 0.5)):
+    """Small tables with two stools pushed under, where two chairs have no place: the stools before
+    a long side, or at both where a short one is at the wall."""
+    length, deep, _ = TABLE
+    members = (
+        Member("dining_table", 0, 0, 0, pi / 2, Size(length, deep, 0.74)),
+        Member("vase", 0, -length / 4, 0.74, 0, Size(0.14, 0.14, 0.26), on=0),
+        *(
+            Member("stool", x, length / 4, 0, turn, STOOL)
+            for x, turn in (
+                (deep / 2 + PUSHED - STOOL.depth / 2, pi / 2),
+                (STOOL.depth / 2 - deep / 2 - PUSHED, -pi / 2),
+            )
+        ),
+    )
+    name = f"{length:.1f} m table from the wall, two stools"
+    yield Group("dining_wall", name, deep + 2 * PUSHED, length, members)
+    for length, deep in (TABLE[:2], (1.0, TABLE.depth)):
         depth = deep + PUSHED
         y = PUSHED / -2
         members = (

@@ -7,15 +7,16 @@ from math import pi
 
 from scenewright.core.catalog import Group, Member
 from scenewright.core.scene import Size
+from scenewright.domains.home.least_sizes import DESK, SHELF
 
-SHELVES = (0.19, 0.3, 0.4)
+SHELVES = (SHELF.depth, 0.3, 0.4)
 """Depths of shelving, metres; the least leaves the floor behind the door of a closet half a metre
 deep free."""
 
 
 def desk() -> Iterator[Group]:
     """A desk at the wall, its chair before it, a screen and a lamp on it."""
-    for width, deep in ((0.8, 0.5), (0.9, 0.5), (1.0, 0.55), (1.2, 0.6), (1.4, 0.65), (1.6, 0.7)):
+    for width, deep in (DESK[:2], (0.9, 0.5), (1.0, 0.55), (1.2, 0.6), (1.4, 0.65), (1.6, 0.7)):
         yield _desk("desk", width, deep, "office_chair", Size(0.58, 0.58, 0.95))
 
 
@@ -42,7 +43,7 @@ def _corner_desk(model: str, side: float, width: float, deep: float) -> Group:
 
 def kids_desk() -> Iterator[Group]:
     """A smaller desk with a chair."""
-    for width in (0.8, 0.9, 1.0, 1.2):
+    for width in (DESK.width, 0.9, 1.0, 1.2):
         yield _desk("kids_desk", width, 0.55, "dining_chair", Size(0.44, 0.46, 0.8))
 
 
@@ -118,7 +119,7 @@ def _console(width: float, depth: float = 0.3) -> Group:
 
 def storage() -> Iterator[Group]:
     """Storage shelving, 0.4 to 3.0 m long."""
-    for width in (0.3, 0.4, 0.5, 0.6, 0.8, 1.0, 1.2, 1.4, 1.6, 2.0, 2.4, 3.0):
+    for width in (SHELF.width, 0.5, 0.6, 0.8, 1.0, 1.2, 1.4, 1.6, 2.0, 2.4, 3.0):
         for depth in SHELVES:
             yield _shelving(width, depth)
 

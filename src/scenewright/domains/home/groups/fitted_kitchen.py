@@ -22,7 +22,6 @@ from scenewright.domains.home.groups.kitchen import (
     AMPLY_BEYOND,
     BEYOND,
     FRIDGE,
-    SMALL_SINK,
     UNIT_DEPTH,
     WORKTOP_HEIGHT,
     Unit,
@@ -32,6 +31,7 @@ from scenewright.domains.home.groups.kitchen import (
     widest_hob,
 )
 from scenewright.domains.home.groups.low_fridges import LOW
+from scenewright.domains.home.least_sizes import SINK
 from scenewright.geometry.boxes import common_area, make_frame
 
 Floats = NDArray[np.float64]
@@ -94,8 +94,8 @@ def cook(length: float) -> list[Unit]:
 
 def wash(length: float) -> list[Unit]:
     """A sink and worktop behind it, with a dishwasher if ``length`` metres hold one."""
-    short = SMALL_SINK if length >= SMALL_SINK + BEYOND - 1e-9 else length
-    wide = next((w for w in (0.8, 0.6, SMALL_SINK) if length >= w + 0.6 - 1e-9), short)
+    short = SINK.width if length >= SINK.width + BEYOND - 1e-9 else length
+    wide = next((w for w in (0.8, 0.6, SINK.width) if length >= w + 0.6 - 1e-9), short)
     rest = length - wide
     washer: list[Unit] = [("dishwasher", 0.6)] if rest >= 0.9 else []
     return [("sink_cabinet", wide), *washer, *fill(rest - width_of(washer))]

@@ -8,6 +8,8 @@ import numpy as np
 
 from scenewright.core.catalog import Group, Member
 from scenewright.core.scene import Size
+from scenewright.domains.home.least_sizes import CABINET, HOB, SINK
+from scenewright.domains.home.measures import ROUNDING
 
 UNIT_DEPTH, WORKTOP_HEIGHT = 0.6, 0.9
 FRIDGE = Size(0.6, 0.64, 1.9)
@@ -15,9 +17,10 @@ WALL_CABINET_BASE = 1.45
 BEYOND = 0.3  # worktop between a hob and the end of its run, metres
 AMPLY_BEYOND = 0.35  # the same where it fits: one stands before it in a corner, metres
 BETWEEN = 0.6  # worktop between sink and hob, metres
-SMALL_SINK, SMALL_HOB = 0.45, 0.3  # the usual small ones, metres
-HOBS = (0.6, 0.45, SMALL_HOB)  # of four rings, three and two, metres
-LEAST_SINK = 0.4  # the narrowest, where that leaves 0.6 m of worktop, metres
+HOBS = (0.6, 0.45, HOB.width)  # of four rings, three and two, metres
+FILLER, LEAST_FILLER = "filler_panel", 0.01
+"""What closes a run where no cabinet has a place: a strip under the worktop; its least width in
+metres."""
 Unit = tuple[str, float]
 
 
@@ -39,7 +42,7 @@ def short_runs() -> Iterator[Group]:
 
 
 def shortest_kitchenettes() -> Iterator[Group]:
-    """Sink and hob of 0.45 or 0.4 m each, side by side, for rooms in which no longer run fits."""
+    """A sink of 0.6 or 0.5 m and two rings side by side, for rooms in which no longer run fits."""
     for width in (0.9, 0.8):
         yield _run("kitchenette", width, sequence(width), fridge=False)
         yield _run("kitchenette", width, sequence(width), fridge=False, mirrored=True)
@@ -95,7 +98,7 @@ def sequence(length: float) -> list[Unit]:
 
     Kitchen planners ask for 0.6 m of worktop between sink and hob and 0.3 m beyond the hob. A run
     shorter than 2.4 m keeps them by a narrower sink, one shorter than 1.9 m by a hob of three or
-    two rings; one under 1.6 m keeps 0.3 m on both sides of the hob, one under 1.35 m what there is
+    two rings; one under 1.7 m keeps 0.3 m on both sides of the hob, one under 1.4 m what there is
     between the two.
     """
     if length < 2.4:
@@ -119,15 +122,13 @@ def sequence(length: float) -> list[Unit]:
 
 def _short_sequence(length: float) -> list[Unit]:
     """Sink and hob as wide as the worktop beside the hob allows."""
-    small = SMALL_SINK + SMALL_HOB
-    if length < small + BEYOND - 1e-9:
-        return [("sink_cabinet", length / 2), ("hob_cabinet", length / 2)]
-    hob = widest_hob(length - LEAST_SINK - BETWEEN - BEYOND)
-    spare = length - hob - BETWEEN - BEYOND
-    sink = min(spare, SMALL_SINK) if spare >= LEAST_SINK - 1e-9 else SMALL_SINK
-    beyond = BEYOND if length >= small + 2 * BEYOND - 1e-9 else 0.0
-    spare = max(spare - sink, 0.0)
-    if spare >= AMPLY_BEYOND - BEYOND - 1e-9:
+    small = SINK.width + HOB.width
+    if length < small + BEYOND - ROUNDING:
+        return [("sink_cabinet", length - HOB.width), ("hob_cabinet", HOB.width)]
+    hob, sink = widest_hob(length - SINK.width - BETWEEN - BEYOND), SINK.width
+    beyond = BEYOND if length >= small + 2 * BEYOND - ROUNDING else 0.0
+    spare = max(length - hob - BETWEEN - BEYOND - sink, 0.0)
+    if spare >= AMPLY_BEYOND - BEYOND - ROUNDING:
         beyond, spare = AMPLY_BEYOND, spare - (AMPLY_BEYOND - BEYOND)
     sink += min(spare, 0.6 - sink)
     run = [("sink_cabinet", sink), *fill(length - sink - hob - beyond), ("hob_cabinet", hob)]
@@ -140,7 +141,7 @@ def widest_hob(length: float) -> float:
     >>> widest_hob(0.7), widest_hob(0.5), widest_hob(0.2)
     (0.6, 0.45, 0.3)
     """
-    return next((wide for wide in HOBS if wide <= length + 1e-9), SMALL_HOB)
+    return next((wide for wide in HOBS if wide <= length + 1e-9), HOB.width)
 
 
 def _beyond(rest: float) -> float:
@@ -152,8 +153,14 @@ def _beyond(rest: float) -> float:
 
 
 def fill(length: float) -> list[Unit]:
-    """Drawers and cupboards in turn, of equal width near 0.6 m."""
-    count = max(1, round(length / 0.6)) if length > 0.05 else 0
+    """Drawers and cupboards in turn, of equal width near 0.6 m; a strip where none has a place.
+
+    >>> fill(0.2), [name for name, _ in fill(1.2)]
+    ([('filler_panel', 0.2)], ['drawer_cabinet', 'base_cabinet'])
+    """
+    if length < CABINET.width - ROUNDING:
+        return [(FILLER, length)] if length > LEAST_FILLER else []
+    count = max(1, round(length / 0.6))
     kinds = ("drawer_cabinet", "base_cabinet")
     return [(kinds[i % 2], length / count) for i in range(count)]
 
@@ -182,7 +189,9 @@ def _run(
 
 
 def hang_above(category: str, x: float, wide: float, back: float) -> list[Member]:
-    """What hangs above a unit: a hood over a hob, else a wall cabinet."""
+    """What hangs above a unit: a hood over a hob, nothing over a strip, else a wall cabinet."""
+    if category == FILLER:
+        return []
     if category == "hob_cabinet":
         return [Member("hood", x, back + 0.24, 1.55, 0, Size(wide, 0.48, 0.65))]
     if category == "sink_cabinet" and wide > 0.7:

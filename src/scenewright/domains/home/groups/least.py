@@ -1,42 +1,45 @@
 """The smallest forms of what a room is for: tried only where nothing of the usual sizes fits.
 
-They are real things at the lower end of what is sold (a bed of 0.7 x 1.6 m, a pantry kitchen, a
-narrow wardrobe); no room that holds a usual size is given one.
+They are real things at the lower end of what is sold and used (a bed of 0.8 x 1.9 m, a pantry
+kitchen, a narrow wardrobe), none below :mod:`.least_sizes`; no room that holds a usual size is
+given one.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from itertools import product
 from math import pi
 
 from scenewright.core.catalog import Group, Member
 from scenewright.core.scene import Size
 from scenewright.domains.home.groups.kitchen import short_runs, shortest_kitchenettes
-from scenewright.domains.home.groups.sleeping import DEPTHS
+from scenewright.domains.home.least_sizes import BED, CHEST, SHALLOW_WARDROBE, WARDROBE
 
 
 def _bed() -> Iterator[Group]:
-    """Beds with a long side at the wall, then shorter ones, with their head or a side at it."""
-    for width, length in ((0.9, 2.05), (0.8, 1.9), (0.75, 1.8), (0.75, 1.7), (0.7, 1.6)):
-        size = Size(width, length, 0.9)
-        if length < 1.8:
-            piece = Member("single_bed", 0, 0, 0, 0, size)
-            yield Group("single", f"{width:.2f} m bed", width, length + 0.01, (piece,))
-        piece = Member("single_bed", 0, 0, 0, pi / 2, size)
+    """Beds with a long side at the wall, the longer first."""
+    for width, length in ((0.9, 2.05), BED[:2]):
+        piece = Member("single_bed", 0, 0, 0, pi / 2, Size(width, length, 0.9))
         yield Group("single", f"{width:.2f} m bed along", length, width + 0.01, (piece,))
 
 
 def _wardrobe() -> Iterator[Group]:
-    """Narrow ones as deep as all are: in a shallower one no hanger has room."""
-    for width in (0.5, 0.45):
-        piece = Member("wardrobe", 0, 0, 0, 0, Size(width, DEPTHS[0], 2.0))
-        yield Group("wardrobe", f"{width:.2f} m wardrobe", width, DEPTHS[0] + 0.01, (piece,))
+    """Narrow ones as deep as all are, then shallow ones in which hangers face the door."""
+    for width in (0.5, WARDROBE.width):
+        piece = Member("wardrobe", 0, 0, 0, 0, Size(width, WARDROBE.depth, 2.0))
+        yield Group("wardrobe", f"{width:.2f} m wardrobe", width, WARDROBE.depth + 0.01, (piece,))
+    for rails, depth in product((3, 2), (0.45, SHALLOW_WARDROBE.depth)):
+        width = rails * SHALLOW_WARDROBE.width
+        size = Size(width, depth, 2.0)
+        piece = Member("wardrobe", 0, 0, 0, 0, size, asset="wardrobe_shallow")
+        yield Group("wardrobe", f"{width:.1f} m shallow wardrobe", width, depth + 0.01, (piece,))
 
 
 def _chest() -> Iterator[Group]:
-    for width, depth in ((0.6, 0.4), (0.5, 0.38), (0.42, 0.36)):
-        piece = Member("chest_of_drawers", 0, 0, 0, 0, Size(width, depth, 0.8))
-        yield Group("chest", f"{width:.1f} m chest of drawers", width, depth + 0.01, (piece,))
+    width, depth, _ = CHEST
+    piece = Member("chest_of_drawers", 0, 0, 0, 0, Size(width, depth, 0.8))
+    yield Group("chest", f"{width:.1f} m chest of drawers", width, depth + 0.01, (piece,))
 
 
 def _seating() -> Iterator[Group]:

@@ -12,16 +12,14 @@ from scenewright.core.catalog import Group, Member
 from scenewright.core.scene import Size
 from scenewright.domains.home.groups.kitchen import (
     BEYOND,
-    LEAST_SINK,
-    SMALL_HOB,
-    SMALL_SINK,
     UNIT_DEPTH,
     WORKTOP_HEIGHT,
     Unit,
     fill,
     hang_above,
 )
-from scenewright.domains.home.groups.low_fridges import LOW, SHORTEST, WIDE_FRIDGE, pantry
+from scenewright.domains.home.groups.low_fridges import LOW, SHORTEST, pantry
+from scenewright.domains.home.least_sizes import HOB, SINK
 from scenewright.domains.home.measures import ROUNDING
 
 WIDTHS = (1.65, 1.6, 1.5, 1.35, SHORTEST, 1.1, 1.0, 0.9, 0.8)
@@ -33,45 +31,25 @@ DRAINER = 0.6  # width of a small sink with a draining board, metres
 def mini_kitchens() -> Iterator[Group]:
     """The widest first, of each width the deeper first."""
     for width in WIDTHS:
-        units = with_fridge(width) if width >= SHORTEST - ROUNDING else bare(width)
+        units = pantry(width) if width >= SHORTEST - ROUNDING else bare(width)
         for depth in (UNIT_DEPTH, SLIM_DEPTH):
             yield _in_row(units, width, depth)
 
 
-def with_fridge(length: float) -> list[Unit]:
-    """Sink, fridge and hob, with 0.3 m of worktop beyond the hob where a narrower sink leaves it.
-
-    >>> [(name, round(wide, 2)) for name, wide in with_fridge(1.6)]
-    [('sink_cabinet', 0.4), ('low fridge', 0.6), ('hob_cabinet', 0.3), ('drawer_cabinet', 0.3)]
-    """
-    narrow = LEAST_SINK + WIDE_FRIDGE + SMALL_HOB + BEYOND
-    if not narrow - ROUNDING <= length < narrow + SMALL_SINK - LEAST_SINK - ROUNDING:
-        return pantry(length)
-    beyond = length - LEAST_SINK - WIDE_FRIDGE - SMALL_HOB
-    return [
-        ("sink_cabinet", LEAST_SINK),
-        (LOW, WIDE_FRIDGE),
-        ("hob_cabinet", SMALL_HOB),
-        *fill(beyond),
-    ]
-
-
 def bare(length: float) -> list[Unit]:
-    """Sink and hob in less than 1.2 m: with 0.3 m of worktop or more between them, else with a
-    draining board.
+    """Sink and hob in less than 1.3 m: with 0.3 m of worktop between them, else with a draining
+    board.
 
-    >>> [(name, round(wide, 2)) for name, wide in bare(1.0)]
-    [('sink_cabinet', 0.4), ('drawer_cabinet', 0.3), ('hob_cabinet', 0.3)]
+    >>> [(name, round(wide, 2)) for name, wide in bare(1.1)]
+    [('sink_cabinet', 0.5), ('drawer_cabinet', 0.3), ('hob_cabinet', 0.3)]
     >>> [(name, round(wide, 2)) for name, wide in bare(0.8)]
     [('sink_cabinet', 0.5), ('hob_cabinet', 0.3)]
     """
-    spare = length - LEAST_SINK - SMALL_HOB
+    spare = length - SINK.width - HOB.width
     if spare < BEYOND - ROUNDING:
-        sink = min(length - SMALL_HOB, DRAINER)
+        sink = min(length - HOB.width, DRAINER)
         return [("sink_cabinet", sink), ("hob_cabinet", length - sink)]
-    sink = min(SMALL_SINK, LEAST_SINK + spare - BEYOND)
-    between = fill(length - sink - SMALL_HOB)
-    return [("sink_cabinet", sink), *between, ("hob_cabinet", SMALL_HOB)]
+    return [("sink_cabinet", SINK.width), *fill(spare), ("hob_cabinet", HOB.width)]
 
 
 def _in_row(units: list[Unit], width: float, depth: float) -> Group:

@@ -7,13 +7,14 @@ from math import pi
 
 from scenewright.core.catalog import Group, Member
 from scenewright.core.scene import Size
+from scenewright.domains.home.least_sizes import BED, DOUBLE_BED, WARDROBE
 
 BED_LENGTH = 2.05
-SHORT_BED = 1.9  # a mattress of 140 x 190 cm without a footboard, metres
+SHORT_BED = DOUBLE_BED.depth
+"""A mattress of 140 x 190 cm without a footboard, metres."""
 NARROW = 0.34  # room for a narrow nightstand, metres
-DEPTHS = (0.55, 0.6)
-"""Depths of wardrobes, metres: a hanger takes 0.45 m, doors and air round it 0.1 m (Neufert,
-Architects' Data)."""
+DEPTHS = (WARDROBE.depth, 0.6)
+"""Depths of wardrobes, metres."""
 
 
 def sleeping() -> Iterator[Group]:
@@ -28,9 +29,9 @@ def sleeping() -> Iterator[Group]:
 
 def single() -> Iterator[Group]:
     """A single bed, one long side free to get in, with a nightstand where it fits."""
-    for bed, length in ((0.75, 1.8), (0.8, 1.9), (0.9, 2.05), (1.0, 2.05), (1.2, 2.05)):
+    for bed, length in (BED[:2], (0.9, 2.05), (1.0, 2.05), (1.2, 2.05)):
         yield _bed("single", "single_bed", bed, 0.0, 0.0, length)
-        for wing in (0.45, 0.62) if bed >= 0.8 else ():
+        for wing in (0.45, 0.62):
             yield _bed("single", "single_bed", bed, 0.0, wing, length)
             yield _bed("single", "single_bed", bed, 0.0, wing, length, mirrored=True)
 
@@ -38,7 +39,7 @@ def single() -> Iterator[Group]:
 def along_wall() -> Iterator[Group]:
     """Single beds with a long side at the wall, the pillow at either end, with a nightstand beside
     the pillow where it fits."""
-    for bed, length in ((0.9, 2.05), (1.0, 2.05), (0.8, 1.9), (0.75, 1.8)):
+    for bed, length in ((0.9, 2.05), (1.0, 2.05), BED[:2]):
         for stand in (0.45, 0.0):
             for side in (1.0, -1.0):
                 yield _along(bed, length, stand, side)

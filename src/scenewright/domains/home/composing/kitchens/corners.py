@@ -23,15 +23,15 @@ from scenewright.domains.home.groups.kitchen import (
     BETWEEN,
     BEYOND,
     FRIDGE,
-    SMALL_HOB,
-    SMALL_SINK,
+    HOBS,
     Unit,
     fill,
     widest_hob,
 )
+from scenewright.domains.home.least_sizes import CABINET, HOB, SINK
 from scenewright.domains.home.measures import HAIR
 
-LEAST_OF_ARM = {"hs": 1.05, "h": 0.6, "s": 0.45}
+LEAST_OF_ARM = {"hs": 1.1, "h": 0.6, "s": SINK.width}
 """Metres that sink and hob take at least beside a corner cabinet without a fault beside them."""
 LONG, UNIT = 1.2, 0.6
 """Metres by which an arm is longer than the least that is tried in a length between as well, from
@@ -42,7 +42,6 @@ WORKED = 0.9
 """Metres of worktop between hob and sink (NKBA, Planning Guidelines, 2012, 12): what more there is,
 if it is a unit, lies beyond the sink."""
 DISHWASHER, LEAST_RINSED = 0.6, 0.6  # width of one, and of a sink beside it, metres
-SLIVER = 0.15  # a unit that would be no wider than this widens the sink instead, metres
 Units = tuple[Unit, ...]
 
 
@@ -101,15 +100,16 @@ def _units_of_arm(holds: str, length: float) -> Units:
     """Units from a corner cabinet on, whose worktop is one side of a hob next to it."""
     if holds == "s":
         return _wash_in_corner(length)
-    wide = widest_hob(length - LEAST_OF_ARM[holds] + SMALL_HOB)
-    rest: list[Unit] = fill(min(AMPLY_BEYOND, length - wide))
+    wide = widest_hob(length - LEAST_OF_ARM[holds] + HOB.width)
+    beside = length - wide
+    rest: list[Unit] = fill(AMPLY_BEYOND if beside >= AMPLY_BEYOND + CABINET.width else beside)
     if holds == "hs":
-        sink = next((w for w in (0.8, 0.6) if length - wide >= w + BETWEEN), SMALL_SINK)
+        sink = next((w for w in (0.8, 0.6) if length - wide >= w + BETWEEN), SINK.width)
         top = length - wide - sink
         between = WORKED if top >= WORKED + BETWEEN else top
         beyond = top - between
         before, after = fill(between), _rinse(beyond)
-        if between >= DISHWASHER + SLIVER:
+        if between >= DISHWASHER + CABINET.width:
             before, after = [*_rinse(between)[::-1]], tuple(fill(beyond))
         rest = [*before, ("sink_cabinet", sink), *after]
     return (*fill(length - wide - width_of(rest)), ("hob_cabinet", wide), *rest)
@@ -126,7 +126,7 @@ def _sink_and_rest(length: float) -> Units:
     if length < DISHWASHER + LEAST_RINSED - HAIR:
         sink = 0.8 if length >= 0.8 + BEYOND - HAIR else 0.6
         return (("sink_cabinet", sink), *fill(length - sink))
-    sink = length - DISHWASHER if length < 0.8 + DISHWASHER + SLIVER else 0.8
+    sink = length - DISHWASHER if length < 0.8 + DISHWASHER + CABINET.width else 0.8
     return (("sink_cabinet", sink), *_rinse(length - sink))
 
 
@@ -173,7 +173,7 @@ def _u(
     between: float,
 ) -> Iterator[FittedKitchen]:
     one, middle, other = walls
-    least = 0.3 if holds[1] == "h" else 0.45
+    least = HOB.width if holds[1] == "h" else SINK.width
     if not least <= between <= 1.8:
         return
     inner = tuple(_between(holds[1], between))
@@ -189,7 +189,7 @@ def _u(
 
 def _between(holds: str, length: float) -> list[Unit]:
     """A sink or hob in the middle of the base of a U."""
-    widths = (0.8, 0.6, 0.45) if holds == "s" else (0.6, 0.45, 0.3)
+    widths = (0.8, 0.6, SINK.width) if holds == "s" else HOBS
     wide = next((w for w in widths if length >= w - 1e-9), length)
     side = fill((length - wide) / 2)
     return [*side, ("sink_cabinet" if holds == "s" else "hob_cabinet", wide), *side]

@@ -35,15 +35,16 @@ from scenewright.domains.home.groups.fitted_kitchen import (
 )
 from scenewright.domains.home.groups.kitchen import BEYOND, FRIDGE, Unit, fill
 from scenewright.domains.home.groups.low_fridges import LOW, SHORTEST, WIDE_FRIDGE, pantry, take_in
+from scenewright.domains.home.least_sizes import SINK
 
 MORE = 3.0  # metres of front that a mere kitchen has beyond what its room asks for, at most
 LIVED_IN_TOP = 0.4  # the same where people live in the room as well
 LEAST_RUN = 3.0  # metres of front with its fridge that a run in any room may have
-LEAST = {"hs": 1.7, "h": 0.95, "s": 0.45, "": 0.6}
+LEAST = {"hs": 1.7, "h": 0.95, "s": SINK.width, "": 0.6}
 """Metres that sink and hob take at least without a fault beside them, by what a line holds."""
-AMPLY = LEAST | {"h": 1.2, "s": 1.05}
+AMPLY = LEAST | {"h": 1.2, "s": 1.1}
 """And with 0.6 m of worktop in one piece."""
-SPARE = {"hs": 0.8, "h": 0.75, "s": 0.4, "": 0.6}
+SPARE = {"hs": 0.8, "h": 0.75, "s": SINK.width, "": 0.6}
 """And where room for no more is left."""
 PANTRY = 1.6
 """A run shorter than this that takes in its fridge has too little worktop beside its hob."""

@@ -23,11 +23,12 @@ from scenewright.domains.home.composing.placed_faults import DARK, measure_cases
 from scenewright.domains.home.composing.places.forms import cost_of_case
 from scenewright.domains.home.composing.places.moving import dress_group
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
+from scenewright.domains.home.least_sizes import CABINET
 
 HOB, FRIDGE, CORNER = "hob_cabinet", "fridge", "corner_cabinet"
 LONGEST = 6  # units of a line that change places
-NARROWEST, WIDEST, STEP = 0.3, 1.2, 0.05
-"""How narrow and how wide a cabinet becomes, and by how much at once, metres."""
+WIDEST, STEP = 1.2, 0.05
+"""How wide a cabinet becomes, and by how much at once, metres."""
 RATED, TRIED = 12, 3  # orders of a line that are rated, and of these those that are furnished
 
 
@@ -104,7 +105,7 @@ def _list_widths(units: tuple[Member, ...]) -> Iterator[tuple[tuple[float, ...],
     able = [k for k, m in enumerate(units) if m.category in PLAIN_CABINETS]
     for one in able:
         for other in able:
-            most = min(widths[one] - NARROWEST, WIDEST - widths[other]) if one != other else 0.0
+            most = min(widths[one] - CABINET.width, WIDEST - widths[other]) if one != other else 0.0
             steps = (STEP * k for k in range(1, ceil(most / STEP)))
             for metres in (*steps, *((most,) if most > 0.0 else ())):
                 changed = list(widths)
