@@ -114,7 +114,7 @@ def test_a_layout_that_tells_one_line_of_a_kitchen_gets_a_whole_one(side):
 
 
 @pytest.mark.parametrize(
-    ("length", "hob"), [(1.6, 0.3), (1.75, 0.45), (1.9, 0.6), (2.1, 0.6), (3.0, 0.6)]
+    ("length", "hob"), [(1.7, 0.3), (1.85, 0.45), (2.0, 0.6), (2.1, 0.6), (3.0, 0.6)]
 )
 def test_a_run_has_as_many_rings_as_leave_it_its_worktop(length, hob):
     units = sequence(length)
@@ -189,7 +189,7 @@ def test_a_table_for_one_costs_in_a_kitchen_one_may_eat_in(area, short):
     from scenewright.domains.home.cases.library import cases
     from scenewright.domains.home.composing.modest import find_few_places
 
-    one = next(c for c in cases("dining_wall").groups if c.name == "0.7 m wall table for 1")
+    one = next(c for c in cases("dining_wall").groups if c.name == "0.8 m wall table for 1")
     assert find_few_places(one, area) == pytest.approx(short)
 
 

@@ -20,7 +20,7 @@ def assets_of(kind: Kind) -> Iterator[Asset]:
 
     >>> from scenewright.catalog.kinds import KINDS
     >>> [asset.id for asset in assets_of(KINDS["wardrobe"])][:3]
-    ['wardrobe', 'wardrobe_sliding', 'wardrobe_nordic']
+    ['wardrobe', 'wardrobe_sliding', 'wardrobe_shallow']
     """
     for module in kind.drawn_by:
         for drawing in import_module(module, __name__).ASSETS:
