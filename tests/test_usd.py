@@ -150,6 +150,26 @@ def test_materials_lights_and_labels_are_those_of_the_scene(
     assert Counter(label for labels in said.values() for label in labels)["wall"] >= 4
 
 
+def test_packages_hold_textures_and_files_alone_do_not(tmp_path: Path, stage: Usd.Stage) -> None:
+    path = tmp_path / "flat.usdz"
+    write(flat_solution(), path)
+    packed = Usd.Stage.Open(str(path))
+    shaders = [UsdShade.Shader(prim) for prim in prims(packed, UsdShade.Shader)]
+    worn = [one for one in shaders if one.GetIdAttr().Get() == "UsdUVTexture"]
+    files = [one.GetInput("file").Get().resolvedPath for one in worn]
+    assert len(files) >= 3
+    assert all(file.startswith(str(path)) for file in files)
+    ids = {UsdShade.Shader(prim).GetIdAttr().Get() for prim in prims(stage, UsdShade.Shader)}
+    assert ids == {"UsdPreviewSurface"}
+    for prim in prims(packed, UsdGeom.Mesh):
+        bound, _ = UsdShade.MaterialBindingAPI(prim).ComputeBoundMaterial()
+        places = UsdGeom.PrimvarsAPI(prim).GetPrimvar("st")
+        textured = any(child.GetName() == "Color" for child in bound.GetPrim().GetChildren())
+        assert textured == places.HasValue()
+        if textured:
+            assert len(places.Get()) == len(UsdGeom.Mesh(prim).GetPointsAttr().Get())
+
+
 def test_pieces_alike_are_instances_of_one_prototype(
     stage: Usd.Stage, items: tuple[RenderItem, ...]
 ) -> None:

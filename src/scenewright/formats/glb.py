@@ -104,7 +104,7 @@ def document_of(scene: Scene, catalog: Catalog) -> tuple[Json, bytes]:
         if node["name"] != name and "extensions" not in node:
             node["extras"] = node.get("extras", {}) | {"id": node["name"]}
         node["name"] = name
-    packed = pack_surfaces([*_surfaces(parts)])
+    packed = pack_surfaces([*surfaces_of(parts)])
     for mesh in meshes:
         for primitive in mesh["primitives"]:
             primitive |= packed.primitives[primitive.pop("part")]
@@ -298,7 +298,7 @@ def _mesh(
     return {"name": f"{name} {body}".strip(), "primitives": primitives}
 
 
-def _surfaces(parts: Sequence[Part]) -> Iterator[GlbSurface]:
+def surfaces_of(parts: Sequence[Part]) -> Iterator[GlbSurface]:
     """The surfaces of parts, with places on the textures of their materials."""
     normals = normals_of([(part.vertices, part.faces) for part in parts])
     for part, corner in zip(parts, normals, strict=True):

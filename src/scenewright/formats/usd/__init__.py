@@ -2,7 +2,8 @@
 
 Needs the extra ``usd``. Metres, z up; one prim ``Scene`` with levels, rooms and pieces, what
 encloses them, lamps, sun and sky, a camera a room. Pieces of one model and size are instances of
-one prototype. Same solution, same bytes: the package is packed by us, without times.
+one prototype. Only a package holds textures; files alone are in plain colours. Same solution,
+same bytes: the package is packed by us, without times.
 Pixar Animation Studios and Alliance for OpenUSD, *AOUSD Core Specification 1.0* (2025).
 """
 
@@ -29,12 +30,13 @@ def write(solution: Solution, path: str | os.PathLike[str], plan: Plan | None = 
     from scenewright.formats.usd.stage import build_stage
 
     scene, catalog = scene_of(solution, plan), catalog_of(solution.brief.catalogs)
-    stage = build_stage(scene, catalog)
     packed = Path(path).suffix.lower() == ".usdz"
+    pictures: dict[str, bytes] = {}
+    stage = build_stage(scene, catalog, pictures if packed else None)
     suffix = ".usdc" if packed else Path(path).suffix.lower()
     with TemporaryDirectory() as folder, atomic_write(path) as partial:
         plain = Path(folder, f"scene{suffix}")
         if not stage.GetRootLayer().Export(str(plain)):
             raise OSError("the USD library could not write it")
         data = plain.read_bytes()
-        partial.write_bytes(pack_files({plain.name: data}) if packed else data)
+        partial.write_bytes(pack_files({plain.name: data} | pictures) if packed else data)

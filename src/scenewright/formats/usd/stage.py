@@ -16,7 +16,7 @@ from scenewright.core.scene import Scene
 from scenewright.formats.png import OPEN
 from scenewright.formats.usd.cameras import define_cameras
 from scenewright.formats.usd.lights import define_daylight, define_lamps
-from scenewright.formats.usd.materials import Paths
+from scenewright.formats.usd.materials import MaterialScope
 from scenewright.formats.usd.meshes import define_parts
 from scenewright.formats.usd.names import free_path
 from scenewright.render.items import RenderItem, things
@@ -33,23 +33,26 @@ BRANCHES = {"wall": "Walls", "opening": "Openings", "stairs": "Stairs", "ceiling
 
 @dataclass(frozen=True, slots=True)
 class Building:
-    """A stage as it is built: the ``stage``, the paths of its ``materials``, of what is drawn more
-    than once as ``prototypes`` by key, how often each key is ``drawn``, and where each item is
-    in ``places``."""
+    """A stage as it is built: the ``stage``, how often each key is ``drawn``, its ``materials``,
+    the paths of what is drawn more than once as ``prototypes`` by key, and the ``places`` of
+    items by name."""
 
     stage: Usd.Stage
     drawn: Counter[Hashable]
-    materials: Paths = field(default_factory=dict)
+    materials: MaterialScope
     prototypes: dict[Hashable, Sdf.Path] = field(default_factory=dict)
     places: dict[str, Sdf.Path] = field(default_factory=dict)
 
 
-def build_stage(scene: Scene, catalog: Catalog) -> Usd.Stage:
-    """The stage in memory."""
+def build_stage(
+    scene: Scene, catalog: Catalog, pictures: dict[str, bytes] | None = None
+) -> Usd.Stage:
+    """The stage in memory; the files of its textures are added to ``pictures``, by the paths under
+    which it names them (None: plain colours)."""
     stage = _new_stage(scene, catalog)
     open_air = any(OPEN & set(space.functions) for space in scene.spaces)
     items = [one for one in (*things(scene, catalog), *ceilings(scene)) if one.parts]
-    built = Building(stage, Counter(one.key for one in items))
+    built = Building(stage, Counter(one.key for one in items), MaterialScope(MATERIALS, pictures))
     for level in scene.levels:
         path = free_path(stage, ROOT, level.name or f"level {level.id or 1}")
         xform = _define_group(stage, path, level.name)
@@ -147,13 +150,13 @@ def _add_shape(built: Building, path: Sdf.Path, item: RenderItem) -> None:
     stage = built.stage
     shape = UsdGeom.Xform.Define(stage, path).GetPrim()
     if built.drawn[item.key] == 1:
-        define_parts(stage, path, item.parts, built.materials, MATERIALS)
+        define_parts(stage, path, item.parts, built.materials)
         return
     if item.key not in built.prototypes:
         name = str(item.extras.get("asset") or category_of(item)).rpartition(":")[2]
         proto = free_path(stage, PROTOTYPES, name)
         UsdGeom.Xform.Define(stage, proto)
-        define_parts(stage, proto, item.parts, built.materials, MATERIALS)
+        define_parts(stage, proto, item.parts, built.materials)
         built.prototypes[item.key] = proto
     shape.GetReferences().AddInternalReference(built.prototypes[item.key])
     shape.SetInstanceable(True)
