@@ -1,0 +1,88 @@
+"""What of a scene is free to move, how heavy it is and how it rubs.
+
+Mass is density by volume of the closed meshes; what is drawn solid is hollow inside walls as thick
+as things of its material have.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from math import inf
+from typing import NamedTuple
+
+import numpy as np
+
+from scenewright.catalog.classes import LIGHT_FURNITURE
+from scenewright.core.catalog import Catalog, Part
+from scenewright.geometry.mesh import Mesh, volume
+from scenewright.render.items import RenderItem
+
+LEAST = 0.05
+"""Least mass of what moves, in kg."""
+
+
+class Substance(NamedTuple):
+    """Density in kg/m³, the coefficient of friction, and how thick walls of it are, in metres."""
+
+    density: float
+    friction: float
+    walls: float
+
+
+SUBSTANCES = (
+    ("steel chrome metal iron brass bronze", Substance(7800.0, 0.4, 0.0008)),
+    ("glass mirror screen window", Substance(2500.0, 0.35, 0.004)),
+    ("ceramic clay tiles brick", Substance(2200.0, 0.5, 0.01)),
+    ("stone slate concrete rock plaster render", Substance(2300.0, 0.6, 0.03)),
+    ("fabric velvet wool linen leather duvet mattress", Substance(45.0, 0.7, inf)),
+    ("curtain shade carpet", Substance(200.0, 0.7, 0.002)),
+    ("oak walnut pine teak timber rattan bark floor lacquer panel", Substance(600.0, 0.45, 0.016)),
+    ("plastic", Substance(1000.0, 0.35, 0.003)),
+    ("paper cardboard", Substance(600.0, 0.5, 0.004)),
+    ("leaf needles crown", Substance(20.0, 0.6, inf)),
+    ("soil", Substance(1300.0, 0.8, inf)),
+)
+"""Substances by words of a material's name; the first row that has one counts."""
+OTHERWISE = Substance(600.0, 0.5, 0.016)
+
+
+def is_free(item: RenderItem, catalog: Catalog) -> bool:
+    """Whether nothing but its weight holds a thing: what stands on others, and light furniture."""
+    category = str(item.extras.get("category", ""))
+    kind = catalog.kinds.get(category)
+    if item.kind != "piece" or kind is None or kind.services:
+        return False
+    return kind.support == "top" or category in LIGHT_FURNITURE
+
+
+def substance_of(name: str) -> Substance:
+    """What a material of a name is made of.
+
+    >>> substance_of("oak, industrial steel").density, substance_of("brushed steel").density
+    (600.0, 7800.0)
+    """
+    plain = name.partition(",")[0]  # a palette's name follows a comma
+    for words, substance in SUBSTANCES:
+        if any(word in plain for word in words.split()):
+            return substance
+    return OTHERWISE
+
+
+def mass_of(parts: Iterable[Part]) -> float:
+    """The mass of what is drawn, in kg: of each part the volume, at most its area by the thickness
+    of its walls.
+
+    >>> from scenewright.core.catalog import Material
+    >>> from scenewright.geometry.prisms import box
+    >>> leaf = Part(Material("oak", (0.7, 0.5, 0.3)), *box((0, 0, 0), (0.8, 0.04, 2.0))[:2])
+    >>> round(mass_of([leaf]), 1)
+    32.9
+    """
+    return max(sum(_mass(part) for part in parts), LEAST)
+
+
+def _mass(part: Part) -> float:
+    density, _, walls = substance_of(part.material.name)
+    a, b, c = (part.vertices[part.faces[:, k]] for k in range(3))
+    area = float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum()) / 2
+    return density * min(abs(volume(Mesh(part.vertices, part.faces))), area * walls)
