@@ -29,7 +29,7 @@ LAYERS = (
     {"_version", "core", "geometry", "interruption", "text"},
     {"catalog"},
     {"building", "engine"},
-    {"ground", "render", "drawing", "check", "arranging"},
+    {"ground", "render", "drawing", "check", "arranging", "clutter"},
     {"domains"},
     {"formats"},
     {"workflow"},

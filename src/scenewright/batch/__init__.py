@@ -67,6 +67,7 @@ def batch(
     style: str = "",
     layouts: int | None = None,
     map_options: MapOptions = AS_IT_IS,
+    clutter: str = "none",
     memory: float = MEMORY,
     limit: float = TIME,
     variation: Variation = AS_ASKED,
@@ -91,7 +92,7 @@ def batch(
     how = (preset, solver, seconds, steps, seed, keep)
     files = (tuple(catalogs), tuple(groups), scale, hidden_levels, accessible, style)
     vary = check_vary(variation.vary) if variation != AS_ASKED else ()
-    options = BatchOptions(tuple(formats), *how, *files, layouts, map_options, vary)
+    options = BatchOptions(tuple(formats), *how, *files, layouts, map_options, vary, clutter)
     limits = _check_limits(Limits(jobs or os.cpu_count() or 1, memory, limit), options)
     _check_manifest(manifest)
     with recorded_run() as run:

@@ -66,6 +66,7 @@ class BatchOptions(NamedTuple):
     layouts: int | None = None
     map_options: MapOptions = AS_IT_IS
     vary: tuple[str, ...] = ()
+    clutter: str = "none"
 
 
 class Job(NamedTuple):

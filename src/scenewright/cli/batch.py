@@ -111,6 +111,7 @@ def run(
             style=request.style,
             layouts=request.layouts,
             map_options=request.map_options,
+            clutter=request.clutter,
             memory=MEMORY if terms.memory is None else terms.memory,
             limit=TIME if terms.limit is None else terms.limit,
             variation=terms.variation or Variation(),

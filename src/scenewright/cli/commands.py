@@ -37,6 +37,7 @@ from scenewright.cli.pass_table import print_passes
 from scenewright.cli.reading import (
     AlternativesOption,
     CatalogOption,
+    ClutterOption,
     CrsOption,
     GroupsOption,
     HiddenOption,
@@ -161,6 +162,7 @@ def arrange(
     catalogs: CatalogOption = None,
     groups: GroupsOption = None,
     style: StyleOption = "",
+    clutter: ClutterOption = "none",
     crs: CrsOption = "",
     origin: OriginOption = "",
     layers: LayerOption = None,
@@ -180,16 +182,15 @@ def arrange(
     from scenewright.workflow.request import ArrangeRequest
 
     check_budget(seconds, {"steps": steps, "layouts": layouts})
-    asked = ArrangeRequest(sources[0], tuple(outputs or ()), preset, solver, seconds, steps, seed)
-    request = asked._replace(
-        keep=keep,
-        alternatives=alternatives,
+    how = (preset, solver, seconds, steps, seed, keep, alternatives)
+    request = ArrangeRequest(sources[0], tuple(outputs or ()), *how)._replace(
         catalogs=tuple(catalogs or ()),
         groups=tuple(groups or ()),
         accessible=accessible,
         scale=scale,
         hidden_levels=hidden_levels,
         style=style,
+        clutter=clutter,
         layouts=layouts,
         map_options=map_options_of(crs, origin, layers, site),
         trace=trace,

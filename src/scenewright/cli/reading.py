@@ -68,6 +68,9 @@ GroupsOption = Annotated[
     list[str] | None,
     typer.Option("--groups", metavar="PATH", help="Learned groups; may be repeated."),
 ]
+ClutterOption = Annotated[
+    str, typer.Option(metavar="AMOUNT", help="Small objects about: none, some or lived-in.")
+]
 StyleOption = Annotated[
     str,
     typer.Option(

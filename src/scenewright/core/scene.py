@@ -18,6 +18,8 @@ from scenewright.core.views import describe, show
 
 STAIRS = "stairs"
 """The function of pieces that stand for what stairs take of a floor."""
+CLUTTER = "clutter"
+"""The function of small objects that stand on others; a scene has them, a solution does not."""
 
 
 class Pose(NamedTuple):

@@ -51,6 +51,7 @@ class Solution:
     at, ``seconds`` the time solving took: it is not saved, and solutions that differ in nothing
     else are equal. ``detail`` is what only the brief's domain knows of its answers: a hall's
     layout of zones and groups, with the visitors' tours; the lanes and walks of a site.
+    ``clutter`` is how many small objects its scene has (:mod:`scenewright.clutter`).
     """
 
     brief: Brief
@@ -67,6 +68,7 @@ class Solution:
     seconds: float = field(compare=False)
     evaluations: int
     detail: Any = None
+    clutter: str = "none"
 
     def __repr__(self) -> str:
         """One line: what was laid out, how much of it stands, and how to get it again."""

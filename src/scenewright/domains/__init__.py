@@ -12,6 +12,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from scenewright.catalog.loading import catalog_of
 from scenewright.check.given import locked_ids, mark_locked, restore_footprints, restore_given
 from scenewright.core.acceptance import accept_findings
 from scenewright.core.breeding import Breeder, Gene, MatrixBreeder
@@ -217,10 +218,14 @@ def explain(solution: Solution, *, plan: Plan | None = None) -> Explanation:
 
 
 def scene_of(solution: Solution, plan: Plan | None = None) -> Scene:
-    """The scene of a solution: its surroundings, and its pieces."""
+    """The scene of a solution: its surroundings, its pieces, and the small objects on them."""
     made = plan or plan_of(solution.brief)
     scene: Scene = domain_of(solution.brief.domain).verb("scene")(solution, made)
-    return scene
+    if solution.clutter == "none":
+        return scene
+    from scenewright.clutter import with_clutter
+
+    return with_clutter(scene, catalog_of(solution.brief.catalogs), solution.clutter, solution.seed)
 
 
 def draw_plan(solution: Solution, plan: Plan | None = None) -> PlanDrawing:
@@ -307,7 +312,8 @@ def adjust(
     adjusted: Adjusted = domain_of(solution.brief.domain).verb("adjust")(
         solution, edits, plan=plan or plan_of(solution.brief), steps=steps, seed=seed
     )
-    return adjusted
+    changed = replace(adjusted.solution, clutter=solution.clutter)
+    return adjusted._replace(solution=changed)
 
 
 def learn_groups(homes: Mapping[str, Brief], output: Path) -> LearnedGroups:

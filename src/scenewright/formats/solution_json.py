@@ -106,6 +106,7 @@ def to_document(solution: Solution) -> dict[str, Any]:
         "left_out": [entry._asdict() for entry in solution.left_out],
         "terms": [value._asdict() for value in solution.terms],
         **_detail_document(solution),
+        **({"clutter": solution.clutter} if solution.clutter != "none" else {}),
         "credits": authorship.document(
             authorship.credits_of_solution(solution, catalog_of(solution.brief.catalogs))
         ),
@@ -143,6 +144,7 @@ def _solution(record: SolutionRecord) -> Solution:
         seconds=record.seconds,
         evaluations=record.evaluations,
         detail=_detail(record),
+        clutter=record.clutter,
     )
 
 

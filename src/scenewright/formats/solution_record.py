@@ -96,6 +96,7 @@ class SolutionRecord(StrictModel):
     terms: Annotated[list[TermRecord], Field(max_length=1_000_000)]
     credits: Annotated[list[dict[str, Any]], Field(max_length=100_000)] = []
     brief: Brief
+    clutter: Literal["none", "some", "lived-in"] = "none"
     detail: Any = None
 
     @model_validator(mode="before")

@@ -242,17 +242,8 @@ def _surface(surface: GroundSurface, level: str) -> RenderItem:
     meshes = [prism(outline, surface.base, surface.top, holes) for outline, holes in surface.areas]
     part = Part(SURFACES[surface.kind], *merge(meshes))
     extras: dict[str, str | float] = {"category": "surface", "function": surface.kind}
-    return RenderItem(
-        surface.id,
-        "surface",
-        level,
-        surface.space,
-        ("surface", surface.id),
-        (part,),
-        (0, 0, 0),
-        0.0,
-        extras,
-    )
+    key, at = ("surface", surface.id), (0, 0, 0)
+    return RenderItem(surface.id, "surface", level, surface.space, key, (part,), at, 0.0, extras)
 
 
 def _wall(wall: Wall, cut: float | None, near: NearWalls) -> RenderItem:
@@ -308,6 +299,11 @@ def _opening(opening: Opening, use: DoorUse, cut: float | None) -> RenderItem:
     turn = float(np.arctan2(opening.uy, opening.ux))
     at = (opening.x, opening.y, 0.0)
     return RenderItem(opening.id, "opening", opening.level, "", shape, parts, at, turn, extras)
+
+
+def parts_of(piece: Piece, catalog: Catalog) -> tuple[Part, ...]:
+    """The parts that a piece is drawn of, in its own frame."""
+    return _piece(piece, "", catalog, None).parts
 
 
 def _piece(piece: Piece, level: str, catalog: Catalog, cut: float | None) -> RenderItem:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Generator, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
 
@@ -66,6 +67,7 @@ def arrange_alternatives(
         raise error.located(file=request.source) from None
     if cancel is not None and cancel() and not any(solution.evaluations for solution in found):
         raise CancelledError
+    found = tuple(replace(solution, clutter=request.clutter) for solution in found)
     ranked = rank_solutions(found, plan, request.outputs)
     for one in ranked:
         yield Solved(one.solution)

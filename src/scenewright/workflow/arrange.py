@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Generator, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
 
@@ -77,6 +78,7 @@ def arrange_file(
     look, report = request.look, None
     if look is not None and look.number and "poses" in look.vary:
         solution, report, _ = disturb(solution, plan, stream_of(brief, look, "poses"))
+    solution = replace(solution, clutter=request.clutter)
     yield Solved(solution)
     report = report or domains.check(solution, plan=plan)
     yield Judged(report)
@@ -113,6 +115,7 @@ def arrange(
     map_options: MapOptions = AS_IT_IS,
     trace: str | os.PathLike[str] | None = None,
     nets: str = "",
+    clutter: str = "none",
 ) -> Arranged:
     """Read a brief, solve it, judge the solution and write it to all ``outputs`` or none.
 
@@ -138,6 +141,7 @@ def arrange(
         map_options=map_options,
         trace=None if trace is None else Path(trace),
         nets=nets,
+        clutter=clutter,
     )
 
     def pass_on(event: Event) -> None:

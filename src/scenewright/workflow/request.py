@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from scenewright import domains
 from scenewright.catalog.loading import catalog_of
+from scenewright.clutter.rows import AMOUNTS
 from scenewright.core.atomic_file import check_targets
 from scenewright.core.brief import Brief
 from scenewright.core.catalog import OWN
@@ -56,6 +57,7 @@ class ArrangeRequest(NamedTuple):
     trace: Path | None = None
     nets: str = ""
     look: Look | None = None
+    clutter: str = "none"
 
     @property
     def work(self) -> int | None:
@@ -92,6 +94,7 @@ def plan_request(request: ArrangeRequest) -> Planned:
     presets, solvers = domain.table("presets"), domain.table("solvers")
     check_name("preset", request.preset, presets)
     check_name("solver", request.solver, (*solvers, None))
+    check_name("clutter", request.clutter, AMOUNTS)
     check_work(request, brief, plan, domain)
     if request.nets:
         brief, plan = use_nets(request, brief, plan, domain)

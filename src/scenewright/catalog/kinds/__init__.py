@@ -42,6 +42,7 @@ _THEMES = (
     "appliances",
     "lighting",
     "decor",
+    "small",
     "outdoor",
     "fixtures",
     "leisure",
