@@ -182,9 +182,8 @@ def arrange(
     from scenewright.workflow.request import ArrangeRequest
 
     check_budget(seconds, {"steps": steps, "layouts": layouts})
-    how = (preset, solver, seconds, steps, seed, keep, alternatives)
+    how = (preset, solver, seconds, steps, seed, keep, alternatives, tuple(catalogs or ()))
     request = ArrangeRequest(sources[0], tuple(outputs or ()), *how)._replace(
-        catalogs=tuple(catalogs or ()),
         groups=tuple(groups or ()),
         accessible=accessible,
         scale=scale,

@@ -87,7 +87,8 @@ def keep_standing(pieces: Sequence[Piece], small: Sequence[Piece], catalog: Cata
 
 
 def _on_one(carrier: Piece, small: Sequence[Piece], catalog: Catalog) -> Iterator[Standing]:
-    caster = build(*_placed(carrier, parts_of(carrier, catalog)))
+    bearing = _placed(carrier, parts_of(carrier, catalog))
+    caster = build(bearing.vertices, bearing.faces)
     soft = carrier.category in SOFT
     for piece in small:
         parts = parts_of(piece, catalog)
