@@ -136,10 +136,10 @@ def _draw(number: int, rng: np.random.Generator, shops: tuple[Drawn, ...]) -> Dr
 
 
 def _use_doors(theme: str, doors: list[dict[str, Any]]) -> list[dict[str, Any]]:
-    """A gate is left by the door at its back, and so is no other hall."""
-    return [
-        d | {"use": "exit"} if k and theme == "boarding gate" else d for k, d in enumerate(doors)
-    ]
+    """One boards by the door at the back of a gate, as wide as the entrance."""
+    if theme != "boarding gate":
+        return doors
+    return [d | {"use": "exit" if k else "entrance", "width": 2.0} for k, d in enumerate(doors)]
 
 
 def _write_demands(theme: str, area: float, rng: np.random.Generator) -> Iterator[dict[str, Any]]:

@@ -52,7 +52,7 @@ GOODS = (
     *("showcase", "display_cabinet", "fridge_shelf"),
 )
 SEATS = ("dining_chair", "reading_chair", "stool", "bar_stool", "auditorium_seat")
-BACKED = ("wall_shelving", "bookcase", "sofa", "lounge_seat", "armchair", "desk")
+BACKED = ("wall_shelving", "bookcase", "sofa", "lounge_seat", "armchair")
 DESKS = ("counter", "info_desk", "checkout")
 SHOPS = ("clothes shop", "bookshop", "household shop", "jeweller", "supermarket", "mall shop")
 
@@ -204,11 +204,11 @@ def pew_pitch(hall: Hall, beyond: float) -> Count:
 
 
 def _pitch(pew: Piece, pews: list[Piece]) -> float | None:
-    """Metres from a pew to the one before it; aisles across, from 1.8 m on, are none."""
+    """Metres from a pew to the one before it, if that is nearer than 4 m."""
     c, s = cos(pew.pose.heading), sin(pew.pose.heading)
     steps = [(p.pose.x - pew.pose.x, p.pose.y - pew.pose.y) for p in pews if p is not pew]
     ahead = [dx * c + dy * s for dx, dy in steps if abs(-dx * s + dy * c) < 0.5 * pew.size.width]
-    return min((far for far in ahead if 0.3 < far < 1.8), default=None)
+    return min((far for far in ahead if 0.3 < far < 4.0), default=None)
 
 
 def spacious_seats(hall: Hall, beyond: float) -> Count:

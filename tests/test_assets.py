@@ -35,7 +35,7 @@ REQUIRED = (
     "showcase plinth exhibit_panel wall_exhibit interactive_table info_desk ticket_gate "
     "rope_barrier exhibit_island gondola wall_shelving ring_shelf clothes_rail round_rack "
     "mannequin display_table checkout fitting_room fridge_shelf basket_stack book_stack "
-    "reading_table reading_chair carrel lounge_seat catalogue_terminal auditorium_seat lectern "
+    "reading_table reading_chair carrel lounge_seat catalogue_terminal auditorium_seat lectern pew "
     "stage screen counter partition litter_bin sign_totem lockers vending_machine "
     "building tree lamp_post site_bench "
 )

@@ -7,15 +7,16 @@ import math
 import pytest
 
 from scenewright.catalog.assets import shipped
+from scenewright.catalog.kinds import SIZES
 from scenewright.core.brief import Room
 from scenewright.core.scene import Size
 from scenewright.domains.hall.demands.programme import (
     PROGRAMMES,
     SMALLEST_SHOP,
-    UTILISATION,
     shop_kind,
     shop_programme,
 )
+from scenewright.domains.hall.demands.themes import THEMES
 from scenewright.domains.hall.desks.cash_desks import is_cash_desk, measure_cash_desk
 
 # Programmes
@@ -27,16 +28,20 @@ def used(kind: str, floor_area: float, perimeter: float) -> float:
         assert demand.count
         assert isinstance(demand.clearance, tuple)
         front, left, back, right = demand.clearance
-        width, depth, _ = demand.size or measure_cash_desk(shipped())
+        till = measure_cash_desk(shipped())
+        width, depth, _ = demand.size or (
+            till if demand.category == "checkout" else SIZES[demand.category][1]
+        )
         total += demand.count * (width + left + right) * (depth + front + back)
     return total / floor_area
 
 
 @pytest.mark.parametrize("kind", PROGRAMMES)
 @pytest.mark.parametrize("floor_area", [30, 47, 80, 150, 600, 3000])
-def test_half_of_the_floor_is_used(kind: str, floor_area: float) -> None:
-    share = used(kind, floor_area, 4.4 * math.sqrt(floor_area))
-    assert (0.45 if floor_area >= 60 else 0.395) <= share <= UTILISATION + 1e-9
+def test_the_usual_share_of_the_floor_is_used(kind: str, floor_area: float) -> None:
+    share, most = used(kind, floor_area, 4.4 * math.sqrt(floor_area)), THEMES[kind].fill
+    one = max(row.used for row in PROGRAMMES[kind] if row.fills) / floor_area
+    assert most - one - 0.02 <= share <= most + 0.02
     ids = [d.id for d in shop_programme(kind, floor_area, 4.4 * math.sqrt(floor_area))]
     assert len(ids) == len(set(ids))
 
@@ -57,11 +62,11 @@ def test_no_programme_is_too_large_to_lay_out() -> None:
 def test_walls_hold_what_stands_at_them() -> None:
     for kind in PROGRAMMES:
         wall = sum(
-            (d.count or 0) * d.size[0]
+            (d.count or 0) * (d.size or SIZES[d.category][1])[0]
             for d in shop_programme(kind, 400, 80)
-            if d.place == "wall" and d.size
+            if d.place == "wall"
         )
-        assert wall <= 0.45 * 80 + 1e-9
+        assert wall <= THEMES[kind].walls * 80 + 1e-9
 
 
 def test_small_and_unknown_units_hold_nothing() -> None:

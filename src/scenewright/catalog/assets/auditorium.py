@@ -44,6 +44,17 @@ def _seat(size: Size) -> Parts:
     return parts(size, {VELVET: [pad, back], CHARCOAL: sides, OAK_DARK: [*rests, shell]})
 
 
+def _pew(size: Size) -> Parts:
+    """A bench for a row of people: a back with a shelf for books behind it, and ends."""
+    w, d, h = size.width / 2, size.depth / 2, size.height
+    seat = min(0.45, 0.5 * h)
+    ends = [block((s * (w - 0.02) - 0.02, s * (w - 0.02) + 0.02), (-d, d), (0, h)) for s in (-1, 1)]
+    board = block((-w + 0.04, w - 0.04), (-0.55 * d, 0.9 * d), (seat - 0.04, seat))
+    back = block((-w + 0.04, w - 0.04), (-0.7 * d, -0.55 * d), (0.1, h - 0.03))
+    shelf = block((-w + 0.04, w - 0.04), (-d + 0.01, -0.7 * d), (0.75 * h, 0.75 * h + 0.03))
+    return parts(size, {OAK: [board, back, shelf], OAK_DARK: ends})
+
+
 def _lectern(size: Size) -> Parts:
     """The audience sees the front; the speaker stands behind a board that slopes to him."""
     w, d, h = size.width / 2, size.depth / 2, size.height
@@ -147,6 +158,11 @@ def _seat_symbol(size: Size) -> Lines:
     )
 
 
+def _pew_symbol(size: Size) -> Lines:
+    w, d = size.width / 2, size.depth / 2
+    return rectangle(size), path((-w, -0.6 * d), (w, -0.6 * d))
+
+
 def _lectern_symbol(size: Size) -> Lines:
     w, d = size.width / 2, size.depth / 2
     return rectangle(size), box(-0.15, 0.15, -0.6 * d, 0.3 * d), path((-w, 0.5 * d), (w, 0.5 * d))
@@ -174,6 +190,7 @@ def _screen_symbol(size: Size) -> Lines:
 
 ASSETS = (
     Drawing("auditorium_seat", _seat, _seat_symbol),
+    Drawing("pew", _pew, _pew_symbol),
     Drawing("lectern", _lectern, _lectern_symbol),
     Drawing("stage", _stage, _stage_symbol),
     Drawing("screen", _screen, _screen_symbol),

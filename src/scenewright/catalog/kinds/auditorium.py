@@ -26,6 +26,25 @@ KINDS = (
         drawn_by=(".auditorium",),
     ),
     Kind(
+        "pew",
+        access=BOTH,
+        reach=0.35,
+        back="high",
+        sizes=size_range("120 300 450", "45 55 70", "75 90 110"),
+        hall=free("chain", 0.4, 0.6, 0.0, 0.6),
+        words=(
+            words(
+                en="pew, church pew, church bench",
+                fr="banc d'église",
+                de="kirchenbank",
+                es="banco de iglesia",
+                zh="教堂长椅",
+                ja="教会の長椅子",
+            ),
+        ),
+        drawn_by=(".auditorium",),
+    ),
+    Kind(
         "lectern",
         access=("back",),
         reach=0.6,

@@ -48,7 +48,7 @@ from scenewright.core.brief.slope import SlopeBrief
 from scenewright.core.brief.source_file import SourceFile
 from scenewright.core.brief.stairs import StairsBrief
 from scenewright.core.brief.wishes import WishBrief
-from scenewright.core.brief.zones import Demand, Link, ZoneBrief
+from scenewright.core.brief.zones import Demand, Fill, Link, ZoneBrief
 from scenewright.core.registry import DEFAULT, domain_names, domain_of, part_keys
 from scenewright.core.views import describe, show
 
@@ -161,7 +161,9 @@ class Room(StrictModel):
     or say where. ``style`` and ``colour`` are words
     that furniture of the brief's own catalogues should answer to; left out, the home's.
     Halls have ``zones``, ``links`` between them and ``demands`` instead of functions and asks,
-    and ``people``, the most that may be inside at once.
+    and ``people``, the most that may be inside at once. Their ``theme`` (museum, clothes …) adds
+    what such a hall usually holds and is not named, and ``fill`` the share of the floor to which
+    demands without a number fill it (``"none"``: neither).
     """
 
     id: str = ""
@@ -186,6 +188,8 @@ class Room(StrictModel):
     links: Annotated[list[Link], Field(max_length=1000)] = []
     demands: Annotated[list[Demand], Field(max_length=1000)] = []
     people: Annotated[Whole, Field(ge=1, le=100_000)] | None = None
+    theme: Annotated[Words | None, Field(exclude_if=is_left_out)] = None
+    fill: Annotated[Fill | Literal["none"] | None, Field(exclude_if=is_left_out)] = None
 
 
 class WallBrief(StrictModel):

@@ -23,6 +23,8 @@ from scenewright.core.brief.fields import (
 
 PatternName = Annotated[str, Field(min_length=1, max_length=40)]
 Sizes = tuple[Side, Side, Side]
+Fill = Annotated[Number, Field(ge=0.05, le=0.8)]
+"""A share of floor."""
 
 
 class ZoneBrief(StrictModel):
@@ -64,8 +66,9 @@ class Demand(StrictModel):
     ``category`` is a kind of the catalog (``scenewright list assets``). How many: ``count``, or
     ``length``, metres of front side by side; with ``most`` up to that number where there is room,
     with ``fill`` as many as it takes for the objects of its zones, with the free depth around
-    each, to cover that share of their floor. How large: ``size`` (width, depth, height), or
-    ``sizes``, one for each of unequal objects; left out, the usual size of the category.
+    each, to cover that share of their floor. Where none is said, goods of the hall's theme fill it
+    to the usual share; ``"fill": "none"`` stands for one. How large: ``size`` (width, depth,
+    height), or ``sizes``, one for each of unequal objects; else what is usual.
     ``clearance`` is the free depth wished for at all sides, or front, left, back, right.
     ``place`` tells whether they stand at a wall; ``patterns`` which patterns may lay them out;
     ``zone`` in which zone, or which of several, they belong (left out: anywhere); ``facing`` the
@@ -80,7 +83,7 @@ class Demand(StrictModel):
     count: Annotated[Whole, Field(ge=1, le=20_000)] | None = None
     length: Annotated[Number, Field(gt=0, le=100_000)] | None = None
     most: Annotated[Whole | None, Field(ge=1, le=20_000, exclude_if=is_left_out)] = None
-    fill: Annotated[Number | None, Field(ge=0.05, le=0.8, exclude_if=is_left_out)] = None
+    fill: Annotated[Fill | Literal["none"] | None, Field(exclude_if=is_left_out)] = None
     size: Sizes | None = None
     sizes: Annotated[list[Sizes], Field(max_length=20_000)] = []
     clearance: Clearance | tuple[Clearance, Clearance, Clearance, Clearance] | None = None

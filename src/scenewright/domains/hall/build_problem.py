@@ -20,7 +20,7 @@ from scenewright.core.kind import Kind
 from scenewright.core.piece_outlines import boxes_of, polygons_of
 from scenewright.core.scene import Piece
 from scenewright.core.space import Space
-from scenewright.domains.hall.classes import AUDIENCE_SEATS
+from scenewright.domains.hall.classes import is_audience_seat
 from scenewright.domains.hall.demands.holdings import HallDemand
 from scenewright.domains.hall.measures import HEAD_HEIGHT
 from scenewright.domains.hall.patterns import PATTERNS
@@ -203,7 +203,7 @@ def _find_locked(hall: HallContext, catalog: Catalog) -> list[tuple[Piece, tuple
     for piece in hall.fixed:
         kind = catalog.kinds.get(piece.category)
         mine = piece.function not in ("", "fixed", "partition") and _solid(piece)
-        seat = any(word in piece.category for word in AUDIENCE_SEATS)
+        seat = is_audience_seat(piece.category, piece.size.width)
         if mine and not seat and kind is not None and kind.access:
             found.append((piece, tuple(kind.access)))
     return found
@@ -289,7 +289,7 @@ def _access(wishes: list[HallDemand], units: list[Unit], catalog: Catalog) -> Fl
         category = wishes[unit.demand].category
         kind = catalog.kinds.get(category, Kind(category))
         sides: tuple[str, ...] = kind.access
-        if any(word in category for word in AUDIENCE_SEATS):
+        if is_audience_seat(category, wishes[unit.demand].sizes[0].width):
             sides = ()  # one goes along the row, sideways
         elif wishes[unit.demand].lounges and not wishes[unit.demand].aisle:
             sides = ("left", "right")

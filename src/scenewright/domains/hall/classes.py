@@ -4,13 +4,16 @@ from __future__ import annotations
 
 AUDIENCE_SEATS = ("auditorium_seat",)
 """Seats that always look at what is shown."""
+LONGEST_BENCH, PEW_PITCH = 2.5, 0.95
+"""Benches longer than this are pews, which stand in rows and look at what is shown, and metres from
+one to the next (Neufert 2012: 0.9 to 1.0 m)."""
 TABLE_CHAIRS = ("dining_chair", "reading_chair", "office_chair")
 """Chairs that look at what is shown where no table is in their zone."""
 LOUNGE_CHAIRS = ("armchair", "lounge_seat")
 """Kinds that join the sofa of a lounge."""
 LOUNGE_SEATS = frozenset(("lounge_seat", "armchair", "sofa", "pouf"))
 """Soft seats that look into their hall."""
-CARPETED_SEATS = frozenset(("lounge_seat", "bench", "auditorium_seat", "reading_table"))
+CARPETED_SEATS = frozenset(("lounge_seat", "bench", "pew", "auditorium_seat", "reading_table"))
 """Seats and tables under which a carpet may lie."""
 SITTING_TABLES = frozenset(("reading_table", "dining_table", "round_table", "outdoor_table"))
 """Tables at which one sits."""
@@ -40,3 +43,17 @@ EATEN_AT = ("vending_machine", "dining_table", "round_table", "counter", "bench"
 """Where litter comes from."""
 DECOR = ("plant", "potted_tree", "planter", "litter_bin", "rope_barrier")
 """Kinds nobody comes to see."""
+
+
+def is_pew(category: str, width: float) -> bool:
+    """Whether something is a bench of a congregation.
+
+    >>> is_pew("bench", 3.0), is_pew("bench", 1.2)
+    (True, False)
+    """
+    return category == "pew" or (category == "bench" and width > LONGEST_BENCH)
+
+
+def is_audience_seat(category: str, width: float) -> bool:
+    """Whether an object is a seat, or a row of them, that always looks at what is shown."""
+    return category in AUDIENCE_SEATS or is_pew(category, width)

@@ -124,7 +124,7 @@ def solve(
     threads = min(threads or os.cpu_count() or 1, 16)
     zoning = chosen.settings.zoning
     halls = hall_contexts(brief, rooms, catalog, seed, variant, zoning)
-    brief = fill_halls(brief, halls, catalog)
+    brief = fill_halls(brief, halls, catalog, chosen.settings.whole)
     busy = [k for k, room in enumerate(brief.rooms) if room.demands]
     each = Budget(threads=threads if len(busy) == 1 else 1, hear=hear)
     share = min(threads, max(len(busy), 1)) / max(len(busy), 1)
@@ -155,7 +155,7 @@ def problems(
     catalog = catalog_of(brief.catalogs)
     found = []
     halls = hall_contexts(brief, rooms, catalog, 0, 0, chosen.settings.zoning)
-    brief = fill_halls(brief, halls, catalog)
+    brief = fill_halls(brief, halls, catalog, chosen.settings.whole)
     for number, one in enumerate(halls):
         hall = one._replace(settings=chosen.settings)
         asked = collect_demands(brief, number, find_locked(hall), catalog)

@@ -46,7 +46,10 @@ _OLD = {
 }
 """IFC2x3 classes of products whose types alone it knows, by their names in IFC4."""
 _CATEGORIES: dict[tuple[str, str], str] = {
-    ("IfcFurniture", "CHAIR"): "armchair auditorium_seat bar_stool bench deck_chair dining_chair "
+    (
+        "IfcFurniture",
+        "CHAIR",
+    ): "armchair auditorium_seat bar_stool bench deck_chair dining_chair pew "
     "lounge_seat office_chair outdoor_chair pouf reading_chair site_bench stool",
     ("IfcFurniture", "SOFA"): "sofa corner_sofa loveseat",
     ("IfcFurniture", "TABLE"): "coffee_table console_table dining_table display_table "

@@ -19,14 +19,14 @@ from scenewright.domains.hall.accessories.spots import (
     make_spots,
     measure_crowd,
 )
+from scenewright.domains.hall.classes import LONGEST_BENCH
 from scenewright.domains.hall.demands.holdings import HallDemand, may_stand_together
 from scenewright.domains.hall.measures import HEAD_HEIGHT
 from scenewright.domains.hall.problem import Floats
 
 PICTURE, ISLAND = "wall_exhibit", "exhibit_island"
-LARGE, LONGEST_BENCH = 2.0, 2.5
-"""Sides of an island as long as this are sat before, and benches longer than this are pews, which
-stand in rows; metres."""
+LARGE = 2.0
+"""Sides of an island as long as this are sat before, in metres."""
 FARS, BENCH_OFF = (2.5, 2.2, 2.8, 2.0, 3.0), 0.5
 """Metres from what one looks at to the middle of a bench, the best first, and what a metre more or
 less than that costs."""

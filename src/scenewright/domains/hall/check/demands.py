@@ -37,7 +37,7 @@ def list_owed(asked: Mapping[str, Room], bodies: Bodies) -> Iterator[Owed]:
 
 def _count_asked(demand: Demand) -> tuple[int, int]:
     """How many objects a demand asks for at least and at most."""
-    if demand.fill is not None:
+    if demand.fill not in (None, "none"):
         return demand.count or 1, ALL
     most = len(sizes_of(demand))
     return (demand.count or 1, most) if demand.most is not None else (most, most)

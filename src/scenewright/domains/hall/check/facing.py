@@ -13,8 +13,8 @@ from scenewright.check.bodies import Bodies, Indices
 from scenewright.core.brief import Room
 from scenewright.core.report import Note
 from scenewright.core.space import Space
-from scenewright.domains.hall.classes import AUDIENCE_SEATS, TABLE_CHAIRS
-from scenewright.domains.hall.demands.checked import ids_of
+from scenewright.domains.hall.classes import TABLE_CHAIRS, is_audience_seat
+from scenewright.domains.hall.demands.checked import ids_of, usual_size
 from scenewright.domains.hall.seats.audience import find_shows
 
 TURNED, SHARE = 60.0, 0.1
@@ -34,11 +34,8 @@ def note_seats_turned_away(
         for demand, name, show in zip(demands, ids, find_shows(demands, ids), strict=True):
             shown = demand.facing or show
             seats, stages = _rows(bodies, space.id, name), _rows(bodies, space.id, shown)
-            if (
-                demand.category not in (*AUDIENCE_SEATS, *TABLE_CHAIRS)
-                or not shown
-                or not len(stages)
-            ):
+            watching = is_audience_seat(demand.category, usual_size(demand)[0])
+            if not (watching or demand.category in TABLE_CHAIRS) or not shown or not len(stages):
                 continue
             away = int((_measure_turns(bodies, seats, stages) > TURNED).sum())
             if away > SHARE * len(seats):

@@ -14,7 +14,10 @@ from scenewright.core.brief import Brief
 from scenewright.core.brief.zones import Demand, Sizes
 from scenewright.core.errors import InputError
 from scenewright.core.space import Space
+from scenewright.domains.hall.classes import PEW_PITCH, is_pew
 from scenewright.domains.hall.demands.stand_ins import offer_stand_in
+from scenewright.domains.hall.demands.themes import read_theme
+from scenewright.domains.hall.measures import AISLE
 from scenewright.domains.hall.patterns import PATTERNS
 
 MOST_OBJECTS = 20_000
@@ -68,16 +71,26 @@ def ids_of(demands: list[Demand]) -> tuple[str, ...]:
 def floor_needed(demand: Demand) -> float:
     """Square metres a demand needs: of every object (width + left + right) (depth + front +
     back), with the clearance of its category where the demand does not state one."""
-    usual = hall_use(demand.category).clearance
-    clear = usual if demand.clearance is None else demand.clearance
+    clear = usual_clearance(demand) if demand.clearance is None else demand.clearance
     front, left, back, right = clear if isinstance(clear, tuple) else (clear,) * 4
     sizes = np.array(sizes_of(demand), float).reshape(-1, 3)
     return float(((sizes[:, 0] + left + right) * (sizes[:, 1] + front + back)).sum())
 
 
+def usual_clearance(demand: Demand) -> tuple[float, float, float, float]:
+    """The free depth at front, left, back and right of each object that is usual for a category;
+    of pews what is left of their pitch, and half an aisle at both ends."""
+    width, depth, _ = usual_size(demand)
+    if is_pew(demand.category, width):
+        return (max(PEW_PITCH - depth, 0.0), 0.5 * AISLE, 0.0, 0.5 * AISLE)
+    return hall_use(demand.category).clearance
+
+
 def check_demands(brief: Brief, number: int, space: Space) -> None:
     """InputError for a demand of room ``number`` that cannot be meant."""
     demands = brief.rooms[number].demands
+    if brief.rooms[number].theme:
+        read_theme(brief.rooms[number].theme or "", place(brief, number, "theme"))
     ids = ids_of(demands)
     total, seen = 0, set[str]()
     for index, demand in enumerate(demands):

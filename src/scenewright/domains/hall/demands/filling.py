@@ -21,6 +21,7 @@ from scenewright.core.scene import Piece
 from scenewright.domains.hall.build_problem import HallContext, wall_lengths, zone_areas
 from scenewright.domains.hall.demands.checked import floor_needed, ids_of, sizes_of
 from scenewright.domains.hall.demands.holdings import fill_defaults
+from scenewright.domains.hall.demands.open_numbers import open_numbers, zones_of
 from scenewright.domains.hall.seats.audience import may_share_zone
 from scenewright.domains.hall.seats.chairs import out_of_table, seats_around
 
@@ -37,32 +38,43 @@ FILL_WALL_SHARE = 0.8
 """Share of the walls of a zone that things may fill; the rest is corners."""
 
 
-def fill_halls(brief: Brief, halls: Sequence[HallContext], catalog: Catalog) -> Brief:
-    """A brief whose demands with ``fill`` say how many there may be at ``most``; the brief itself
-    where there are none."""
-    rooms = [_fill(room, hall, catalog) for room, hall in zip(brief.rooms, halls, strict=True)]
+def fill_halls(
+    brief: Brief, halls: Sequence[HallContext], catalog: Catalog, printed: bool = False
+) -> Brief:
+    """A brief whose demands with ``fill``, and those of usual goods without a number, say how many
+    there may be at ``most``; the brief itself where there are none."""
+    opened = [
+        room if printed else open_numbers(brief, room, hall)
+        for room, hall in zip(brief.rooms, halls, strict=True)
+    ]
+    rooms = [_fill(room, hall, catalog) for room, hall in zip(opened, halls, strict=True)]
     same = all(new is old for new, old in zip(rooms, brief.rooms, strict=True))
     return brief if same else brief.model_copy(update={"rooms": rooms})
 
 
 def _fill(room: Room, hall: HallContext, catalog: Catalog) -> Room:
-    if all(demand.fill is None for demand in room.demands):
+    if all(share_of(demand) is None for demand in room.demands):
         return room
     demands = [
-        demand if demand.fill is None else _grow(demand, room.demands, hall, catalog)
+        demand if share_of(demand) is None else _grow(demand, room.demands, hall, catalog)
         for demand in room.demands
     ]
     return room.model_copy(update={"demands": demands})
+
+
+def share_of(demand: Demand) -> float | None:
+    """The share of its zones that a demand is to fill, if it says so."""
+    return None if demand.fill == "none" else demand.fill
 
 
 def _grow(demand: Demand, every: Sequence[Demand], hall: HallContext, catalog: Catalog) -> Demand:
     """A demand with the number its zones take; those that fill the same zones share alike. Where
     other things take all that, a row of it and half of its share have room beside them, as long as
     the zones are not full."""
-    areas, mine = zone_areas(hall), _zones_of(demand, hall)
+    areas, mine = zone_areas(hall), zones_of(demand, hall)
     used = sum(floor_needed(other) * _overlap(other, mine, areas, hall) for other in every)
-    others = [d for d in every if d.fill is not None and (_zones_of(d, hall) * mine).any()]
-    floor, fill = float((areas * mine).sum()), demand.fill or 0.0
+    others = [d for d in every if share_of(d) is not None and (zones_of(d, hall) * mine).any()]
+    floor, fill = float((areas * mine).sum()), share_of(demand) or 0.0
     least = len(sizes_of(demand))
     each = max(floor_needed(demand) / least, 1e-9)
     fair = max(FAIR * fill * floor / len(others), ROW * each) - least * each
@@ -90,7 +102,7 @@ def _stand_out(demand: Demand, every: Sequence[Demand], catalog: Catalog) -> flo
 def _count_tables(demand: Demand, hall: HallContext, chairs: float, used: float) -> int:
     """How many tables with chairs stand in rows and columns in the zones of a demand, as far apart
     as its passages are wide, where other things use ``used`` square metres of the shorter side."""
-    zones = _zones_of(demand, hall) > 0.0
+    zones = zones_of(demand, hall) > 0.0
     wide = float(np.max([size[:2] for size in sizes_of(demand)])) + 2.0 * chairs + hall.passage
     found, taken = 0, (used - floor_needed(demand)) / max(int(zones.sum()), 1)
     for zone in (one for one, held in zip(hall.plan.zones, zones, strict=True) if held):
@@ -100,15 +112,9 @@ def _count_tables(demand: Demand, hall: HallContext, chairs: float, used: float)
     return found
 
 
-def _zones_of(demand: Demand, hall: HallContext) -> np.ndarray:
-    """Which zones (z,) a demand may go to, 1 or 0."""
-    named = (demand.zone,) if isinstance(demand.zone, str) else tuple(demand.zone or hall.names)
-    return np.array([float(name in named) for name in hall.names])
-
-
 def _overlap(demand: Demand, mine: np.ndarray, areas: np.ndarray, hall: HallContext) -> float:
     """The share of a demand that stands in some zones, by floor."""
-    where = _zones_of(demand, hall) * areas
+    where = zones_of(demand, hall) * areas
     return float((where * mine).sum() / max(float(where.sum()), 1e-9))
 
 
@@ -131,9 +137,9 @@ def _describe_fill(asked: Room, settled: Room, hall: HallContext) -> list[str]:
     areas, found = zone_areas(hall), []
     names = ids_of(asked.demands)
     for name, old, new in zip(names, asked.demands, settled.demands, strict=True):
-        if old.fill is None:
+        if share_of(old) is None:
             continue
-        mine = _zones_of(old, hall)
+        mine = zones_of(old, hall)
         floor = max(float((areas * mine).sum()), 1e-9)
         shares = [floor_needed(d) * _overlap(d, mine, areas, hall) for d in settled.demands]
         rows = zip(names, shares, strict=True)

@@ -11,8 +11,8 @@ from scenewright.core.brief import Brief
 from scenewright.core.brief.zones import Demand
 from scenewright.core.catalog import Catalog
 from scenewright.core.scene import Piece, Size
-from scenewright.domains.hall.classes import TABLE_CHAIRS
-from scenewright.domains.hall.demands.checked import ids_of, sizes_of
+from scenewright.domains.hall.classes import TABLE_CHAIRS, is_pew
+from scenewright.domains.hall.demands.checked import ids_of, sizes_of, usual_clearance
 from scenewright.domains.hall.desks.cash_desks import is_cash_desk, measure_cash_desk
 from scenewright.domains.hall.patterns import PATTERNS
 from scenewright.domains.hall.seats.audience import find_shows, find_tables, may_share_zone
@@ -160,13 +160,15 @@ def fill_defaults(demand: Demand, name: str) -> HallDemand:
     use = hall_use(demand.category)
     zones = (demand.zone,) if isinstance(demand.zone, str) else tuple(demand.zone or ())
     sizes = tuple(Size(*size) for size in sizes_of(demand))
-    patterns = _patterns(demand, use.place, use.patterns, len(sizes))
+    pews = is_pew(demand.category, sizes[0].width)
+    usual = ("chain",) if pews else use.patterns
+    patterns = _patterns(demand, use.place, usual, len(sizes))
     return HallDemand(
         id=name,
         name=demand.name or demand.id or name_of(demand.category),
         category=demand.category,
         sizes=sizes,
-        clearance=_clearance(demand, use.clearance, patterns == ("wall",)),
+        clearance=_clearance(demand, usual_clearance(demand), patterns == ("wall",)),
         patterns=patterns,
         zones=zones,
         facing=demand.facing or "",
@@ -181,7 +183,7 @@ def fill_defaults(demand: Demand, name: str) -> HallDemand:
 
 def _is_unstated(demand: Demand) -> bool:
     stated = (demand.patterns, demand.place, demand.facing, demand.clearance, demand.aisle)
-    return not any(stated) and demand.most is None and demand.fill is None
+    return not any(stated) and demand.most is None and demand.fill in (None, "none")
 
 
 def _clearance(

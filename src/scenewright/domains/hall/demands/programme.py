@@ -1,30 +1,29 @@
 """The default contents of a shop, by its kind, its floor and its walls.
 
-Amounts follow the floor: footprints and the free depth around them together take half of it, the
-rest is left to walk. Free depths of 0.6 m at both sides of an aisle give it 1.2 m, so that two
-people pass (Neufert 2012, Architects' Data, shops; Panero and Zelnik 1979 give 1.3 m for the
-same). Rows of a kind are listed in the order in which they get their share.
+Amounts follow the floor: footprints and the free depth around them together take the usual share
+of the theme (:mod:`.themes`), walls first; the rest is left to walk. Free depths of 0.6 m at both
+sides of an aisle give it 1.2 m, so that two people pass (Neufert 2012, Architects' Data, shops;
+Panero and Zelnik 1979 give 1.3 m for the same). Desks come first, then what stands at walls.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
-from typing import Literal, NamedTuple
+from typing import Any, Literal, NamedTuple
 
+from scenewright.catalog.kinds import SIZES, hall_use
 from scenewright.core.brief.zones import AisleBrief, Demand
+from scenewright.domains.hall.demands.themes import THEME_OF, THEMES, Sides
 
-UTILISATION = 0.52
-"""Share of the floor that footprints and clearances may take together, at most."""
-WALL_SHARE = 0.45
-"""Share of the walls that things may stand at; the rest is doors, windows and corners."""
 LONGEST_RUN, CROSS_AISLE, RUNS = 10.0, 1.5, 8
 """Metres of goods in a row between two aisles across it, at most, how wide these are, and how many
 such runs there are at least: of less goods the search makes shorter rows (measured, 2026)."""
+WALL_BETWEEN = 1.0
+"""Metres of wall between pictures (George 2015, The Curator's Handbook)."""
+WALLS_OF_FILL = 0.6
+"""Share of what may stand on the floor that stands at walls, at most."""
 SMALLEST_SHOP = 30.0
-LARGEST_SHOP = 20_000.0
-"""Square metres of floor beyond which amounts no longer grow: some 6000 objects."""
+LARGEST_SHOP = 15_000.0
+"""Square metres of floor beyond which amounts no longer grow: some 10,000 seats."""
 
-Sides = tuple[float, float, float, float]
 _FRONT: Sides = (0.6, 0.0, 0.0, 0.0)
 _BOTH: Sides = (0.6, 0.0, 0.6, 0.0)
 _SERVED: Sides = (0.9, 0.3, 0.9, 0.3)
@@ -55,9 +54,21 @@ class Fixture(NamedTuple):
         front, left, back, right = self.clear
         return (self.size[0] + left + right) * (self.size[1] + front + back)
 
+    @property
+    def front(self) -> float:
+        """Metres of wall it takes: what asks for room at its sides stands a metre apart."""
+        return self.size[0] + WALL_BETWEEN * any(self.clear[1::2])
+
 
 def _around(depth: float) -> Sides:
     return (depth, depth, depth, depth)
+
+
+def usual_fixture(category: str, each: float = 0.0, share: float = 0.0, **more: Any) -> Fixture:
+    """A row of things as they usually are: their size, free depths and place by their kind."""
+    use, size = hall_use(category), SIZES[category][1]
+    row = Fixture(category, (size[0], size[1], size[2]), use.clearance, each, share, use.place)
+    return row._replace(stated=False, **more)
 
 
 _BELT = Fixture("checkout", (2.0, 0.9, 0.95), _SERVED, each=150, required=True)
@@ -85,7 +96,7 @@ PROGRAMMES: dict[str, tuple[Fixture, ...]] = {
             required=True,
         ),
         Fixture("round_rack", (1.0, 1.0, 1.4), _around(0.6), share=0.4),
-        Fixture("mannequin", (0.5, 0.5, 1.8), _around(0.4), each=35),
+        Fixture("mannequin", (0.5, 0.5, 1.8), _around(0.4), each=50),
         _TABLE,
     ),
     "grocery": (
@@ -122,9 +133,10 @@ PROGRAMMES: dict[str, tuple[Fixture, ...]] = {
         ),
     ),
     "service": (
-        _COUNTER._replace(each=25),
-        Fixture("lounge_seat", (0.8, 0.8, 0.8), (0.6, 0.2, 0.0, 0.2), share=0.6, fills=True),
-        Fixture("display_table", (1.2, 0.6, 0.85), _around(0.6), each=60),
+        _COUNTER._replace(each=60),
+        usual_fixture("lounge_seat", 20),
+        usual_fixture("desk", share=0.6, fills=True),
+        _WALL._replace(share=0.3),
     ),
     "waiting": (
         Fixture(
@@ -167,32 +179,71 @@ PROGRAMMES: dict[str, tuple[Fixture, ...]] = {
             fills=True,
             required=True,
         ),
+        usual_fixture("bookcase", share=0.35),
         Fixture("reading_table", (1.6, 0.9, 0.75), _around(0.75), share=1.0, required=True),
+    ),
+    "museum": (
+        usual_fixture("info_desk", 1000, required=True),
+        usual_fixture("wall_exhibit", share=1.0, required=True),
+        usual_fixture("exhibit_island", 250),
+        usual_fixture("showcase", share=0.6, fills=True),
+        usual_fixture("plinth", share=0.5),
+        usual_fixture("bench", 120),
+    ),
+    "fair": (
+        usual_fixture("info_desk", 1000, required=True),
+        Fixture(
+            "exhibit_island",
+            (3.0, 3.0, 2.5),
+            (2.4, 0.0, 0.0, 0.0),
+            share=1.0,
+            fills=True,
+            required=True,
+            name="Stand",
+        ),
+    ),
+    "showroom": (
+        usual_fixture("info_desk", 1000, required=True),
+        usual_fixture("desk", 200),
+        usual_fixture("sofa", 400),
+        Fixture(
+            "exhibit_island",
+            (4.4, 1.8, 1.5),
+            _around(1.2),
+            share=1.0,
+            fills=True,
+            required=True,
+            name="Car",
+        ),
+    ),
+    "gate": (
+        usual_fixture("counter", 250, required=True),
+        usual_fixture("ticket_gate", 200, required=True),
+        usual_fixture("vending_machine", 250),
+        usual_fixture("auditorium_seat", share=1.0, fills=True, required=True),
+    ),
+    "worship": (
+        Fixture("stage", (4.0, 2.5, 0.4), (1.2, 0.0, 0.0, 0.0), 3000, required=True, name="Altar"),
+        usual_fixture("lectern", 3000, required=True),
+        usual_fixture("pew", share=1.0, fills=True, required=True),
+    ),
+    "office": (
+        usual_fixture("storage_shelf", share=0.6),
+        usual_fixture("copier", 250),
+        usual_fixture("desk", share=1.0, fills=True, required=True),
+    ),
+    "canteen": (
+        _COUNTER._replace(each=200),
+        usual_fixture("vending_machine", 300),
+        usual_fixture("dining_table", share=1.0, fills=True, required=True),
     ),
 }
 """The contents of each kind of unit. A row may name one category twice, at walls and in rows."""
 
-_KINDS = {
-    "clothes": "clothes shoes boutique fashion fashion_accessories bag leather outdoor sports "
-    "sport tailor underwear lingerie baby_goods second_hand charity department_store",
-    "grocery": "supermarket convenience grocery greengrocer deli frozen_food organic "
-    "health_food general wholesale kiosk drugstore",
-    "books": "books newsagent stationery comics music",
-    "showcases": "jewelry jewellery watches optician mobile_phone perfumery cosmetics beauty "
-    "chemist pharmacy sante hearing_aids electronics computer camera tobacco e-cigarette "
-    "chocolate confectionery",
-    "food": "restaurant fast_food cafe bar pub food_court ice_cream biergarten bakery coffee "
-    "pastry tea juice_bar canteen",
-    "service": "travel_agency car_rental bank bureau_de_change post_office ticket tickets "
-    "post_pickup money_transfer money_lender hairdresser laundry dry_cleaning copyshop "
-    "estate_agent insurance employment_agency locksmith",
-    "waiting": "waiting waiting_room lounge",
-    "lockers": "left_luggage luggage_locker lockers",
-    "library": "library",
-}
-KIND_OF = {value: kind for kind, values in _KINDS.items() for value in values.split()}
 _EMPTY = frozenset({"vacant", "no", "disused", "empty", "mall"})
 _TAGS = ("shop", "amenity", "room")
+_UNMAPPED = frozenset({"museum", "fair", "gate", "worship", "office"})
+"""Themes that rooms of maps do not get by their tags."""
 _PLAIN = frozenset({"shop", "retail", "store"})
 
 
@@ -209,7 +260,8 @@ def shop_kind(tags: Mapping[str, str]) -> str:
     listed = {tag: [v.strip().lower() for v in tags.get(tag, "").split(";")] for tag in _TAGS}
     if "disused" in listed["room"] or set(listed["shop"]) & _EMPTY:
         return ""
-    known = [KIND_OF[v] for tag in _TAGS for v in listed[tag] if v in KIND_OF]
+    every = (THEME_OF.get(v, "") for tag in _TAGS for v in listed[tag])
+    known = [theme for theme in every if theme and theme not in _UNMAPPED]
     sells = bool(listed["shop"][0]) or any(v in _PLAIN for v in listed["room"])
     return known[0] if known else "generic" if sells else ""
 
@@ -217,47 +269,53 @@ def shop_kind(tags: Mapping[str, str]) -> str:
 def shop_programme(kind: str, area: float, perimeter: float) -> list[Demand]:
     """What a unit of ``kind`` with ``area`` m² of floor and ``perimeter`` m of walls is to hold.
 
-    Footprints and clearances together take 45 to 52 per cent of the floor, down to 40 below
-    60 m², where single things count. Nothing for unknown kinds and under 30 m².
+    Footprints and clearances together take the usual share of the floor (:data:`THEMES`), a
+    little less below 60 m², where single things count. Nothing for unknown kinds and under 30 m².
 
     >>> [(d.category, d.count) for d in shop_programme("grocery", 100.0, 40.0)]
-    [('checkout', 1), ('fridge_shelf', 3), ('wall_shelving', 7), ('gondola', 11)]
+    [('checkout', 1), ('fridge_shelf', 9), ('wall_shelving', 16), ('gondola', 5)]
     """
-    rows = PROGRAMMES.get(kind, ())
-    if area < SMALLEST_SHOP or not rows:
+    if area < SMALLEST_SHOP or kind not in PROGRAMMES:
         return []
-    area = min(area, LARGEST_SHOP)
-    counts = _counts(rows, UTILISATION * area, area, WALL_SHARE * perimeter)
+    rows, theme, area = PROGRAMMES[kind], THEMES[kind], min(area, LARGEST_SHOP)
+    counts = count_fixtures(rows, theme.fill * area, area, theme.walls * perimeter)
     return [
-        _demand(row, count, f"{row.category}-{i}" if row.name else row.category)
+        demand_of(row, count, f"{row.category}-{i}" if row.name else row.category)
         for i, (row, count) in enumerate(zip(rows, counts, strict=True))
         if count
     ]
 
 
-def _counts(rows: tuple[Fixture, ...], left: float, area: float, wall: float) -> list[int]:
-    """How many of each row, in order; never more than the area ``left`` and the ``wall`` hold."""
-    counts = []
-    for row in rows:
-        # Small numbers only for small floors: half a till is one till.
-        wished = (
-            max(round(area / row.each), row.required) if row.each else row.share * left / row.used
-        )
-        most = left / row.used
+def count_fixtures(
+    rows: tuple[Fixture, ...], left: float, area: float, wall: float
+) -> tuple[int, ...]:
+    """How many of each row a hall of ``area`` m² gets: those for each so much floor, then what
+    takes a share of the ``wall``, then of the floor that is ``left``; never more than both hold."""
+    at_wall = sum(row.share for row in rows if row.place == "wall")
+    order = sorted(range(len(rows)), key=lambda k: (not rows[k].each, rows[k].place != "wall"))
+    counts, walled, lined = [0] * len(rows), 0.0, 0.0
+    for k in order:
+        row, most = rows[k], left / rows[k].used
+        wished = max(round(area / row.each), row.required) if row.each else row.share * most
+        if row.place == "wall" and not row.each:
+            walled, lined = walled or WALLS_OF_FILL * left, lined or wall
+            part = row.share / at_wall
+            wished = min(part * lined / row.front, part * walled / row.used)
         if row.place == "wall":
-            most = min(most, wall / row.size[0])
-        counts.append(int(min(wished, most)))
-        left -= counts[-1] * row.used
-        wall -= counts[-1] * row.size[0] * (row.place == "wall")
-    for i, row in enumerate(rows):
+            most = min(most, wall / row.front)
+        counts[k] = int(min(wished, most) + 1e-9)
+        left -= counts[k] * row.used
+        wall -= counts[k] * row.front * (row.place == "wall")
+    for k, row in enumerate(rows):
         if row.fills:
             more = int(left / row.used)
-            counts[i] += more
+            counts[k] += more
             left -= more * row.used
-    return counts
+    return tuple(counts)
 
 
-def _demand(row: Fixture, count: int, demand_id: str) -> Demand:
+def demand_of(row: Fixture, count: int, demand_id: str) -> Demand:
+    """A row of a programme as the demand of so many."""
     broken = AisleBrief(every=max(int(LONGEST_RUN / row.size[0]), 1), width=CROSS_AISLE)
     return Demand(
         id=demand_id,

@@ -10,7 +10,7 @@ from scenewright.core.catalog import Catalog, footprint_of
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.solution import LeftOut
 from scenewright.domains.hall.build_problem import HallContext
-from scenewright.domains.hall.classes import AUDIENCE_SEATS
+from scenewright.domains.hall.classes import is_audience_seat
 from scenewright.domains.hall.demands.holdings import HallDemand
 from scenewright.domains.hall.hall_layout import Layer, PatternPart, PlacedGroup
 
@@ -35,7 +35,7 @@ def split_carried(
     the same zone, or one that stands already. A piano without a stage stands at a wall; it is laid
     out as any other object where all are ``together``, and so is a desk, or one without seats for
     an audience."""
-    audience = any(wish.category in AUDIENCE_SEATS for wish in wishes)
+    audience = any(is_audience_seat(wish.category, wish.sizes[0].width) for wish in wishes)
     stages = [(wish.zones, wish.sizes[0]) for wish in wishes if wish.category == STAGE]
     there = [piece.size for piece in fixed if piece.category == STAGE]
     carried = [

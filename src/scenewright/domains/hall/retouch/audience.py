@@ -10,6 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from scenewright.core.layout import corners
+from scenewright.domains.hall.classes import PEW_PITCH
 from scenewright.domains.hall.measures import AISLE
 from scenewright.domains.hall.patterns import ACROSS, ALONG, CHAIN, CODE, FAN, GRID, NUMBER
 from scenewright.domains.hall.patterns.chain import BLOCK
@@ -30,7 +31,8 @@ PASSED, PER_LONG_ROW = 0.5, 0.25
 without has more than between two aisles; metres."""
 THIN, STRETCHED, SEAT, LOOSENED = 0.6, 1.3, 1.0, 8.0
 """Gaps between neighbours and between rows, in metres, above which a metre more costs ``LOOSENED``,
-for seats up to ``SEAT`` wide: an audience sits together."""
+for seats up to ``SEAT`` wide: an audience sits together; wider ones are pews, with aisles between
+blocks and one pitch."""
 PER_TOO_DEEP = 0.5
 """Cost of each metre by which an audience is deeper than wide."""
 FAR, GAPS = (1.3, 2.0, 3.0), (1.1, 0.92, 0.57)
@@ -89,13 +91,15 @@ def _measure_loose(problem: HallProblem, kept: Kept, seats: int) -> float:
     """What straight rows of a unit count that lie too far apart, or neighbours in them, or that are
     deeper than wide; metres."""
     wide, deep = problem.units.sizes[problem.units.spans[seats, 0]]
-    if wide > SEAT or int(kept.rows[seats, 0]) not in (CHAIN, GRID):
+    if int(kept.rows[seats, 0]) not in (CHAIN, GRID):
         return 0.0
     row, used = find_layers(problem, seats)[0], int(kept.rows[seats, 1])
     layers = kept.layers[row : row + used]
-    number, along = layers[:, NUMBER], layers[:, ALONG]
-    thin = along[number > 1].max(initial=0.0) - THIN
-    stretched = layers[1:, ACROSS].max(initial=0.0) - STRETCHED
+    number, along, pews = layers[:, NUMBER], layers[:, ALONG], wide > SEAT
+    aisles = float(np.abs(along[number > 1] - AISLE).max(initial=0.0))
+    thin = aisles if pews else along[number > 1].max(initial=0.0) - THIN
+    close = PEW_PITCH - deep + 2.0 * CLOSE_SEATS if pews else STRETCHED
+    stretched = layers[1:, ACROSS].max(initial=0.0) - close
     across = used * deep + layers[1:, ACROSS].sum()
     too_deep = across - (number * (wide + along) - along).max()
     loose = LOOSENED * (max(thin, 0.0) + max(stretched, 0.0))
@@ -182,9 +186,9 @@ def _forms(problem: HallProblem, kept: Kept, seats: int) -> Iterator[Kept]:
     apart = float(problem.units.clear[first, ::2].sum()) + AT_WALL
     least = problem.route if problem.units.access[first].any() else 0.0
     gaps = sorted({round(gap, 1): gap for gap in (*GAPS, apart, across) if gap >= least}.values())
-    besides = sorted(
-        {along, min(along, CLOSE_SEATS), *(gap for gap in LOOSE if gap < along - CLOSE_SEATS)}
-    )
+    pews = problem.units.sizes[first, 0] > SEAT
+    loose = (gap for gap in LOOSE if gap < along - CLOSE_SEATS)
+    besides = [AISLE] if pews else sorted({along, min(along, CLOSE_SEATS), *loose})
     uses = sorted({*_rows(number, room), *_long_rows(problem, seats, number, room)})
     for used, gap, beside in product(uses, gaps, besides):
         layers, rows = kept.layers.copy(), kept.rows.copy()

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from scenewright.catalog.kinds.usual import DESKS, TABLES, is_high
 from scenewright.core.brief.zones import Demand
-from scenewright.domains.hall.classes import AUDIENCE_SEATS, SHOWS, TABLE_CHAIRS
+from scenewright.domains.hall.classes import SHOWS, TABLE_CHAIRS, is_audience_seat
 from scenewright.domains.hall.demands.checked import usual_size
 
 MEALS = (*TABLES, "reading_table")
@@ -59,7 +59,7 @@ def _may_sit_at(table: Demand) -> bool:
 
 def _is_audience(one: Demand, demands: Sequence[Demand]) -> bool:
     tables = (d for d in demands if d.category in AT_TABLES and may_share_zone(one, d))
-    return one.category in AUDIENCE_SEATS or (
+    return is_audience_seat(one.category, usual_size(one)[0]) or (
         one.category in TABLE_CHAIRS and next(tables, None) is None
     )
 

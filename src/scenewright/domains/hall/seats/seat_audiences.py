@@ -14,7 +14,7 @@ import numpy as np
 from scenewright.arranging.verdict import better
 from scenewright.core.solution import LeftOut
 from scenewright.domains.hall.build_problem import HallContext, build_problem
-from scenewright.domains.hall.classes import AUDIENCE_SEATS, TABLE_CHAIRS
+from scenewright.domains.hall.classes import TABLE_CHAIRS, is_audience_seat
 from scenewright.domains.hall.demands.holdings import HallDemand
 from scenewright.domains.hall.energy import capacity
 from scenewright.domains.hall.fit import Fitted
@@ -71,7 +71,8 @@ def _find_astray(search: HallSearch, fitted: Fitted, layout: MeasuredLayout) -> 
     for demand in {unit.demand for unit in fitted.units}:
         mine, wish = _units_of(fitted, demand), search.wishes[demand]
         target = int(units.targets[mine[0]])
-        seats = wish.category in (*AUDIENCE_SEATS, *TABLE_CHAIRS) or wish.turned
+        watching = is_audience_seat(wish.category, wish.sizes[0].width)
+        seats = watching or wish.category in TABLE_CHAIRS or wish.turned
         if not seats or target < 0 or "chain" not in wish.patterns:
             continue
         alone = sorted(np.flatnonzero(units.targets == target)) == mine

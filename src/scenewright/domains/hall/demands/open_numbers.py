@@ -1,0 +1,110 @@
+"""What a brief leaves open is filled to the usual share of its theme, walls first.
+
+A demand of a theme's goods without a number gets one; where the brief states the theme, so does
+what its programme holds and the brief does not name. ``"fill": "none"`` refuses both.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from scenewright.core.brief import Brief, Room
+from scenewright.core.brief.zones import Demand
+from scenewright.domains.hall.build_problem import HallContext, wall_lengths, zone_areas
+from scenewright.domains.hall.demands.checked import floor_needed, sizes_of
+from scenewright.domains.hall.demands.holdings import fill_defaults
+from scenewright.domains.hall.demands.programme import (
+    PROGRAMMES,
+    WALL_BETWEEN,
+    WALLS_OF_FILL,
+    shop_programme,
+)
+from scenewright.domains.hall.demands.themes import THEMES, guess_theme, read_theme
+from scenewright.domains.hall.problem import Floats
+
+
+def is_open(demand: Demand) -> bool:
+    """Whether a demand says neither how many nor how full.
+
+    >>> is_open(Demand(category="gondola")), is_open(Demand(category="gondola", length=9.0))
+    (True, False)
+    """
+    stated = (demand.count, demand.length, demand.most, demand.fill)
+    return not demand.sizes and all(number is None for number in stated)
+
+
+def theme_of(brief: Brief, room: Room) -> str:
+    """The theme of a hall: the one it states, else that of its names or goods, else empty."""
+    if room.theme:
+        return read_theme(room.theme, "")
+    names = (room.name, brief.name) if len(brief.rooms) == 1 else (room.name,)
+    return guess_theme(names, (demand.category for demand in room.demands))
+
+
+def open_numbers(brief: Brief, room: Room, hall: HallContext) -> Room:
+    """A hall whose open demands say how many there may be at ``most``, at walls, or ``fill``."""
+    theme = theme_of(brief, room)
+    if not theme or room.fill == "none":
+        return room
+    demands = [*room.demands, *(_missing(room, hall, theme) if room.theme else ())]
+    goods = THEMES[theme].goods
+    opened = [k for k, d in enumerate(demands) if is_open(d) and d.category in goods]
+    if not opened and len(demands) == len(room.demands):
+        return room
+    at_wall = [k for k in opened if fill_defaults(demands[k], "").at_wall]
+    for k in at_wall:
+        demands[k] = _line_walls(demands[k], demands, at_wall, hall, theme)
+    share = THEMES[theme].fill if room.fill is None else room.fill
+    by_floor = {row.category: row.each for row in PROGRAMMES[theme] if row.each}
+    for k in (k for k in opened if k not in at_wall):
+        each = by_floor.get(demands[k].category)
+        number = {"fill": share} if each is None else {"count": _by_floor(demands[k], hall, each)}
+        demands[k] = demands[k].model_copy(update=number)
+    return room.model_copy(update={"demands": demands})
+
+
+def _missing(room: Room, hall: HallContext, theme: str) -> list[Demand]:
+    """What the programme of a theme holds and a hall does not name, each merely welcome; what
+    fills has its number left open."""
+    area, around = float(zone_areas(hall).sum()), float(wall_lengths(hall).sum())
+    named = {demand.category for demand in room.demands}
+    filling = {row.category for row in PROGRAMMES[theme] if row.share}
+    return [
+        d.model_copy(update={"required": False, "count": None if open_ else d.count})
+        for d in shop_programme(theme, area, around)
+        if d.category not in named
+        for open_ in [d.category in filling and d.category in THEMES[theme].goods]
+    ]
+
+
+def _line_walls(
+    demand: Demand, every: list[Demand], alike: list[int], hall: HallContext, theme: str
+) -> Demand:
+    """A demand at walls with its part of the usual share of those of its zones that others leave,
+    and of the floor."""
+    mine, row = zones_of(demand, hall), THEMES[theme]
+    others = [d for k, d in enumerate(every) if k not in alike and fill_defaults(d, "").at_wall]
+    sharing = [every[k] for k in alike if (zones_of(every[k], hall) * mine).any()]
+    taken = sum(len(sizes_of(d)) * _front(d) for d in others)
+    wall = row.walls * float((wall_lengths(hall) * mine).sum()) - taken
+    floor = WALLS_OF_FILL * row.fill * float((zone_areas(hall) * mine).sum())
+    each = floor_needed(demand) / len(sizes_of(demand))
+    most = int(min(wall / _front(demand), floor / each) / len(sharing))
+    return demand.model_copy(update={"count": 1, "most": max(most, 1)})
+
+
+def _by_floor(demand: Demand, hall: HallContext, each: float) -> int:
+    """How many of a demand there are with one for so many square metres of its zones."""
+    return max(round(float((zone_areas(hall) * zones_of(demand, hall)).sum()) / each), 1)
+
+
+def _front(demand: Demand) -> float:
+    """Metres of wall that one object of a demand takes."""
+    filled = fill_defaults(demand, "")
+    return filled.sizes[0].width + WALL_BETWEEN * any(filled.clearance[1::2])
+
+
+def zones_of(demand: Demand, hall: HallContext) -> Floats:
+    """Which zones (z,) a demand may go to, 1 or 0."""
+    named = (demand.zone,) if isinstance(demand.zone, str) else tuple(demand.zone or hall.names)
+    return np.array([float(name in named) for name in hall.names])
