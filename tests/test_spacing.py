@@ -50,7 +50,9 @@ def gap_of(metres, kind="fridge"):
     [
         (0.0, "fridge", True),
         (0.2, "sink_cabinet", True),
-        (0.31, "fridge", False),
+        (0.31, "sink_cabinet", False),
+        (0.45, "fridge", True),
+        (0.51, "fridge", False),
         (0.13, "wardrobe", True),
         (0.51, "wardrobe", False),
         (0.2, "nightstand", False),

@@ -90,10 +90,10 @@ class Row(NamedTuple):
     """One rule. ``cost`` is a number, or the name of one in the settings of a preset, that many
     ``times``; in rooms of less than ``area`` square metres ``tight`` times that. ``only`` in rooms
     of just these functions. ``fixed``: fixed pieces are held to it too. ``late``: it is
-    weighed once a home is furnished, not while a room is composed. A row that is ``joined`` has one
-    degree with the row before it, the larger of both. ``moves``: its group is placed anew for it.
-    ``says`` is what is wrong where it does not
-    hold, with ``{of}``, ``{to}`` and ``{metres}``."""
+    weighed once a home is furnished, not while a room is composed, ``early``: then as well. A row
+    that is ``joined`` has one degree with the row before it, the larger of both. ``moves``: its
+    group is placed anew for it. ``says`` is what is wrong where it does not hold, with
+    ``{of}``, ``{to}`` and ``{metres}``."""
 
     id: str
     of: Class
@@ -110,6 +110,7 @@ class Row(NamedTuple):
     only: tuple[str, ...] = ()
     fixed: bool = False
     late: bool = False
+    early: bool = False
     joined: bool = False
     moves: bool = True
     example: Example | None = None

@@ -74,6 +74,7 @@ def ground_of(
         strips=_rows([_strip(g) for g in seen if _wants_all(g)], 6),
         hearths=_rows([_hearth(p) for p in fixed if p.category == HEARTH], 4),
         leaves=_rows([[*open_leaf(g), k] for k, g in enumerate(doors) if has_leaf(g)], 6),
+        entrances=_rows([throat(g) for g in doors if has_leaf(g) and _is_entrance(g)], 5),
     )
 
 
@@ -105,6 +106,11 @@ def _window(gate: DoorApproach) -> list[float]:
         under = gate._replace(face=gate.face + near * gate.inward)
         return [*before(under, gate.opening.width, far - near), gate.opening.sill + 0.04]
     return [*before(gate, gate.opening.width, WINDOW_DEPTH), gate.opening.sill + 0.04]
+
+
+def _is_entrance(gate: DoorApproach) -> bool:
+    """Whether a door leads in from outside."""
+    return len(gate.opening.spaces) < 2 and gate.opening.use != "exit"
 
 
 def _wants_all(gate: DoorApproach) -> bool:

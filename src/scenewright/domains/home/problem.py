@@ -37,7 +37,8 @@ class Ground(NamedTuple):
     ``strips`` (k, 6): the floor before windows (1 in the last column) and before doors and passages
     without a leaf that are wider than need stay free (0). ``hearths`` (h, 4): middle of the front
     and heading (cos, sin) of each fireplace that stands. ``leaves`` (f, 6): each leaf that opens
-    into the space, at a right angle, and the number of its door.
+    into the space, at a right angle, and the number of its door. ``entrances`` (n, 5): those of
+    ``doors`` with a leaf by which one comes in from outside.
     """
 
     edges: Floats
@@ -56,6 +57,7 @@ class Ground(NamedTuple):
     strips: Floats = np.zeros((0, 6))
     hearths: Floats = np.zeros((0, 4))
     leaves: Floats = np.zeros((0, 6))
+    entrances: Floats = np.zeros((0, 5))
 
 
 class KnownGround:

@@ -91,11 +91,10 @@ class CompositionCosts(NamedTuple):
     bed away from walls, a bed in the entrance (``at_door``), a desk away from daylight (``dark``),
     too few shelves, too few seats, a screen too small for its distance, a sofa that does not look
     at it (``view``), is off its ``axis``, at a bad ``distance`` or with something ``between``,
-    a sofa with something near before it (``outlook``), a screen on the wall (``hung``), a stand
-    ``beside_run`` of a kitchen, a table with one chair
-    (``lone``), for fewer than its room has (``few_places``), away from daylight (``dim_table``) or
-    ``beside_clothes`` in a kitchen one may eat in, one whose chairs all face the wall
-    (``abreast_wall``), or with ``stools``, outdoor chairs side by side (``abreast``), a table
+    a sofa with something near before it (``outlook``), a screen on the wall (``hung``), a table
+    with one chair (``lone``), for fewer than its room has (``few_places``), away from daylight
+    (``dim_table``) or ``beside_clothes`` in a kitchen one may eat in, one whose chairs all face the
+    wall (``abreast_wall``), or with ``stools``, outdoor chairs side by side (``abreast``), a table
     ``crowded`` by seats, something in the way beside a bed for two (``bed_way``), a single bed
     whose head is off the wall (``head_off``) or that is narrower than 0.9 m (``narrow_bed``),
     something before the ``doors`` of a wardrobe, before a window or a wide door, a group small for
@@ -133,7 +132,6 @@ class CompositionCosts(NamedTuple):
     between: float = 16.0
     outlook: float = 12.0
     hung: float = 8.0
-    beside_run: float = 6.0
     lone: float = 16.0
     few_places: float = 20.0
     dim_table: float = 6.0

@@ -29,9 +29,8 @@ WATCHED_FROM, WATCHED_TO, OFF_COUNTED = 1.5, 4.0, 2.0
 """Nearer to a screen, and farther from it, nobody sits with comfort, metres; by how many metres at
 most that counts."""
 
-CRAMPED, KNEES = 1.3, 20.0
-"""Metres from the middle of a sofa to a screen at which there is hardly room for the knees, and how
-many times as much each less counts."""
+KNEES = 10.0
+"""How many times as much each metre less than that counts as one more."""
 
 SIGHT, FILLED = 0.8, 0.6
 """Width of the sight from a sofa to a screen, metres, and the square metres that fill it."""
@@ -80,9 +79,8 @@ def cost_of_view(
     (x, y, _, turn), away = sofas[0].pose, _measure_distance(sofas[0].pose, screen.pose)
     aside = abs((screen.pose.x - x) * sin(turn) - (screen.pose.y - y) * cos(turn))
     beside = min(max(aside - ON_AXIS, 0.0) / (OFF_AXIS - ON_AXIS), 1.0)
-    reach = min(max(WATCHED_FROM - away, away - WATCHED_TO, 0.0), OFF_COUNTED) + KNEES * max(
-        CRAMPED - away, 0.0
-    )
+    far, near = min(max(away - WATCHED_TO, 0.0), OFF_COUNTED), max(WATCHED_FROM - away, 0.0)
+    reach = far + KNEES * near
     between = min(_measure_hidden(sofas[0], screen, groups, edges, BETTER_SIGHT) / FILLED, 1.0)
     return turned + costs.axis * beside + costs.distance * reach + costs.between * between
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from scenewright.arranging.rows import BACK, FRONT, LEFT, Class, Row, against, apart, clear
-from scenewright.catalog.classes import BEDS, RUN, SOFAS
+from scenewright.arranging.rows import BACK, FRONT, LEFT, Class, Row, against, clear
+from scenewright.catalog.classes import BEDS, SOFAS
 from scenewright.domains.home.measures import AT_WALL
 from scenewright.domains.home.rules.classes import stand
 from scenewright.domains.home.rules.sources import FLATS
@@ -11,7 +11,6 @@ from scenewright.domains.home.rules.sources import FLATS
 DEAD = 0.6  # gap behind a head that counts in full, metres
 
 _NEAR = "{of} is within {metres} m of {to}"
-_UNIT = stand("a unit of the kitchen", *RUN)
 
 BEDROOM = (
     Row(
@@ -23,16 +22,8 @@ BEDROOM = (
         AT_WALL, "head_off", "the head of {of} is off {to}", FLATS,
     ),
     Row(
-        "rest_at_run", stand("a bed or a seat", *BEDS, *SOFAS, "armchair"), apart(), _UNIT, 0.3,
-        10.0, _NEAR, FLATS, late=True,
-    ),
-    Row(
         "sofa_at_foot", stand("a bed", *BEDS), clear(FRONT, each=True), stand("a sofa", *SOFAS),
         0.4, 4.0, _NEAR, FLATS, late=True,
-    ),
-    Row(
-        "sofa_at_bed", stand("a bed", *BEDS), apart(), stand("a sofa", *SOFAS), 0.3, 5.0, _NEAR,
-        FLATS, late=True,
     ),
 )  # fmt: skip
 """The rows."""

@@ -2,7 +2,17 @@
 
 from __future__ import annotations
 
-from scenewright.arranging.rows import DOORS, OPENINGS, PANES, TURNS, WALLS, WAYS, WINDOWS, Class
+from scenewright.arranging.rows import (
+    DOORS,
+    ENTRANCES,
+    OPENINGS,
+    PANES,
+    TURNS,
+    WALLS,
+    WAYS,
+    WINDOWS,
+    Class,
+)
 from scenewright.domains.home.measures import ON_FLOOR
 
 MOVED = frozenset(("rug", "office_chair", "dining_chair", "stool"))
@@ -22,6 +32,7 @@ ANYTHING = Class("something", but=MOVED, below=ON_FLOOR, hung=frozenset(("wall_s
 BY_WALLS = Class("the wall", parts=WALLS)
 BY_DOORS = Class("the wall or an open door", parts=WALLS | DOORS)
 AT_DOORS = Class("an open door", parts=DOORS)
+AT_ENTRANCES = Class("the front door", parts=ENTRANCES)
 ON_WAYS = Class("the way between doors", parts=WAYS)
 AT_WINDOWS = Class("a window", parts=WINDOWS)
 AT_OPENINGS = Class("a wide door", parts=OPENINGS)

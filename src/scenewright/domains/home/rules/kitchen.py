@@ -16,9 +16,9 @@ from scenewright.arranging.rows import (
     keep_off,
     near,
 )
-from scenewright.catalog.classes import BEDS, DESKS, EATING_TABLES, RUN
+from scenewright.catalog.classes import EATING_TABLES, RUN
 from scenewright.domains.home.groups.classes import TABLES
-from scenewright.domains.home.measures import ALIKE, ON_FLOOR, RAISED
+from scenewright.domains.home.measures import ALIKE, RAISED
 from scenewright.domains.home.rules.classes import (
     ANYTHING,
     BY_DOORS,
@@ -29,8 +29,8 @@ from scenewright.domains.home.rules.classes import (
     stand,
 )
 from scenewright.domains.home.rules.every import BRIGHT, DAYLIT
-from scenewright.domains.home.rules.living import APART
 from scenewright.domains.home.rules.sources import DAYLIGHT, FLATS, NKBA, NKBA_17, PANERO
+from scenewright.domains.home.rules.zones import APART
 from scenewright.domains.home.settings import MERE_KITCHEN
 
 AT_FRIDGE = 0.5  # what a machine beside the fridge costs of one away from all units
@@ -51,15 +51,7 @@ _BESIDE = beside(IN_LINE, ALIKE)
 _NEAR = "{of} is within {metres} m of {to}"
 _OPENS = "{of} has less than {metres} m before it, for {to}"
 _DRAWN = "{of} cannot be drawn back {metres} m for {to}"
-_STRANGER = Class(
-    "what is not of a kitchen",
-    frozenset((*DESKS, "nightstand", "wardrobe", "shoe_cabinet", "tv_stand")),
-    below=ON_FLOOR,
-    hung=frozenset(("wall_shelf",)),
-)
 _WASHER = Class("a washing machine", groups=frozenset(("washer",)), floor=True)
-_TABLE = stand("a table", *EATING_TABLES)
-_BY_TABLE = ("dining_table", "round_table", "dining_chair", "stool")
 
 KITCHEN = (
     Row(
@@ -105,22 +97,6 @@ KITCHEN = (
         "fridge_front", stand("a fridge", "fridge"), clear(FRONT, each=True),
         stand("a cupboard or low table", *CUPBOARDS, "side_table", "coffee_table"), 0.4, 6.0,
         _OPENS, NKBA, late=True,
-    ),
-    Row(
-        "stranger_at_run", _STRANGER, apart(), stand("a unit", *RUN), 0.3, 6.0, _NEAR, FLATS,
-        late=True,
-    ),
-    Row(
-        "table_at_bed", _TABLE, apart(), stand("a bed", *BEDS), 0.3, 5.0, _NEAR, FLATS,
-        late=True,
-    ),
-    Row(
-        "table_at_run", _TABLE, apart(), stand("a unit", *RUN), 0.3, 4.0, _NEAR, FLATS,
-        late=True,
-    ),
-    Row(
-        "coats_at_table", stand("a coat rack", "coat_rack"), apart(),
-        stand("where one eats", *_BY_TABLE), 0.3, 5.0, _NEAR, FLATS, late=True,
     ),
     Row(
         "chair_drawn", stand("a chair", *CHAIRS), clear(BACK, each=True), ANYTHING, 0.5, 5.0,

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from scenewright.arranging.rows import (
     ANY,
-    FLAT,
     FRONT,
     WALLS,
     Class,
@@ -16,8 +15,8 @@ from scenewright.arranging.rows import (
     no_back,
 )
 from scenewright.catalog.classes import SOFAS, SOFT_SEATS
-from scenewright.domains.home.groups.classes import RUNS, TABLES
-from scenewright.domains.home.measures import ON_FLOOR, RAISED
+from scenewright.domains.home.groups.classes import TABLES
+from scenewright.domains.home.measures import ON_FLOOR
 from scenewright.domains.home.rules.classes import ANYTHING, AT_WINDOWS, BY_WALLS, stand
 from scenewright.domains.home.rules.sources import DGUV, FLATS, PANERO
 
@@ -29,7 +28,6 @@ SEAT = 0.95  # how deep the seats of a sofa are, the long one of a corner sofa a
 SEEN, FELT = 0.12, 0.05  # shares of that and of the floor for feet that are not noticed
 BESIDE_TABLE = 0.2  # a seat nearer than this to where one sits at a table crowds it, metres
 BEHIND = 4.0  # what it costs that an armchair looks at a back right before it
-APART = 0.3  # a screen nearer to a run, or a table nearer to a wardrobe, is beside it, metres
 UNSEEN = 0.02  # floor too little to be seen, square metres
 
 _SOFA, _ARMCHAIR = stand("a sofa", *SOFAS), stand("an armchair", "armchair")
@@ -55,11 +53,6 @@ LIVING = (
         "crowded", Class("a table to eat at", groups=TABLES, floor=True),
         keep_off(UNSEEN, each=True), Class("a sofa or armchair", SOFT_SEATS), BESIDE_TABLE,
         "crowded", "{of} has {to} within {metres} m", FLATS,
-    ),
-    Row(
-        "beside_run", Class("a screen", groups=frozenset(("media",)), floor=True),
-        keep_off(0.0, FLAT), Class("a unit of the kitchen", groups=RUNS, below=RAISED), APART,
-        "beside_run", "{of} is within {metres} m of {to}", FLATS,
     ),
     Row(
         "armchair_front", _ARMCHAIR, clear(FRONT, each=True), ANYTHING, 0.4, 5.0, _LOOKS, PANERO,

@@ -12,7 +12,17 @@ from numpy.typing import NDArray
 
 from scenewright.arranging.degrees import HEADING, KIND, NUMBER, THINGS, RoomParts
 from scenewright.arranging.row_arrays import Table, compile_rows
-from scenewright.arranging.rows import DOORS, OPENINGS, PANES, TURNS, WINDOWS, Row, is_lone, say
+from scenewright.arranging.rows import (
+    DOORS,
+    ENTRANCES,
+    OPENINGS,
+    PANES,
+    TURNS,
+    WINDOWS,
+    Row,
+    is_lone,
+    say,
+)
 from scenewright.arranging.weighing import Broken, weigh
 from scenewright.core.same import once
 from scenewright.core.scene import Piece
@@ -23,11 +33,12 @@ from scenewright.domains.home.rules.bedroom import BEDROOM
 from scenewright.domains.home.rules.every import EVERY
 from scenewright.domains.home.rules.kitchen import KITCHEN
 from scenewright.domains.home.rules.living import LIVING
+from scenewright.domains.home.rules.zones import ZONED
 from scenewright.domains.home.settings import CompositionCosts
 
 Floats = NDArray[np.float64]
 
-ROWS: tuple[Row, ...] = (*EVERY, *BEDROOM, *LIVING, *KITCHEN)
+ROWS: tuple[Row, ...] = (*EVERY, *ZONED, *BEDROOM, *LIVING, *KITCHEN)
 """All rows of homes."""
 LATE = tuple(row for row in ROWS if row.late)
 """Those weighed once a home is furnished."""
@@ -69,7 +80,7 @@ def list_together(functions: tuple[str, ...]) -> tuple[Row, ...]:
     return tuple(
         row
         for row in ROWS
-        if not row.late and (row.only == functions if row.only else not is_lone(row))
+        if (row.early or not row.late) and (row.only == functions if row.only else not is_lone(row))
     )
 
 
@@ -155,7 +166,7 @@ def _read_piece(piece: Piece, kind: int, function: int) -> list[float]:
 def read_room(ground: Ground) -> RoomParts:
     """The parts of a room."""
     panes = ground.windows[:, :5]
-    parts = [(ground.keep_free, DOORS), (panes, PANES)]
+    parts = [(ground.keep_free, DOORS), (panes, PANES), (ground.entrances, ENTRANCES)]
     for part, window in ((WINDOWS, 1.0), (OPENINGS, 0.0)):
         parts.append((ground.strips[ground.strips[:, 5] == window, :5], part))
     way = ground.edges[:, 2:4] - ground.edges[:, :2]

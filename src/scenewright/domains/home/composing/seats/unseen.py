@@ -15,7 +15,7 @@ from scenewright.domains.home.attempt import (
 from scenewright.domains.home.composing.case_faults import is_hung
 from scenewright.domains.home.composing.filling.amid_walls import list_amid_walls
 from scenewright.domains.home.composing.filling.widths import BOOKS
-from scenewright.domains.home.composing.judging import Placed
+from scenewright.domains.home.composing.judging import Placed, count_unmet
 from scenewright.domains.home.composing.placed_faults import (
     measure_before_doors,
     measure_before_windows,
@@ -58,6 +58,8 @@ def leave_out_unseen_screen(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
     if _lacks_focus(task, placed):
         shelf = _put_books(task, rest)
         placed = (*rest, *shelf) if shelf else answer.placed
+    if count_unmet(task, placed) > count_unmet(task, answer.placed):
+        return answer
     if media in placed:
         return answer
     welcome = media.wish._replace(rank=WELCOME, core=False)
