@@ -14,7 +14,7 @@ from scenewright.render.photo.standpoints import stand_in_rooms
 
 FOCAL = 0.24
 """24 mm in tenths of the unit of the scene, in which lenses and film are counted."""
-SIZE, TRIED = (960, 600), 12
+SIZE, TRIED = (960, 600), 6
 NEAR, FAR = 0.02, 200.0
 
 
