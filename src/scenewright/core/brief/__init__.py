@@ -163,7 +163,8 @@ class Room(StrictModel):
     Halls have ``zones``, ``links`` between them and ``demands`` instead of functions and asks,
     and ``people``, the most that may be inside at once. Their ``theme`` (museum, clothes …) adds
     what such a hall usually holds and is not named, and ``fill`` the share of the floor to which
-    demands without a number fill it (``"none"``: neither).
+    demands without a number fill it (``"none"``: neither). A hall ``like`` another, by its id,
+    holds the same, laid out alike.
     """
 
     id: str = ""
@@ -190,6 +191,7 @@ class Room(StrictModel):
     people: Annotated[Whole, Field(ge=1, le=100_000)] | None = None
     theme: Annotated[Words | None, Field(exclude_if=is_left_out)] = None
     fill: Annotated[Fill | Literal["none"] | None, Field(exclude_if=is_left_out)] = None
+    like: Annotated[str | None, Field(max_length=200, exclude_if=is_left_out)] = None
 
 
 class WallBrief(StrictModel):

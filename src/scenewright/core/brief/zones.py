@@ -23,6 +23,7 @@ from scenewright.core.brief.fields import (
 
 PatternName = Annotated[str, Field(min_length=1, max_length=40)]
 Sizes = tuple[Side, Side, Side]
+UsedSide = Literal["front", "back", "left", "right"]
 Fill = Annotated[Number, Field(ge=0.05, le=0.8)]
 """A share of floor."""
 
@@ -73,8 +74,9 @@ class Demand(StrictModel):
     ``place`` tells whether they stand at a wall; ``patterns`` which patterns may lay them out;
     ``zone`` in which zone, or which of several, they belong (left out: anywhere); ``facing`` the
     demand they look at (seats a stage; left out, seats look at a stage or screen); ``aisle`` breaks
-    their rows by aisles across. What is not
-    given follows the category. A demand that is not ``required`` may be left out quietly.
+    their rows by aisles across. ``used_from`` are the sides people come to: with it, ``name`` and
+    ``size`` a ``box`` is a kind of one's own. What is not given follows the category. A demand that
+    is not ``required`` may be left out quietly.
     """
 
     id: str = ""
@@ -92,4 +94,5 @@ class Demand(StrictModel):
     zone: str | Annotated[list[str], Field(max_length=200)] | None = None
     facing: str | None = None
     aisle: Annotated[AisleBrief | None, Field(exclude_if=is_left_out)] = None
+    used_from: Annotated[list[UsedSide] | None, Field(max_length=4, exclude_if=is_left_out)] = None
     required: Switch = True

@@ -299,7 +299,8 @@ def _access(wishes: list[HallDemand], units: list[Unit], catalog: Catalog) -> Fl
             sides = tuple(side for k, side in enumerate(SIDES) if SIDES[k - 2] in sides)
         elif wishes[unit.demand].at_wall and kind.reached_from != sides:
             sides = tuple(side for side in kind.reached_from if side != "back")
-        each = EACH if wishes[unit.demand].double else 1.0
+        own = wishes[unit.demand].used
+        sides, each = own or sides, EACH if own or wishes[unit.demand].double else 1.0
         rows += [[each * (side in sides) for side in SIDES]] * (unit.last - unit.first)
     return _rows(rows, 4)
 

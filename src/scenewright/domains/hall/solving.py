@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import os
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from typing import NamedTuple
@@ -28,10 +28,13 @@ from scenewright.core.scene import Piece
 from scenewright.core.solution import LeftOut, Solution
 from scenewright.core.space import Space
 from scenewright.domains.hall.accessories import count_groups
+from scenewright.domains.hall.alike import Alike, carry_over
 from scenewright.domains.hall.build_problem import HallContext, hall_of
 from scenewright.domains.hall.compose import compose
+from scenewright.domains.hall.demands.checked import ids_of
 from scenewright.domains.hall.demands.filling import fill_halls, settle_counts
 from scenewright.domains.hall.demands.holdings import HallDemand, collect_demands, restrict_patterns
+from scenewright.domains.hall.demands.shared import find_models, share_demands
 from scenewright.domains.hall.demands.split import find_locked, split_demands
 from scenewright.domains.hall.desks.staff_room import fit_with_staff
 from scenewright.domains.hall.desks.turning import turn_desks
@@ -123,6 +126,7 @@ def solve(
     catalog, rooms = catalog_of(brief.catalogs), (plan or plan_rooms(brief)).spaces
     threads = min(threads or os.cpu_count() or 1, 16)
     zoning = chosen.settings.zoning
+    models, brief = find_models(brief), share_demands(brief)
     halls = hall_contexts(brief, rooms, catalog, seed, variant, zoning)
     brief = fill_halls(brief, halls, catalog, chosen.settings.whole)
     busy = [k for k, room in enumerate(brief.rooms) if room.demands]
@@ -134,10 +138,50 @@ def solve(
         k: HallTask(halls[k], k, chosen, named, each._replace(steps=steps), stream, lean, passes)
         for k, stream in ((k, _stream(seed, rooms[k])) for k in busy)
     }
-    laid = _run(brief, tasks, catalog, threads, progress, cancel, watch)
+    first = {k: task for k, task in tasks.items() if k not in models}
+    laid = _run(brief, first, catalog, threads, progress, cancel, watch)
+    run = partial(_run, brief, catalog=catalog, threads=threads, progress=progress, cancel=cancel)
+    others = {k: task for k, task in tasks.items() if models.get(k) in laid}
+    told = _lay_alike(brief, others, halls, laid, models, partial(run, watch=watch))
+    notes = list(dict.fromkeys([*brief.notes, *told]))
+    brief = brief.model_copy(update={"notes": notes}) if told else brief
     stand = {k: (*halls[k].fixed, *answer.pieces) for k, answer in laid.items()}
     brief = settle_counts(brief, halls, stand)
     return assemble_solution(brief, halls, laid, preset, named, seed, time.perf_counter() - started)
+
+
+def _lay_alike(
+    brief: Brief,
+    tasks: dict[int, HallTask],
+    halls: list[HallContext],
+    laid: dict[int, Laid],
+    models: Mapping[int, int],
+    run: Callable[[dict[int, HallTask]], dict[int, Laid]],
+) -> list[str]:
+    """Lay out the halls of ``tasks`` like their models and say how they differ; ``halls`` and
+    ``laid`` get what stands there. Where that leaves out more than laying one out by itself, it
+    is."""
+    alike = {
+        k: carry_over(
+            halls[models[k]].space, halls[k], laid[models[k]].pieces, ids_of(brief.rooms[k].demands)
+        )
+        for k in tasks
+    }
+    around = {k: _with_fixed(halls[k], one.pieces) for k, one in alike.items()}
+    found = run({k: t._replace(hall=around[k]) for k, t in tasks.items()}) if tasks else {}
+    again = {k: tasks[k] for k, one in found.items() if alike[k].pieces and one.left_out}
+    for k, other in (run(again) if again else {}).items():
+        if len(other.left_out) < len(found[k].left_out):
+            found[k], around[k] = other, halls[k]
+            alike[k] = Alike((), f"{halls[k].space.id} is laid out by itself: more has room so")
+    laid |= found
+    for k in found:
+        halls[k] = around[k]
+    return [alike[k].told for k in found]
+
+
+def _with_fixed(hall: HallContext, pieces: tuple[Piece, ...]) -> HallContext:
+    return hall._replace(fixed=(*hall.fixed, *pieces))
 
 
 def problems(

@@ -8,7 +8,7 @@ DOMAIN = Domain(
     name="home",
     about="dwellings: rooms furnished by what they are for",
     package=__name__,
-    rooms_lack=("people", "theme", "fill"),
+    rooms_lack=("people", "theme", "fill", "like"),
     verbs={
         "plan": "scenewright.building.plan:plan_rooms",
         "validate": ".requests:check_plain",

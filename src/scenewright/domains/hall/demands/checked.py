@@ -13,6 +13,7 @@ from scenewright.catalog.suggestions import offer_kinds
 from scenewright.core.brief import Brief
 from scenewright.core.brief.zones import Demand, Sizes
 from scenewright.core.errors import InputError
+from scenewright.core.kind import SIDES
 from scenewright.core.space import Space
 from scenewright.domains.hall.classes import PEW_PITCH, is_pew
 from scenewright.domains.hall.demands.stand_ins import offer_stand_in
@@ -21,6 +22,8 @@ from scenewright.domains.hall.measures import AISLE
 from scenewright.domains.hall.patterns import PATTERNS
 
 MOST_OBJECTS = 20_000
+USED = 0.75
+"""Free depth before a side that people come to, at least, in metres."""
 LEAST_FOOTPRINT = 0.0025
 """Square metres: what is smaller is a slip of the unit of length."""
 
@@ -79,11 +82,16 @@ def floor_needed(demand: Demand) -> float:
 
 def usual_clearance(demand: Demand) -> tuple[float, float, float, float]:
     """The free depth at front, left, back and right of each object that is usual for a category;
-    of pews what is left of their pitch, and half an aisle at both ends."""
+    of pews what is left of their pitch, and half an aisle at both ends; where it is said from which
+    sides they are used, only there."""
     width, depth, _ = usual_size(demand)
     if is_pew(demand.category, width):
         return (max(PEW_PITCH - depth, 0.0), 0.5 * AISLE, 0.0, 0.5 * AISLE)
-    return hall_use(demand.category).clearance
+    usual = hall_use(demand.category).clearance
+    if not demand.used_from:
+        return usual
+    front, left, back, right = (max(*usual, USED) * (s in demand.used_from) for s in SIDES)
+    return (front, left, back, right)
 
 
 def check_demands(brief: Brief, number: int, space: Space) -> None:

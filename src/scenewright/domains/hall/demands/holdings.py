@@ -41,7 +41,8 @@ class HallDemand(NamedTuple):
     ``unstated`` neither this nor what it looks at, its free floor or how full its zone is. What is
     ``set_last`` is set once all else stands. Each object of sofas and beds in ``lounges``
     (:mod:`.lounges`, :mod:`.bedsides`) is one of these until it is furnished; so are as many as
-    stand in a row, ``every`` of them, before an ``aisle`` of that width (:mod:`.cross_aisles`)."""
+    stand in a row, ``every`` of them, before an ``aisle`` of that width (:mod:`.cross_aisles`).
+    All sides it is ``used`` from are to be reached (empty: one of those of its category)."""
 
     id: str
     name: str
@@ -68,6 +69,7 @@ class HallDemand(NamedTuple):
     lounges: tuple[tuple[LoungePart, ...], ...] = ()
     every: int = 0
     aisle: float = 0.0
+    used: tuple[str, ...] = ()
 
     @property
     def at_wall(self) -> bool:
@@ -178,6 +180,7 @@ def fill_defaults(demand: Demand, name: str) -> HallDemand:
         unstated=_is_unstated(demand),
         every=demand.aisle.every if demand.aisle else 0,
         aisle=demand.aisle.width if demand.aisle else 0.0,
+        used=tuple(demand.used_from or ()),
     )
 
 

@@ -18,7 +18,7 @@ LONGEST_RUN, CROSS_AISLE, RUNS = 10.0, 1.5, 8
 such runs there are at least: of less goods the search makes shorter rows (measured, 2026)."""
 WALL_BETWEEN = 1.0
 """Metres of wall between pictures (George 2015, The Curator's Handbook)."""
-WALLS_OF_FILL = 0.6
+WALLS_OF_FILL = 0.75
 """Share of what may stand on the floor that stands at walls, at most."""
 SMALLEST_SHOP = 30.0
 LARGEST_SHOP = 15_000.0

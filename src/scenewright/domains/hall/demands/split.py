@@ -9,6 +9,7 @@ from scenewright.core.scene import Piece
 from scenewright.domains.hall.accessories import split_accessories
 from scenewright.domains.hall.build_problem import HallContext
 from scenewright.domains.hall.demands.bedsides import join_bedsides
+from scenewright.domains.hall.demands.companies import group_shown
 from scenewright.domains.hall.demands.cross_aisles import break_rows
 from scenewright.domains.hall.demands.holdings import HallDemand
 from scenewright.domains.hall.demands.small_groups import drop_small_rings
@@ -42,7 +43,8 @@ def split_demands(
     nightstands; pianos and small objects are laid out with the rest if all are ``together``, and
     sofas and beds by themselves."""
     asked = [break_rows(wish) for wish in asked]
-    asked = asked if together else join_bedsides(join_lounges(asked, hall.route))
+    if not together:
+        asked = [group_shown(wish) for wish in join_bedsides(join_lounges(asked, hall.route))]
     joined = drop_small_rings(hall, join_chairs(asked, catalog))
     joined = joined if together else keep_stools(turn_to_show(joined, catalog))
     parted = part_desks(hall, abut_stands(hall, joined, catalog))

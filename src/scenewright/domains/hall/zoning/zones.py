@@ -18,6 +18,7 @@ from scenewright.core.errors import InputError
 from scenewright.core.plan import Plan
 from scenewright.core.space import Space
 from scenewright.domains.hall.demands.checked import check_demands
+from scenewright.domains.hall.demands.shared import share_demands
 from scenewright.domains.hall.hall_layout import Zone, ZoneLink
 from scenewright.domains.hall.settings import USUAL_ZONING, ZoningSettings
 from scenewright.domains.hall.zoning import LEAST_ZONE, ZoneWish, proposals
@@ -83,6 +84,7 @@ def zones_of(
 
 def check_halls(brief: Brief, plan: Plan) -> None:
     """InputError where the zones, links and demands of a brief's halls cannot be meant."""
+    brief = share_demands(brief)
     for number, (room, space) in enumerate(zip(brief.rooms, plan.spaces, strict=True)):
         if room.ask:
             raise InputError(
