@@ -11,6 +11,7 @@ EXTRAS = {
     "dxf": ("ezdxf",),
     "gis": ("pyogrio", "osmium"),
     "learn": ("torch",),
+    "mujoco": ("mujoco",),
     "parquet": ("pyarrow",),
     "photo": ("pyoidn",),
     "pdf": ("fpdf", "fontTools", "fontpkg_noto_sans", "pypdfium2"),

@@ -66,6 +66,12 @@ FORMATS = (
         lacks=("columns", "sloped ceilings", "stairs", "outlets", "3D shapes", *JUDGED),
     ),
     Format(
+        ".mjcf.xml",
+        "3D scene to simulate, MJCF of MuJoCo",
+        writer="scenewright.formats.simulation.mjcf",
+        lacks=("dimensions", "outlets", *JUDGED),
+    ),
+    Format(
         ".sceneeval.json",
         "scene state of SceneEval, for judges of scenes",
         writer="scenewright.formats.simulation.scene_eval",
