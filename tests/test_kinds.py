@@ -14,6 +14,7 @@ import pytest
 
 import scenewright
 from scenewright.catalog.kinds import KINDS
+from scenewright.catalog.kinds.small import KINDS as SMALL
 from scenewright.catalog.models.words import ASIDE, match, phrases
 from scenewright.core.brief import Brief
 from scenewright.core.space import Space
@@ -148,7 +149,9 @@ def test_every_row_is_whole(kind: Any) -> None:
     assert kind.hall is None or kind.support == "floor"
 
 
-NAMELESS = {"obstacle", "partition", "building", "house", "road"}
+NAMELESS = {"obstacle", "partition", "building", "house", "road"} | {
+    kind.category for kind in SMALL
+}
 """Made by the program or told by size: no model is recognised as one by its name."""
 
 

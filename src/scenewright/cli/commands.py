@@ -243,6 +243,7 @@ def _alternatives(request: Any, console: Console, as_json: bool, quiet: bool) ->
 @app.command()
 def check(
     file: Annotated[Path, typer.Argument(metavar="SOLUTION.json", help="A saved solution.")],
+    meshes: Annotated[bool, typer.Option("--meshes", help="Model against model, too.")] = False,
     as_json: JsonOption = False,
     quiet: QuietOption = False,
 ) -> int:
@@ -253,6 +254,10 @@ def check(
     solution, plan = solution_json.read_planned(file)
     show.print_scale(terminal.console(stderr=True, quiet=quiet), file, solution.brief, plan)
     report = judge(solution, plan=plan)
+    if meshes:
+        from scenewright.workflow.meshes import add_meshes
+
+        report = add_meshes(report, solution, plan)
     read = solution.brief.input_report
     if as_json:
         tables.print_json({"file": str(file), **report.to_dict(), **input_document(solution.brief)})

@@ -11,7 +11,15 @@ from zlib import crc32
 import numpy as np
 
 from scenewright.clutter.rows import ENOUGH, ROWS, SHARE, Row
-from scenewright.clutter.spots import Spot, find_spot, foot_spot, lean_spots, take, turned_box
+from scenewright.clutter.spots import (
+    Spot,
+    find_spot,
+    foot_spot,
+    lean_spots,
+    set_apart,
+    take,
+    turned_box,
+)
 from scenewright.clutter.stability import keep_standing
 from scenewright.clutter.surfaces import Surfaces, surfaces_of
 from scenewright.clutter.tops import Carrier, Measure, carrier_of, to_level, to_local
@@ -212,15 +220,8 @@ def _spot(
     if row.where == "foot":
         return foot_spot(carrier, size.depth) if k == 0 else None
     if row.where == "lean":
-        spots = lean_spots(carrier, size.width, size.depth)
-        if not spots or not carrier.tops:
-            return None
-        chosen = spots[(0, -1)[k % 2]] if k < 2 else spots[len(spots) // 2]
-        if k >= 2 and len(spots) * 0.01 < (k - 1) * size.width:
-            return None
-        if k == 3:
-            chosen = spots[min(int(size.width / 0.01), len(spots) - 1)]
-        return chosen
+        spots = set_apart(lean_spots(carrier, size.width, size.depth), size.width)
+        return spots[k] if k < len(spots) else None
     wide, deep = turned_box(size.width, size.depth, turn)
     tall = size.height * (row.pile if row.what != "plate" else 4)
     found = find_spot(carrier, row.where, k, (wide, deep, tall), rng)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import cos, sin
 
 import numpy as np
@@ -141,11 +142,20 @@ def lean_spots(carrier: Carrier, wide: float, deep: float) -> list[Spot]:
         if (front[i : i + kw] < 0).any() or j + kd > ny:
             continue
         under = top[j : j + kd, i : i + kw]
-        if np.isnan(under).any() or np.ptp(under) > RISE or np.ptp(front[i : i + kw]) > 8:
+        if np.isnan(under).any() or np.ptp(under) > 2 * RISE or np.ptp(front[i : i + kw]) > 8:
             continue
-        z = float(np.quantile(under, 0.9)) - SINK
+        z = float(np.quantile(under, 0.7)) - SINK
         found.append((start[0] + (i + kw / 2) * CELL, start[1] + (j + deep / 2 / CELL) * CELL, z))
     return found
+
+
+def set_apart(spots: Sequence[Spot], wide: float) -> list[Spot]:
+    """Of places in a row those that leave ``wide`` metres to each other, from both ends inwards."""
+    left, chosen = list(spots), list[Spot]()
+    while left:
+        chosen.append(left[-1] if len(chosen) % 2 else left[0])
+        left = [spot for spot in left if abs(spot[0] - chosen[-1][0]) >= wide]
+    return chosen
 
 
 def foot_spot(carrier: Carrier, deep: float) -> Spot:

@@ -14,6 +14,7 @@ KINDS = (
     "missing",
     "surplus",
     "collision",
+    "mesh_overlap",
     "out_of_bounds",
     "blocked_door",
     "blocked_window",

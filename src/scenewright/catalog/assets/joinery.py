@@ -141,15 +141,18 @@ def four_legs(
     inset: float = 0.0,
     lean: float = 0.0,
     square: bool = False,
+    aside: float | None = None,
 ) -> list[Mesh]:
-    """Legs near the corners of ``[-w, w] x [-d, d]``; leaning legs touch the corners below."""
+    """Legs near the corners of ``[-w, w] x [-d, d]``; leaning legs touch the corners below. They
+    lean ``aside`` by another measure than to the front and the back, where it is given."""
+    slant = lean if aside is None else aside
     found = []
     for sx in (-1, 1):
         for sy in (-1, 1):
             edge = inset + max(top, foot)
-            x, y = sx * (w - edge - lean), sy * (d - edge - lean)
+            x, y = sx * (w - edge - slant), sy * (d - edge - lean)
             shape = post if square else leg
-            found.append(shape(x, y, z, top, foot, lean=(sx * lean, sy * lean)))
+            found.append(shape(x, y, z, top, foot, lean=(sx * slant, sy * lean)))
     return found
 
 

@@ -219,7 +219,7 @@ def _office_chair(size: Size) -> Parts:
             [
                 (s * (w - 0.09), 0.02, seat - 0.05),
                 (s * (w - 0.03), 0.02, seat - 0.03),
-                (s * (w - 0.03), 0.02, seat + 0.18),
+                (s * (w - 0.03), 0.02, seat + 0.14),
             ],
             0.014,
         )
@@ -229,7 +229,7 @@ def _office_chair(size: Size) -> Parts:
         cushion(
             (s * (w - 0.03) - 0.03, s * (w - 0.03) + 0.03),
             (-0.12, 0.16),
-            (seat + 0.17, seat + 0.2),
+            (seat + 0.13, seat + 0.16),
             0.014,
             1,
         )

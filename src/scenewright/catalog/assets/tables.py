@@ -44,7 +44,7 @@ def _dining_table(size: Size) -> Parts:
         block((x - 0.011, x + 0.011), (-d + 0.1, d - 0.1), (h - 0.1, h - 0.032))
         for x in (w - 0.085, -w + 0.085)
     ]
-    legs = four_legs(w, d, (0, h - 0.032), 0.036, 0.022, 0.03, 0.02, square=True)
+    legs = four_legs(w, d, (0, h - 0.032), 0.027, 0.02, 0.0, 0.0, square=True)
     return parts(size, {OAK_DARK: [top, *apron, *legs]})
 
 
@@ -90,10 +90,17 @@ def _side_table(size: Size) -> Parts:
     return parts(size, {WALNUT: [Mesh(tray.vertices * (w, d, 1), tray.faces), *legs]})
 
 
+def drawers_wide(size: Size) -> float:
+    """How wide the drawers of a desk are: a chair 0.62 m wide stands beside those down to the
+    floor."""
+    small = size.width < 1.1
+    return 0.4 * size.width if small else min(0.42, size.width / 2 - 0.37)
+
+
 def _desk(size: Size) -> Parts:
     w, d, h = size.width / 2, size.depth / 2, size.height
-    wide = min(0.42, 0.4 * size.width)
-    x, z = (w - wide - 0.03, w - 0.03), (h - 0.16 if size.width < 1.1 else 0.12, h - 0.025)
+    x = (w - drawers_wide(size) - 0.03, w - 0.03)
+    z = (h - 0.085 if size.width < 1.1 else 0.12, h - 0.025)
     rows = 1 if size.width < 1.1 else 3
     face = d - 0.05
     chest = block(x, (-d + 0.04, face), z)
@@ -232,7 +239,7 @@ def _side_symbol(size: Size) -> Lines:
 
 def _desk_symbol(size: Size) -> Lines:
     w, d = size.width / 2, size.depth / 2
-    wide = min(0.42, 0.4 * size.width)
+    wide = drawers_wide(size)
     return rectangle(size), path((w - wide, -d), (w - wide, d))
 
 

@@ -95,6 +95,14 @@ def draw_forms(
     )
 
 
+TALL = 0.55
+"""What is higher is a table with seats at it: its legs stay in :data:`CORNER` of its corners."""
+CORNER = 0.055
+"""How far legs of tables reach in from a short side, metres: a chair stands beside each."""
+PUSHED_IN = 0.22
+"""How far under a table its chairs reach, metres: what stands there stands further in."""
+
+
 def add(found: Stuff, more: Stuff) -> Stuff:
     """The meshes of both by material, in the first."""
     for material, meshes in more.items():
@@ -102,9 +110,14 @@ def add(found: Stuff, more: Stuff) -> Stuff:
     return found
 
 
-def stand(form: Form, w: float, d: float, high: float, wood: Material = OAK) -> Stuff:
+def stand(
+    form: Form, w: float, d: float, high: float, wood: Material = OAK, around: bool = False
+) -> Stuff:
     """What holds a thing of half sizes ``w`` and ``d`` up to the height ``high``, as its form has
-    it: of wood, or of steel."""
+    it: of wood, or of steel. Nothing of a tall one is in the way of chairs that are pushed under
+    it from the front, or from all sides ``around``."""
+    if high > TALL:
+        return _stand_among_chairs(form, w, d, high, wood, around)
     thick = 0.018 if high < 0.3 else 0.026
     match form.legs:
         case "tapered":
@@ -114,21 +127,39 @@ def stand(form: Form, w: float, d: float, high: float, wood: Material = OAK) -> 
             lean = min(0.09, 0.3 * high, 0.4 * min(w, d))
             return {wood: four_legs(w, d, (0, high), thick, 0.5 * thick, 0.01, lean)}
         case "turned":
-            return {wood: _turned_legs(w, d, high, 1.5 * thick)}
+            return {wood: _turned_legs(w, d, high, 1.5 * thick, 0.015)}
         case "sled":
-            return {BLACK: _make_sled(w, d, high, 0.5 * thick)}
+            return {BLACK: _make_sled(w, d, high, 0.5 * thick, 0.05)}
         case "board":
-            return {wood: _boards(w, d, high)}
+            return {wood: _boards(w, d - 0.03, high, min(0.14, 0.3 * w))}
     if high < 0.3:
         return {wood: four_legs(w, d, (0, high), thick, thick, 0.02, square=True)}
-    return {wood: _crossed_legs(w, d, high, thick)}
+    return {wood: _crossed_legs(w, d - 0.06, high, thick, 0.14)}
 
 
-def _turned_legs(w: float, d: float, high: float, thick: float) -> list[Mesh]:
-    """Legs off the lathe: a foot, a neck, a vase, a square head."""
+def _stand_among_chairs(
+    form: Form, w: float, d: float, high: float, wood: Material, around: bool
+) -> Stuff:
+    thick = CORNER / 2
+    inset, deep = (PUSHED_IN, max(d - PUSHED_IN, 0.3 * d)) if around else (0.03, d - 0.03)
+    match form.legs:
+        case "tapered" | "splayed":
+            lean = 0.03 if form.legs == "tapered" else min(0.09, 0.4 * d)
+            return {wood: four_legs(w, d, (0, high), 0.9 * thick, 0.5 * thick, 0, lean, aside=0.01)}
+        case "turned":
+            return {wood: _turned_legs(w, d, high, thick, 0.0)}
+        case "sled":
+            return {BLACK: _make_sled(w, d, high, 0.5 * thick, 0.02)}
+        case "board":
+            return {wood: _boards(w, deep, high, inset)}
+    return {wood: _crossed_legs(w, deep, high, 0.9 * thick, inset)}
+
+
+def _turned_legs(w: float, d: float, high: float, thick: float, edge: float) -> list[Mesh]:
+    """Legs off the lathe, ``edge`` from the sides: a foot, a neck, a vase, a square head."""
     rows = [(0.55, 0), (0.75, 0.06), (0.5, 0.14), (0.62, 0.3), (1.0, 0.66), (0.6, 0.8), (1.0, 0.86)]
     rows = rows if high > 0.3 else [(0.5, 0), (0.95, 0.35), (0.6, 0.75)]
-    inset = thick + 0.015
+    inset = thick + edge
     return [
         lathe(
             [(thick * r, high * z) for r, z in (*rows, (1.0, 1.0))],
@@ -140,34 +171,34 @@ def _turned_legs(w: float, d: float, high: float, thick: float) -> list[Mesh]:
     ]
 
 
-def _make_sled(w: float, d: float, high: float, half: float) -> list[Mesh]:
+def _make_sled(w: float, d: float, high: float, half: float, edge: float) -> list[Mesh]:
     """A closed frame of square steel at each end."""
     found = []
     for sign in (-1, 1):
-        x = sign * (w - 0.05 - half)
+        x = sign * (w - edge - half)
         upright = frame((-d + 0.03, d - 0.03), (x - half, x + half), (0, high), 2 * half)
         found.append(Mesh(upright.vertices[:, [1, 0, 2]], upright.faces[:, ::-1]))
     return found
 
 
-def _boards(w: float, d: float, high: float) -> list[Mesh]:
+def _boards(w: float, deep: float, high: float, inset: float) -> list[Mesh]:
     """A board across at each end, drawn in, and a rail between them."""
-    inset = min(0.14, 0.3 * w)
     ends = [
-        block((s * (w - inset) - 0.018, s * (w - inset) + 0.018), (-d + 0.03, d - 0.03), (0, high))
+        block((s * (w - inset) - 0.018, s * (w - inset) + 0.018), (-deep, deep), (0, high))
         for s in (-1, 1)
     ]
-    return [*ends, block((-w + inset, w - inset), (-0.015, 0.015), (0.35 * high, 0.6 * high))]
+    rail = (0.7 * high, 0.9 * high) if high > TALL else (0.35 * high, 0.6 * high)
+    return [*ends, block((-w + inset, w - inset), (-0.015, 0.015), rail)]
 
 
-def _crossed_legs(w: float, d: float, high: float, thick: float) -> list[Mesh]:
+def _crossed_legs(w: float, deep: float, high: float, thick: float, inset: float) -> list[Mesh]:
     """Two crossed bars at each end and a rail where they meet."""
-    found = [rod((-w + 0.14, 0, high / 2), (w - 0.14, 0, high / 2), 0.7 * thick)]
+    level = 0.85 * high if high > TALL else high / 2
+    found = [rod((-w + inset, 0, level), (w - inset, 0, level), 0.7 * thick)]
     for sx in (-1, 1):
-        x = sx * (w - 0.14)
+        x = sx * (w - inset)
         for sy in (-1, 1):
-            ends = (x, sy * (d - 0.06), 0.004), (x, -sy * (d - 0.06), high)
-            found.append(rod(*ends, thick))
+            found.append(rod((x, sy * deep, 0.004), (x, -sy * deep, high), thick))
     return found
 
 

@@ -18,7 +18,7 @@ from scenewright.catalog.assets.styled.forms import (
     stand,
 )
 from scenewright.catalog.assets.symbols import Lines, path, rectangle, round_plain
-from scenewright.catalog.assets.tables import corner_desk_outline, corner_desk_symbol
+from scenewright.catalog.assets.tables import corner_desk_outline, corner_desk_symbol, drawers_wide
 from scenewright.core.catalog import Material
 from scenewright.core.scene import Size
 from scenewright.geometry.mesh import Mesh, extrude
@@ -47,7 +47,7 @@ def _top(form: Form, w: float, d: float, h: float) -> Stuff:
 def _dining_table(form: Form, size: Size) -> Parts:
     w, d, h = size.width / 2, size.depth / 2, size.height
     wood, thick = TOPS[form.name]
-    found = stand(form, w, d, h - thick, wood)
+    found = stand(form, w, d, h - thick, wood, around=True)
     if form.legs in ("tapered", "turned", "splayed"):
         rails = [
             block((-w + 0.1, w - 0.1), (y - 0.01, y + 0.01), (h - 0.1, h - thick))
@@ -175,8 +175,8 @@ def _desk(form: Form, size: Size) -> Parts:
     w, d, h = size.width / 2, size.depth / 2, size.height
     wood, thick = TOPS[form.name]
     small = size.width < 1.1
-    x = (w - min(0.42, 0.4 * size.width) - 0.06, w - 0.06)
-    rows, z, face = (1 if small else 3), (h - 0.17 if small else 0.16, h - thick), d - 0.06
+    x = (w - drawers_wide(size) - 0.06, w - 0.06)
+    rows, z, face = (1 if small else 3), (h - 0.085 if small else 0.16, h - thick), d - 0.06
     found = stand(form, w, d, h - thick, wood)
     add(found, {wood: [block(x, (-d + 0.06, face), z)]})
     add(found, draw_fronts(form, x, z, 1, rows, (face, face + 0.018), form.panel))
@@ -207,7 +207,7 @@ def _draw_table(size: Size) -> Lines:
 
 def _draw_desk(size: Size) -> Lines:
     w, d = size.width / 2, size.depth / 2
-    wide = min(0.42, 0.4 * size.width)
+    wide = drawers_wide(size)
     return rectangle(size), path((w - wide, -d), (w - wide, d))
 
 

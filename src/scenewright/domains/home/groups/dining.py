@@ -10,8 +10,10 @@ from scenewright.core.scene import Size
 from scenewright.domains.home.least_sizes import TABLE
 
 CHAIR = Size(0.46, 0.5, 0.85)
+SMALL = Size(0.4, 0.46, 0.82)  # where two sit at a metre
 SEAT = 0.5  # free depth a chair and its sitter take beyond the table's edge
-PLACE = 0.5  # of a table's edge, for each seat, at least
+CLOSE = 0.475  # between the middles of chairs side by side, at least
+LEG = 0.06  # of a table, in from its short side
 STOOL = Size(0.32, 0.32, 0.45)
 PUSHED = 0.08  # of a stool pushed under its table that still shows, metres
 TUCK = 0.2  # how far a chair stands under the table
@@ -109,8 +111,9 @@ def _head_table(length: float, deep: float, sides: int, end: int) -> Group:
     width, depth = deep + 2 * SEAT, length + SEAT * end
     y = -depth / 2 + length / 2
     x = deep / 2 + CHAIR.depth / 2 - TUCK
-    step = PLACE if end else length / sides  # a chair at the end has the corners to itself
-    rows = [-depth / 2 + (i + 0.5) * step for i in range(sides)]
+    step = CLOSE if end else length / sides  # a chair at the end has the corners to itself
+    first = LEG + CHAIR.width / 2 if end else step / 2
+    rows = [-depth / 2 + first + i * step for i in range(sides)]
     members = [
         Member("dining_table", 0, y, 0, pi / 2, Size(length, deep, 0.74)),
         Member("vase", 0, y, 0.74, 0, Size(0.14, 0.14, 0.26), on=0),
@@ -129,7 +132,7 @@ def _corner_table(length: float, deep: float, side: int) -> Group:
     """A table for two with one end free, to the right if ``side`` is 1."""
     width, depth = length + SEAT, deep + SEAT
     x, y = -side * SEAT / 2, -SEAT / 2
-    aside = x - side * (length - CHAIR.width) / 2
+    aside = x - side * ((length - CHAIR.width) / 2 - LEG)
     members = (
         Member("dining_table", x, y, 0, 0, Size(length, deep, 0.74)),
         Member("vase", x, y - deep / 5, 0.74, 0, Size(0.14, 0.14, 0.26), on=0),
@@ -148,8 +151,10 @@ def _corner_table(length: float, deep: float, side: int) -> Group:
 
 def _chairs_along(length: float, count: int, y: float, heading: float) -> list[Member]:
     step = length / max(count, 1)
+    chair = CHAIR if step > 2 * LEG + SMALL.width else SMALL
+    y += (chair.depth - CHAIR.depth) / 2 * (1 if y > 0 else -1)
     return [
-        Member("dining_chair", (i - (count - 1) / 2) * step, y, 0, heading, CHAIR)
+        Member("dining_chair", (i - (count - 1) / 2) * step, y, 0, heading, chair)
         for i in range(count)
     ]
 
