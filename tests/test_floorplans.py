@@ -207,3 +207,9 @@ def test_the_command_writes_a_plan_or_a_folder_of_them(
     taken.write_text("mine")
     assert run([*asked, str(taken)]) == 2
     assert taken.read_text() == "mine"
+
+
+@pytest.mark.parametrize(("rooms", "seed"), [(5, 488), (6, 624)])
+def test_a_plan_that_takes_many_tries_comes_out(rooms: int, seed: int) -> None:
+    brief = generate("home", rooms=rooms, storeys=2, seed=seed)
+    assert len({room.level for room in brief.rooms}) == 2

@@ -26,7 +26,7 @@ from scenewright.core.space import Opening
 from scenewright.formats import glb, read, read_planned
 from scenewright.render.daylight import HOURS, sun_at
 from scenewright.workflow.disturb import _moved
-from scenewright.workflow.looks import Look, vary_brief
+from scenewright.workflow.looks import Look, draw_clutter, vary_brief
 from scenewright.workflow.manifest import plan_hash, split_of
 
 OPTIONS = BatchOptions((".json",), "default", None, None, 200, 0, False)
@@ -241,3 +241,11 @@ def test_a_disk_that_fills_is_one_line_and_what_is_done_stays(tmp_path: Path) ->
     rows = sw.batch(folder, out, **make, variation=Variation(range(2)), progress=heard)
     assert [row.status for row in rows] == ["complete"] * 8
     assert sum(again) >= 4
+
+
+def test_how_much_lies_about_is_drawn_by_look() -> None:
+    brief = read("sample:home-room")
+    looks = [Look(1, number, ("clutter",)) for number in range(12)]
+    drawn = [draw_clutter(brief, look, "some") for look in looks]
+    assert drawn[0] == draw_clutter(brief, None, "some") == "some"
+    assert set(drawn) == {"none", "some", "lived-in"}

@@ -12,6 +12,7 @@ from scenewright.cli import completion
 from scenewright.cli.arguments import check_budget
 from scenewright.cli.reading import (
     CatalogOption,
+    ClutterOption,
     GroupsOption,
     InputsArgument,
     PresetOption,
@@ -34,7 +35,7 @@ SeedsOption = Annotated[
 ]
 LooksOption = Annotated[int, typer.Option(help="Looks of every home; 0 as it is asked for.")]
 VaryOption = Annotated[
-    str, typer.Option(help="Of looks: style,light,doors,poses; of seeds: residents.")
+    str, typer.Option(help="Of looks: style,light,doors,poses,clutter; of seeds: residents.")
 ]
 FormatsOption = Annotated[str, typer.Option(help="Suffixes, such as .json,.glb.")]
 ParquetOption = Annotated[bool, typer.Option("--parquet", help="The manifest as Parquet too.")]
@@ -54,7 +55,7 @@ def batch(
     output: FolderOption,
     seed_range: SeedsOption = "",
     looks: LooksOption = 0,
-    vary: VaryOption = "style,light,doors,poses",
+    vary: VaryOption = "style,light,doors,poses,clutter",
     formats: FormatsOption = ".json",
     parquet: ParquetOption = False,
     preset: PresetOption = "default",
@@ -62,6 +63,7 @@ def batch(
     catalogs: CatalogOption = None,
     groups: GroupsOption = None,
     style: StyleOption = "",
+    clutter: ClutterOption = "none",
     accessible: Annotated[bool, typer.Option(help="Furnish for wheelchair users.")] = False,
     jobs: JobsOption = None,
     memory: MemoryOption = None,
@@ -86,6 +88,7 @@ def batch(
         catalogs=tuple(catalogs or ()),
         groups=tuple(groups or ()),
         style=style,
+        clutter=clutter,
         accessible=accessible,
     )
     terms = cli_batch.BatchTerms(

@@ -18,7 +18,7 @@ from scenewright.core.solution import Solution
 from scenewright.engine.trace import Step
 from scenewright.workflow.disturb import disturb
 from scenewright.workflow.events import Event, Hear, Judged, Progress, Solved, Wrote, run_to_end
-from scenewright.workflow.looks import stream_of
+from scenewright.workflow.looks import draw_clutter, stream_of
 from scenewright.workflow.request import ArrangeRequest, note_heavy, note_losses, open_request
 from scenewright.workflow.stream import Cancel, stream_progress
 from scenewright.workflow.trace import write_trace
@@ -78,7 +78,7 @@ def arrange_file(
     look, report = request.look, None
     if look is not None and look.number and "poses" in look.vary:
         solution, report, _ = disturb(solution, plan, stream_of(brief, look, "poses"))
-    solution = replace(solution, clutter=request.clutter)
+    solution = replace(solution, clutter=draw_clutter(brief, look, request.clutter))
     yield Solved(solution)
     report = report or domains.check(solution, plan=plan)
     yield Judged(report)

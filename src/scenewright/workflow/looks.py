@@ -1,5 +1,5 @@
-"""The same home in many looks: style and colours, time of day, how far doors stand open; and how
-many live there, which is drawn with the home itself.
+"""The same home in many looks: style and colours, time of day, how far doors stand open, how much
+lies about; and how many live there, which is drawn with the home itself.
 
 Each is drawn by a stream of random numbers of its own (of plan, seed, number of the look and the
 name of what is varied), so that leaving one out changes none of the others. What is drawn becomes
@@ -15,13 +15,15 @@ from zlib import crc32
 
 import numpy as np
 
+from scenewright.clutter.rows import AMOUNTS
 from scenewright.core.brief import Brief, Door, Room
 from scenewright.core.errors import InputError
 from scenewright.core.registry import domain_of
+from scenewright.core.solution import Solution
 from scenewright.render.daylight import HOURS
 from scenewright.workflow.manifest import plan_hash
 
-OF_LOOKS = ("style", "light", "doors", "poses")
+OF_LOOKS = ("style", "light", "doors", "poses", "clutter")
 """What is varied from look to look."""
 OF_HOMES = ("residents",)
 """What is varied from seed to seed, if named."""
@@ -82,6 +84,13 @@ def vary_brief(brief: Brief, look: Look) -> Brief:
     return brief.model_copy(update=changed)
 
 
+def draw_clutter(brief: Brief, look: Look | None, asked: str) -> str:
+    """How many small objects are about: as ``asked`` for, unless a look draws it."""
+    if look is None or not look.number or "clutter" not in look.vary:
+        return asked
+    return AMOUNTS[int(stream_of(brief, look, "clutter").integers(len(AMOUNTS)))]
+
+
 def _draw_style(brief: Brief, rng: np.random.Generator) -> str:
     """A palette with its style, among those that the brief's style leaves; its own style where its
     domain has no palettes."""
@@ -119,12 +128,18 @@ def _open_door(door: Door, rng: np.random.Generator) -> Door:
     return door.model_copy(update={"ajar": round(float(ajar), 3)})
 
 
-def describe_look(brief: Brief) -> dict[str, object]:
-    """What a look has drawn, as it stands in its brief; of doors by room, in radians."""
+def describe_look(solution: Solution) -> dict[str, object]:
+    """What a look has drawn, as its solution says; of doors by room, in radians."""
+    brief, clutter = solution.brief, solution.clutter
     doors = {
         room.id or room.name or str(number): [door.ajar for door in room.doors]
         for number, room in enumerate(brief.rooms)
         if any(door.ajar is not None for door in room.doors)
     }
-    said = {"style": brief.style, "hour": brief.hour, "residents": brief.residents, "doors": doors}
+    said: dict[str, object] = {
+        "style": brief.style,
+        "hour": brief.hour,
+        "residents": brief.residents,
+    }
+    said |= {"doors": doors, "clutter": clutter if clutter != AMOUNTS[0] else ""}
     return {key: value for key, value in said.items() if value}

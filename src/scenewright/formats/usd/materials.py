@@ -9,6 +9,7 @@ from pxr import Gf, Sdf, Usd, UsdShade
 
 from scenewright.core.catalog import Material
 from scenewright.formats.usd.names import free_path
+from scenewright.formats.usd.physics import rub
 from scenewright.render.colour import linear_of
 from scenewright.render.textures.pictures import color_picture, normal_picture
 from scenewright.render.textures.table import Texture, texture_of
@@ -52,6 +53,7 @@ def _define_material(
 ) -> None:
     made = UsdShade.Material.Define(stage, path)
     made.GetPrim().SetDisplayName(material.name)
+    rub(made.GetPrim(), material.name)
     shader = _shader(stage, path, "Surface", "UsdPreviewSurface")
     color = linear_color(material)
     diffuse = shader.CreateInput("diffuseColor", TYPES.Color3f)

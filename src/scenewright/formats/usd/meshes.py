@@ -12,13 +12,18 @@ from scenewright.formats.glb import surfaces_of
 from scenewright.formats.gltf.surfaces import GlbSurface, surface
 from scenewright.formats.usd.materials import PLACES, MaterialScope, linear_color, material_path
 from scenewright.formats.usd.names import free_path
+from scenewright.formats.usd.physics import approximation_of
 from scenewright.geometry.prisms import normals_of
 
 
 def define_parts(
-    stage: Usd.Stage, parent: Sdf.Path, parts: Sequence[Part], scope: MaterialScope
+    stage: Usd.Stage,
+    parent: Sdf.Path,
+    parts: Sequence[Part],
+    scope: MaterialScope,
+    moves: bool = False,
 ) -> None:
-    """A mesh a part below ``parent``; materials are made once."""
+    """A mesh a part below ``parent``, of a body that ``moves`` or not; materials are made once."""
     for part, found in zip(parts, _surfaces(parts, scope), strict=True):
         points, ways = (rows[:, [0, 2, 1]] * [1, -1, 1] for rows in found[:2])
         mesh = UsdGeom.Mesh.Define(stage, free_path(stage, parent, part.material.name))
@@ -34,7 +39,8 @@ def define_parts(
         if found.places is not None:
             _place_texture(mesh, found.places)
         UsdPhysics.CollisionAPI.Apply(mesh.GetPrim())
-        UsdPhysics.MeshCollisionAPI.Apply(mesh.GetPrim()).CreateApproximationAttr("none")
+        touched = UsdPhysics.MeshCollisionAPI.Apply(mesh.GetPrim())
+        touched.CreateApproximationAttr(approximation_of(part, moves))
         path = material_path(stage, scope, part.material)
         binding = UsdShade.MaterialBindingAPI.Apply(mesh.GetPrim())
         binding.Bind(UsdShade.Material(stage.GetPrimAtPath(path)))

@@ -11,14 +11,17 @@ from pxr import Gf, Kind, Sdf, Usd, UsdGeom, UsdPhysics, UsdSemantics
 
 from scenewright._version import __version__
 from scenewright.catalog import credits as authorship
-from scenewright.core.catalog import Catalog
+from scenewright.core.catalog import Catalog, Part
 from scenewright.core.scene import Scene
 from scenewright.formats.png import OPEN
+from scenewright.formats.simulation.masses import is_free
 from scenewright.formats.usd.cameras import define_cameras
 from scenewright.formats.usd.lights import define_daylight, define_lamps
 from scenewright.formats.usd.materials import MaterialScope
 from scenewright.formats.usd.meshes import define_parts
-from scenewright.formats.usd.names import free_path
+from scenewright.formats.usd.names import free_path, prim_name
+from scenewright.formats.usd.physics import define_joint, make_body
+from scenewright.render.bodies import split_bodies
 from scenewright.render.items import RenderItem, things
 from scenewright.render.observations.ceilings import ceilings
 from scenewright.render.observations.world import category_of
@@ -34,12 +37,13 @@ BRANCHES = {"wall": "Walls", "opening": "Openings", "stairs": "Stairs", "ceiling
 @dataclass(frozen=True, slots=True)
 class Building:
     """A stage as it is built: the ``stage``, how often each key is ``drawn``, its ``materials``,
-    the paths of what is drawn more than once as ``prototypes`` by key, and the ``places`` of
-    items by name."""
+    the ``catalog``, the paths of what is drawn more than once as ``prototypes`` by key and body,
+    and the ``places`` of items by name."""
 
     stage: Usd.Stage
     drawn: Counter[Hashable]
     materials: MaterialScope
+    catalog: Catalog
     prototypes: dict[Hashable, Sdf.Path] = field(default_factory=dict)
     places: dict[str, Sdf.Path] = field(default_factory=dict)
 
@@ -52,7 +56,9 @@ def build_stage(
     stage = _new_stage(scene, catalog)
     open_air = any(OPEN & set(space.functions) for space in scene.spaces)
     items = [one for one in (*things(scene, catalog), *ceilings(scene)) if one.parts]
-    built = Building(stage, Counter(one.key for one in items), MaterialScope(MATERIALS, pictures))
+    built = Building(
+        stage, Counter(one.key for one in items), MaterialScope(MATERIALS, pictures), catalog
+    )
     for level in scene.levels:
         path = free_path(stage, ROOT, level.name or f"level {level.id or 1}")
         xform = _define_group(stage, path, level.name)
@@ -142,23 +148,46 @@ def _add_item(built: Building, parent: Sdf.Path, item: RenderItem) -> None:
     prim.SetCustomDataByKey("scenewright", {"id": item.name, **facts})
     _label(prim, "class", (category_of(item),))
     built.places[item.name] = path
-    _add_shape(built, path.AppendChild("Shape"), item)
+    _add_bodies(built, path, item)
 
 
-def _add_shape(built: Building, path: Sdf.Path, item: RenderItem) -> None:
-    """The meshes of an item, or an instance of those it shares with others."""
+def _add_bodies(built: Building, path: Sdf.Path, item: RenderItem) -> None:
+    """The shape of an item; of one that has bodies the frame that they move against, the bodies
+    and their joints."""
     stage = built.stage
+    still, bodies = split_bodies(item.parts)
+    free = is_free(item, built.catalog)
+    frame = path.AppendChild("Frame") if bodies else path
+    if bodies:
+        UsdGeom.Xform.Define(stage, frame)
+    if free:
+        make_body(stage.GetPrimAtPath(frame), still)
+    _add_shape(built, frame.AppendChild("Shape"), item, still, "", free)
+    for body in bodies:
+        name = prim_name(body.joint.body)
+        moved = UsdGeom.Xform.Define(stage, path.AppendChild(name))
+        make_body(moved.GetPrim(), body.parts)
+        _add_shape(built, moved.GetPath().AppendChild("Shape"), item, body.parts, name, True)
+        joint = path.AppendChild(f"{name}_joint")
+        define_joint(stage, joint, body.joint, frame, moved.GetPath())
+
+
+def _add_shape(
+    built: Building, path: Sdf.Path, item: RenderItem, parts: Sequence[Part], body: str, moves: bool
+) -> None:
+    """The meshes of a body of an item, or an instance of those it shares with others."""
+    stage, key = built.stage, (item.key, body, moves)
     shape = UsdGeom.Xform.Define(stage, path).GetPrim()
-    if built.drawn[item.key] == 1:
-        define_parts(stage, path, item.parts, built.materials)
+    if built.drawn[item.key] == 1 or not parts:
+        define_parts(stage, path, parts, built.materials, moves)
         return
-    if item.key not in built.prototypes:
+    if key not in built.prototypes:
         name = str(item.extras.get("asset") or category_of(item)).rpartition(":")[2]
-        proto = free_path(stage, PROTOTYPES, name)
+        proto = free_path(stage, PROTOTYPES, f"{name} {body}".strip())
         UsdGeom.Xform.Define(stage, proto)
-        define_parts(stage, proto, item.parts, built.materials)
-        built.prototypes[item.key] = proto
-    shape.GetReferences().AddInternalReference(built.prototypes[item.key])
+        define_parts(stage, proto, parts, built.materials, moves)
+        built.prototypes[key] = proto
+    shape.GetReferences().AddInternalReference(built.prototypes[key])
     shape.SetInstanceable(True)
 
 

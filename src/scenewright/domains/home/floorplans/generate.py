@@ -25,7 +25,7 @@ LEAST_A_ROOM, MOST_A_ROOM = 17.0, 45.0
 """Bounds of a home's floor a habitable room, in square metres."""
 LEAST_A_STOREY = 42.0
 """Least floor of a storey with stairs, in square metres."""
-ATTEMPTS = 60
+ATTEMPTS = 240
 MOST_ABOVE = 3
 """Bedrooms of an upper storey whose doors find a place along the hall."""
 CEILING_HEIGHT, STOREY_RISE = 2.6, 2.9
