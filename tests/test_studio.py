@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import io
 import json
 import os
@@ -25,7 +26,7 @@ from starlette.testclient import TestClient
 
 from scenewright.studio import project
 from scenewright.studio.guard import Keys, guarded
-from scenewright.studio.server import Listeners, do_verb, studio_app
+from scenewright.studio.server import PAGES, Listeners, do_verb, studio_app
 from scenewright.studio.session import Session, put
 
 PORT = 8420
@@ -200,6 +201,20 @@ def test_a_brought_plan_is_opened_and_exported(client: TestClient) -> None:
     assert client.get("/state").json()["history"][-1]["what"] == "opened room.json"
     packed = zipfile.ZipFile(io.BytesIO(client.get("/export.zip?formats=json,svg,nothing").content))
     assert sorted(packed.namelist()) == ["scene.json", "scene.svg"]
+
+
+def test_the_page_is_whole_and_what_is_not_ours_is_as_listed(client: TestClient) -> None:
+    from importlib import resources
+
+    for name in PAGES:
+        assert client.get(f"/{name}").is_success
+    page = resources.files("scenewright.studio") / "page"
+    listed = json.loads((page / "three.json").read_text())
+    bundle = (page / "three.js").read_bytes()
+    assert hashlib.sha256(bundle).hexdigest() == listed["sha256"]
+    assert listed["version"].split(".")[1] in bundle.decode()
+    assert listed["licence"] in bundle.decode()
+    assert client.get("/scene.glb").content[:4] == b"glTF"
 
 
 def test_files_that_are_no_project_are_left_alone(tmp_path: Path) -> None:

@@ -17,7 +17,7 @@ from scenewright.core.plan import Plan
 from scenewright.core.report import Finding, Report
 from scenewright.core.scene import Piece, Scene, Wall
 from scenewright.core.solution import Solution
-from scenewright.core.space import Opening, Points, Space
+from scenewright.core.space import Level, Opening, Points, Space
 from scenewright.domains import scene_of
 from scenewright.drawing.labels import polygon_of
 from scenewright.drawing.pieces import drawing_height, hangs, is_drawn, symbol
@@ -39,7 +39,7 @@ def draw(solution: Solution, plan: Plan, report: Report) -> Json:
     return {
         "name": scene.name,
         "domain": solution.brief.domain,
-        "levels": [_level(scene, level.id, level.name) for level in scene.levels],
+        "levels": [_level(scene, level) for level in scene.levels],
         "symbols": symbols,
         "pieces": pieces,
         "left_out": [
@@ -68,15 +68,16 @@ def _points(points: ArrayLike) -> list[list[float]]:
     return found
 
 
-def _level(scene: Scene, level: str, name: str) -> Json:
-    spaces = [space for space in scene.spaces if space.level == level]
+def _level(scene: Scene, level: Level) -> Json:
+    spaces = [space for space in scene.spaces if space.level == level.id]
     here = {space.id for space in spaces}
     return {
-        "id": level,
-        "name": name,
+        "id": level.id,
+        "name": level.name,
+        "elevation": level.elevation,
         "spaces": [_space(space) for space in spaces],
-        "walls": [row for wall in scene.walls if wall.level == level for row in _wall(wall)],
-        "openings": [_opening(one) for one in scene.openings if one.level == level],
+        "walls": [row for wall in scene.walls if wall.level == level.id for row in _wall(wall)],
+        "openings": [_opening(one) for one in scene.openings if one.level == level.id],
         "surfaces": [
             {
                 "kind": one.kind,

@@ -25,7 +25,8 @@ LONGEST = 64 << 20
 HEADERS = (
     (
         b"content-security-policy",
-        b"default-src 'self'; img-src 'self' blob: data:; frame-ancestors 'none'; base-uri 'none'",
+        b"default-src 'self'; img-src 'self' blob: data:; connect-src 'self' blob:; "
+        b"frame-ancestors 'none'; base-uri 'none'",
     ),
     (b"x-content-type-options", b"nosniff"),
     (b"referrer-policy", b"no-referrer"),

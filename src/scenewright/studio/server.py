@@ -22,7 +22,14 @@ from scenewright.formats.table import formats
 from scenewright.studio.drawable import Json
 from scenewright.studio.session import FORMATS, Session
 
-PAGES = {"": "text/html", "studio.css": "text/css", "studio.js": "text/javascript"}
+SCRIPT = "text/javascript"
+PAGES = {
+    "": "text/html",
+    "studio.css": "text/css",
+    "studio.js": SCRIPT,
+    "walk.js": SCRIPT,
+    "three.js": SCRIPT,
+}
 PAUSE = 10.0
 """Seconds after which a line that says nothing keeps an event stream open."""
 NAMED_FILES = ("catalogs", "groups", "sources", "source_file", "nets", "style")
@@ -78,7 +85,10 @@ def studio_app(session: Session, listeners: Listeners, folder: Path) -> Starlett
         return await _file(session.export, "application/zip", [e for e in asked if e in known])
 
     async def picture(_request: Request) -> Response:
-        return await _file(session.picture, "image/png")
+        return await _file(session.file, "image/png", "png")
+
+    async def model(_request: Request) -> Response:
+        return await _file(session.file, "model/gltf-binary", "glb")
 
     async def list_samples(_request: Request) -> Response:
         return JSONResponse([*samples()])
@@ -91,6 +101,7 @@ def studio_app(session: Session, listeners: Listeners, folder: Path) -> Starlett
             Route("/samples", list_samples),
             Route("/export.zip", export),
             Route("/picture.png", picture),
+            Route("/scene.glb", model),
             Route("/do", do, methods=["POST"]),
             Route("/bring", bring, methods=["POST"]),
         ]

@@ -166,11 +166,11 @@ class Session:
                 archive.writestr("left_out.txt", "\n".join(faults) + "\n")
         return kept.getvalue()
 
-    def picture(self) -> bytes:
-        """The scene from above at an angle, as PNG."""
+    def file(self, ending: str) -> bytes:
+        """The scene in one format: its picture from above at an angle, its model."""
         shown = self._must_show()
         with tempfile.TemporaryDirectory() as folder:
-            path = Path(folder, "scene.png")
+            path = Path(folder, f"scene.{ending}")
             write(shown.solution, path)
             return path.read_bytes()
 

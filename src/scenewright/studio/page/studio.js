@@ -61,6 +61,7 @@ function show() {
     return tab;
   }));
   drawPlan(); showSelected(); showLists();
+  if (!$("space").hidden && spaceOf !== doc.version && !doc.running) showSpace($("walk").ariaPressed === "true");
 }
 
 function drawPlan() {
@@ -228,7 +229,7 @@ $("plan").addEventListener("wheel", (event) => {
 }, { passive: false });
 
 document.addEventListener("keydown", (event) => {
-  if (event.target.matches("input, select")) return;
+  if (event.target.matches("input, select") || $("walk").ariaPressed === "true") return;
   const piece = chosen(), key = event.key.toLowerCase(), command = event.ctrlKey || event.metaKey;
   const way = { arrowleft: [-1, 0], arrowright: [1, 0], arrowup: [0, 1], arrowdown: [0, -1] }[key];
   if (command && key === "z" && !event.shiftKey) change("undo");
@@ -257,6 +258,51 @@ $("again").onclick = () => {
   const piece = chosen();
   if (piece) change("again", { space: piece.space, seed: 1 + Math.floor(Math.random() * 999) });
 };
+// The scene in 3D, made again when another version is shown; walked through from the selected
+// piece's room, or from the first one.
+let space = null, spaceOf = 0;
+
+async function showSpace(walking) {
+  if (!doc.version) return;
+  for (const [id, on] of [["space", true], ["pad", walking]]) $(id).hidden = !on;
+  $("plan").setAttribute("hidden", "");
+  $("solid").ariaPressed = !walking; $("walk").ariaPressed = walking;
+  if (!space || spaceOf !== doc.version) {
+    say("building the scene …");
+    const stood = space?.walking ? space.where() : null;
+    space?.close();
+    const { open3d } = await import("/walk.js");
+    space = await open3d($("space"), `/scene.glb?version=${doc.version}`);
+    spaceOf = doc.version; space.stood = stood;
+    say("");
+  }
+  space.walking = walking;
+  if (!walking) { space.turn(); return; }
+  const room = roomToStandIn(), [x, y, heading] = space.stood ?? [...room.label, Math.PI / 2];
+  space.walk(x, y, room.floor, heading);
+  $("space").focus();
+}
+
+function roomToStandIn() {
+  const piece = chosen(), here = doc.levels.find((one) => one.id === level) ?? doc.levels[0];
+  const room = here.spaces.find((one) => one.id === piece?.space) ?? here.spaces[0];
+  return { label: room.label, floor: here.elevation };
+}
+
+function showPlan() {
+  for (const id of ["space", "pad"]) $(id).hidden = true;
+  $("plan").removeAttribute("hidden");
+  $("solid").ariaPressed = $("walk").ariaPressed = false;
+}
+
+$("solid").onclick = () => $("solid").ariaPressed === "true" ? showPlan() : showSpace(false);
+$("walk").onclick = () => $("walk").ariaPressed === "true" ? showPlan() : showSpace(true);
+for (const button of $("pad").children) {
+  for (const [kind, on] of [["pointerdown", true], ["pointerup", false], ["pointerleave", false]]) {
+    button.addEventListener(kind, () => space?.press(button.dataset.key, on));
+  }
+}
+
 $("picture").onclick = async () => {
   say("drawing …");
   const reply = await fetch("/picture.png");

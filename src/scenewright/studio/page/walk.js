@@ -1,0 +1,166 @@
+// The scene in 3D: seen from above by turning it, or walked through at eye height. Metres; glTF's
+// y points up.
+import { AmbientLight, Box3, Color, DirectionalLight, Group, GLTFLoader, HemisphereLight, OrbitControls,
+  PerspectiveCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer, ACESFilmicToneMapping } from "/three.js";
+
+const EYE = 1.6, PACE = 1.8, BODY = 0.3, OPENS = 1.9;
+const farEnd = ({ lower, upper }) => Math.abs(upper) > Math.abs(lower) ? upper : lower;
+
+export async function open3d(canvas, address) {
+  const renderer = new WebGLRenderer({ canvas, antialias: true });
+  renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+  renderer.toneMapping = ACESFilmicToneMapping;
+  renderer.shadowMap.enabled = true;
+  const scene = new Scene();
+  scene.background = new Color(0xdfe6ea);
+  const camera = new PerspectiveCamera(60, 1, 0.05, 2000);
+  const gltf = await new GLTFLoader().loadAsync(address);
+  const world = gltf.scene, movable = [], doors = [], lamps = [];
+  world.traverse((node) => {
+    if (node.isLight) lamps.push(node);
+    if (node.isMesh) { node.castShadow = true; node.receiveShadow = true; }
+    const joint = node.userData.joint;
+    if (!joint) return;
+    movable.push(node);
+    node.userData.rest = node.position.clone();
+    node.userData.now = node.userData.aim = joint.at;
+    if (joint.type === "hinge" && node.parent.userData.category === "door") doors.push(node);
+  });
+  for (const lamp of lamps) lamp.parent.remove(lamp);
+  scene.add(world);
+  const above = [];
+  world.traverse((node) => { if (node.userData.layer === "ceiling" || /^ceiling/.test(node.name)) above.push(node); });
+  const box = new Box3().setFromObject(world), middle = box.getCenter(new Vector3()), size = box.getSize(new Vector3());
+  scene.add(new HemisphereLight(0xffffff, 0xb9a88f, 1.6), new AmbientLight(0xffffff, 0.5), sun(box, middle, size));
+  const turning = new OrbitControls(camera, canvas);
+  turning.target.copy(middle);
+  camera.position.set(middle.x + 0.2 * size.x, middle.y + 0.75 * Math.max(size.x, size.z), middle.z + 0.55 * Math.max(size.x, size.z));
+  turning.maxPolarAngle = 1.5;
+  const spot = new Vector3(), ray = new Raycaster();
+  const state = { keys: new Set(), walking: false, heading: 0, tilt: 0, alive: true, at: performance.now() };
+  const solid = world.children;
+
+  function resize() {
+    const width = canvas.clientWidth, height = canvas.clientHeight;
+    if (canvas.width !== width || canvas.height !== height) renderer.setSize(width, height, false);
+    camera.aspect = width / Math.max(height, 1); camera.updateProjectionMatrix();
+  }
+
+  function look() {
+    camera.lookAt(camera.position.x + Math.sin(state.heading) * Math.cos(state.tilt), camera.position.y + Math.sin(state.tilt),
+      camera.position.z - Math.cos(state.heading) * Math.cos(state.tilt));
+  }
+
+  function step(seconds) {
+    const has = (...names) => names.some((name) => state.keys.has(name));
+    const ahead = has("w", "arrowup") - has("s", "arrowdown"), aside = has("d") - has("a");
+    state.heading += (has("arrowright") - has("arrowleft")) * 1.6 * seconds;
+    if (ahead || aside) {
+      const way = new Vector3(Math.sin(state.heading) * ahead + Math.cos(state.heading) * aside, 0,
+        -Math.cos(state.heading) * ahead + Math.sin(state.heading) * aside).normalize();
+      go(way, PACE * (has("shift") ? 2 : 1) * seconds);
+    }
+    for (const door of doors) {
+      if (door.getWorldPosition(spot).distanceTo(camera.position) < OPENS) door.userData.aim = farEnd(door.userData.joint);
+    }
+    look();
+  }
+
+  function go(way, far) {
+    for (const share of [way, new Vector3(way.x, 0, 0), new Vector3(0, 0, way.z)]) {
+      if (share.lengthSq() < 0.04) continue;
+      const unit = share.clone().normalize();
+      const blocked = [0.3, 0.9, 1.5].some((height) => {
+        const from = camera.position.clone(); from.y += height - EYE;
+        ray.set(from, unit); ray.near = 0; ray.far = BODY + far;
+        const met = ray.intersectObjects(solid, true);
+        ray.far = Infinity;
+        return met.some((hit) => !belongsToDoor(hit.object));
+      });
+      if (!blocked) { camera.position.addScaledVector(share, far); return; }
+    }
+  }
+
+  const belongsToDoor = (object) => { for (let node = object; node; node = node.parent) if (doors.includes(node)) return true; return false; };
+
+  // What moves goes to where it is meant to be, about its hinge or along its runner.
+  function settle(seconds) {
+    for (const { userData: facts, position, quaternion } of movable) {
+      if (Math.abs(facts.aim - facts.now) < 1e-3) continue;
+      facts.now += (facts.aim - facts.now) * Math.min(1, 5 * seconds);
+      const axis = spot.fromArray(facts.joint.axis);
+      if (facts.joint.type === "hinge") quaternion.setFromAxisAngle(axis, facts.now - facts.joint.at);
+      else position.copy(facts.rest).addScaledVector(axis, facts.now - facts.joint.at);
+    }
+  }
+
+  // A click opens or shuts a door, a drawer, a sash.
+  function touch(event) {
+    const box = canvas.getBoundingClientRect();
+    ray.setFromCamera(new Vector2(2 * (event.clientX - box.left) / box.width - 1, 1 - 2 * (event.clientY - box.top) / box.height), camera);
+    let node = ray.intersectObjects(solid, true).find((hit) => hit.object.visible)?.object;
+    while (node && !movable.includes(node)) node = node.parent;
+    if (!node) return;
+    const { joint, aim } = node.userData, far = farEnd(joint);
+    node.userData.aim = Math.abs(aim - far) < 0.1 ? (far === joint.upper ? joint.lower : joint.upper) : far;
+  }
+
+  function frame(now) {
+    if (!state.alive) return;
+    resize();
+    const seconds = Math.min((now - state.at) / 1000, 0.1); state.at = now;
+    if (state.walking) step(seconds); else turning.update();
+    settle(seconds);
+    for (const node of above) node.visible = state.walking;
+    renderer.render(scene, camera);
+    requestAnimationFrame(frame);
+  }
+
+  let held = null, started = null;
+  const down = (event) => { held = started = [event.clientX, event.clientY]; };
+  const move = (event) => {
+    if (!held || !state.walking) return;
+    state.heading -= (event.clientX - held[0]) * 0.005;
+    state.tilt = Math.max(-1.2, Math.min(1.2, state.tilt + (event.clientY - held[1]) * 0.005));
+    held = [event.clientX, event.clientY];
+  };
+  const up = (event) => { if (started && Math.hypot(event.clientX - started[0], event.clientY - started[1]) < 4) touch(event); held = started = null; };
+  const key = (event) => {
+    if (!state.walking || event.key === "Escape") return;
+    state.keys[event.type === "keydown" ? "add" : "delete"](event.key.toLowerCase());
+    event.preventDefault();
+  };
+  canvas.addEventListener("pointerdown", down); canvas.addEventListener("pointermove", move); canvas.addEventListener("pointerup", up);
+  addEventListener("keydown", key); addEventListener("keyup", key);
+  requestAnimationFrame(frame);
+
+  return {
+    // Stand at a place of the plan (x, y and the floor's height), or look from above again.
+    walk(x, y, floor, heading) {
+      state.walking = true; turning.enabled = false;
+      camera.fov = 70; camera.position.set(x, floor + EYE, -y);
+      state.heading = Math.PI / 2 - heading; state.tilt = 0; look();
+    },
+    turn() { state.walking = false; turning.enabled = true; camera.fov = 60; },
+    where: () => [camera.position.x, -camera.position.z, Math.PI / 2 - state.heading],
+    press: (name, held_) => state.keys[held_ ? "add" : "delete"](name),
+    close() {
+      state.alive = false; turning.dispose(); renderer.dispose();
+      removeEventListener("keydown", key); removeEventListener("keyup", key);
+      canvas.removeEventListener("pointerdown", down); canvas.removeEventListener("pointermove", move);
+      canvas.removeEventListener("pointerup", up);
+    },
+  };
+}
+
+function sun(box, middle, size) {
+  const light = new DirectionalLight(0xfff1dc, 2.2), reach = 0.75 * Math.max(size.x, size.z, size.y);
+  light.position.set(middle.x - reach, box.max.y + 1.4 * reach, middle.z + 0.7 * reach);
+  light.target.position.copy(middle);
+  light.castShadow = true;
+  light.shadow.mapSize.set(2048, 2048);
+  Object.assign(light.shadow.camera, { left: -reach, right: reach, top: reach, bottom: -reach, near: 0.1, far: 6 * reach });
+  light.shadow.bias = -0.0005; light.shadow.normalBias = 0.02;
+  const both = new Group(); both.add(light, light.target);
+  return both;
+}
