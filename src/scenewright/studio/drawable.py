@@ -84,7 +84,7 @@ def _level(scene: Scene, level: Level) -> Json:
                 "rings": [_points(ring) for outer, inner in one.areas for ring in (outer, *inner)],
             }
             for one in scene.surfaces
-            if one.space in here
+            if one.space in here or len(scene.levels) == 1
         ],
     }
 

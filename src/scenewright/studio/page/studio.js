@@ -74,15 +74,15 @@ function drawPlan() {
   }
   if (!view) view = extent(here);
   plan.setAttribute("viewBox", view.join(" "));
-  for (const one of here.surfaces) element("path", { class: "ground", d: outline(one.rings) }, plan);
   for (const one of here.spaces) element("path", { class: "space", d: outline(one.rings), "fill-rule": "evenodd" }, plan);
+  for (const one of here.surfaces) element("path", { class: "ground", d: outline(one.rings) }, plan);
   const bad = new Set((doc.findings ?? []).flatMap((found) => found.pieces));
   for (const piece of doc.pieces.filter((one) => one.level === level)) drawPiece(piece, bad, plan);
   for (const one of here.walls) element("path", { class: one.low ? "low" : "wall", d: outline(one.rings) }, plan);
   for (const one of here.openings) drawOpening(one, plan);
   for (const one of here.spaces) {
     const [x, y] = one.label;
-    element("text", { class: "room", x, y: -y }, plan, one.name);
+    element("text", { class: "room", x, y: -y, "font-size": view[2] / 55 }, plan, one.name);
   }
 }
 
