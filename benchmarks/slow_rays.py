@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
+ADDED = ("ceiling", "skirting")
 
 
 def meet_slowly(triangles: Floats, eye: Floats, ways: Floats) -> tuple[Floats, NDArray[np.int64]]:
@@ -38,15 +39,23 @@ def meet_slowly(triangles: Floats, eye: Floats, ways: Floats) -> tuple[Floats, N
 
 def triangles_of_glb(data: bytes) -> tuple[Floats, list[str]]:
     """Triangles (m, 3, 3) of a GLB file with z up, as trimesh reads it, and the id of the node
-    each belongs to."""
+    each belongs to; without ceilings and skirting, which are of files only."""
     import trimesh
 
     loaded = trimesh.load(io.BytesIO(data), file_type="glb")
     (size,) = struct.unpack_from("<I", data, 12)
     nodes = json.loads(data[20 : 20 + size])["nodes"]
-    ids = {node["name"]: node.get("extras", {}).get("id", node["name"]) for node in nodes}
+    above = {child: node for node in nodes for child in node.get("children", ())}
+    owners = {
+        node["name"]: above[k] if node.get("extras", {}).get("category") == "body" else node
+        for k, node in enumerate(nodes)
+    }
+    ids = {name: node.get("extras", {}).get("id", node["name"]) for name, node in owners.items()}
+    added = {node["name"] for node in nodes if node.get("extras", {}).get("category") in ADDED}
     found, names = [], []
     for node in loaded.graph.nodes_geometry:
+        if re.sub(r"_[0-9a-f]{6}$", "", node) in added:
+            continue
         place, geometry = loaded.graph[node]
         corners = trimesh.transform_points(loaded.geometry[geometry].vertices, place)
         faces = loaded.geometry[geometry].faces

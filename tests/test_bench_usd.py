@@ -8,9 +8,9 @@ import pytest
 
 pytest.importorskip("pxr")
 
+from benchmarks.usd import count_scene, count_stage, measure
 from pxr import Usd
 
-from benchmarks.usd import count_scene, count_stage, measure
 from flat import flat_solution
 from scenewright.formats import write
 

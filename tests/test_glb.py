@@ -288,10 +288,13 @@ def test_the_file_is_the_same_each_time_and_leaves_nothing_beside_it(tmp_path: P
 def test_everything_of_a_scene_is_in_the_file(sample: str) -> None:
     solution = solve(read(f"sample:{sample}"), steps=50)
     scene, catalog = scene_of(solution), catalog_of(solution.brief.catalogs)
-    nodes = {node_id(node): node for node in document_of(scene, catalog)[0]["nodes"]}
     found = things(scene, catalog)
-    assert {thing.name for thing in found} <= set(nodes)
-    assert all("mesh" in nodes[thing.name] for thing in found if thing.parts)
+    for batched in (True, False):
+        document = document_of(scene, catalog, batched=batched)[0]
+        nodes = {node_id(node): node for node in document["nodes"]}
+        assert {thing.name for thing in found} <= set(nodes)
+    still = [thing for thing in found if any(part.joint is None for part in thing.parts)]
+    assert all("mesh" in nodes[thing.name] for thing in still)
     if sample == "home-house":
         assert {"stairs", "stairs railing"} <= {thing.name for thing in found}
 

@@ -52,7 +52,7 @@ def test_depth_and_masks_are_those_of_a_slow_caster_on_the_glb(
     flat: Observations, views: list[Observation]
 ) -> None:
     scene = scene_of(flat_solution())
-    triangles, names = triangles_of_glb(encode_scene(scene, shipped()))
+    triangles, names = triangles_of_glb(encode_scene(scene, shipped(), batched=False))
     above = [(one.name, p.vertices[p.faces]) for one in ceilings(scene) for p in one.parts]
     ground = np.array([[-99, -99, 0], [99, -99, 0], [0, 199, 0]]) - [0, 0, 0.222]
     every = np.concatenate([triangles, *(corners for _, corners in above), ground[None]])

@@ -59,6 +59,12 @@ FORMATS = (
         lacks=("dimensions", "outlets", *JUDGED),
     ),
     Format(
+        ".nodes.glb",
+        "the same, everything a mesh of its own",
+        writer="scenewright.formats.nodes_glb",
+        lacks=("dimensions", "outlets", *JUDGED),
+    ),
+    Format(
         ".procthor.json",
         "house of ProcTHOR, for AI2-THOR (read and written)",
         "scenewright.formats.simulation.procthor",

@@ -51,7 +51,8 @@ from scenewright.render.near_walls import (
 )
 
 Direction = tuple[float, float, float]
-ThingKind = Literal["slab", "space", "ceiling", "surface", "wall", "opening", "stairs", "piece"]
+BuiltKind = Literal["slab", "space", "ceiling", "skirting", "light row", "surface", "wall"]
+ThingKind = Literal[BuiltKind, "opening", "stairs", "piece"]
 
 SLAB = 0.22
 """Thickness in metres of the slab drawn under each level."""

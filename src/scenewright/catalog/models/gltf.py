@@ -19,6 +19,7 @@ from scenewright.catalog.models.conversions import PLAIN_GLTF
 from scenewright.catalog.models.files import MEBIBYTE, Beside, json_of
 from scenewright.catalog.models.gltf_accessors import Store, pick_row
 from scenewright.catalog.models.gltf_draco import DRACO, unpack_draco
+from scenewright.catalog.models.gltf_instances import INSTANCING, places_of, turns_of
 from scenewright.catalog.models.gltf_materials import SurfacePaint, assign_materials, paints
 from scenewright.catalog.models.gltf_record import Document, GltfNode, Primitive
 from scenewright.catalog.models.model import (
@@ -42,6 +43,7 @@ TRIANGLES, STRIP, FAN = 4, 5, 6
 COMPRESSIONS = ("EXT_meshopt_compression", "KHR_meshopt_compression")
 KNOWN = (
     DRACO,
+    INSTANCING,
     "KHR_materials_",
     "KHR_texture_transform",
     "KHR_mesh_quantization",
@@ -141,7 +143,12 @@ def scene_bodies(held: Store) -> Iterator[SceneBody]:
     """Every node of the scene that has a mesh."""
     coats = paints(held)
     faces = vertices = 0
-    for node, place in _placed_nodes(held.document):
+    copies = (
+        (node, above @ own)
+        for node, above in _placed_nodes(held.document)
+        for own in places_of(held, node)
+    )
+    for node, place in copies:
         found = []
         body = pick_row(held.document.meshes, node.mesh or 0, "meshes")
         for primitive in body.primitives:
@@ -196,15 +203,7 @@ def matrix(node: GltfNode) -> Floats:
     """
     if node.matrix is not None:
         return np.array(node.matrix, np.float64).reshape(4, 4).T
-    quaternion = np.array(node.rotation, np.float64)
-    x, y, z, w = quaternion / max(float(np.linalg.norm(quaternion)), 1e-12)
-    turn = np.array(
-        [
-            [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
-            [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
-            [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
-        ]
-    )
+    turn = turns_of(np.array([node.rotation], np.float64))[0]
     found = np.eye(4)
     found[:3, :3] = turn * np.array(node.scale)
     found[:3, 3] = node.translation

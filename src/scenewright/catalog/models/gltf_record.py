@@ -106,6 +106,7 @@ class GltfNode(BaseModel):
     translation: Triple = (0.0, 0.0, 0.0)
     rotation: Quadruple = (0.0, 0.0, 0.0, 1.0)
     scale: Triple = (1.0, 1.0, 1.0)
+    extensions: Extensions = {}
 
 
 class GltfScene(BaseModel):

@@ -8,13 +8,19 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from scenewright.core.catalog import Material
+from scenewright.formats.gltf.sheet import Sheet, draw_sheet
 from scenewright.render.colour import linear_of
 from scenewright.render.textures.pictures import color_picture, normal_picture
 from scenewright.render.textures.table import Texture, texture_of
 
 Json = dict[str, Any]
 LINEAR, MIPMAPPED, REPEAT = 9729, 9987, 10497
-SAMPLER: Json = {"magFilter": LINEAR, "minFilter": MIPMAPPED, "wrapS": REPEAT, "wrapT": REPEAT}
+NEAREST = 9728
+SAMPLERS: list[Json] = [
+    {"magFilter": LINEAR, "minFilter": MIPMAPPED, "wrapS": REPEAT, "wrapT": REPEAT},
+    {"magFilter": NEAREST, "minFilter": NEAREST, "wrapS": REPEAT, "wrapT": REPEAT},
+]
+PNG = b"\x89PNG"
 
 
 class MaterialTable(NamedTuple):
@@ -29,20 +35,40 @@ class MaterialTable(NamedTuple):
         images: list[Json] = []
         for name, content in self.pictures.items():
             place = {"buffer": 0, "byteOffset": len(buffer), "byteLength": len(content)}
-            images.append({"name": name, "bufferView": len(views), "mimeType": "image/jpeg"})
+            kind = "image/png" if content.startswith(PNG) else "image/jpeg"
+            images.append({"name": name, "bufferView": len(views), "mimeType": kind})
             views.append(place)
             buffer += content + b"\0" * (-len(content) % 4)
         if images:
-            found["textures"] = [{"sampler": 0, "source": k} for k in range(len(images))]
-            found |= {"samplers": [SAMPLER], "images": images}
+            small = [content.startswith(PNG) for content in self.pictures.values()]
+            found["textures"] = [{"sampler": int(png), "source": k} for k, png in enumerate(small)]
+            found |= {"samplers": SAMPLERS[: 1 + any(small)], "images": images}
         return found, buffer
 
 
-def list_materials(materials: Iterable[Material]) -> MaterialTable:
-    """The materials in glTF's words, with their textures, each once."""
+def list_materials(materials: Iterable[Material | None], sheet: Sheet) -> MaterialTable:
+    """The materials in glTF's words, with their textures, each once; None is the sheet."""
     pictures: dict[str, bytes] = {}
-    listed = [_material(one, pictures) for one in materials]
+    listed = [
+        _sheet_material(sheet, pictures) if one is None else _material(one, pictures)
+        for one in materials
+    ]
     return MaterialTable(listed, pictures)
+
+
+def _sheet_material(sheet: Sheet, pictures: dict[str, bytes]) -> Json:
+    """All woods and plain colours as one material; ``extras`` names them from above."""
+    drawn = draw_sheet(sheet)
+    surface: Json = {
+        "baseColorTexture": {"index": _index(pictures, "sheet", drawn.color)},
+        "metallicRoughnessTexture": {"index": _index(pictures, "sheet surfaces", drawn.surface)},
+    }
+    names = [material.name for material in (*sheet.bands, *sheet.cells)]
+    found: Json = {"name": "sheet", "pbrMetallicRoughness": surface, "extras": {"holds": names}}
+    if drawn.glow:
+        found["emissiveTexture"] = {"index": _index(pictures, "sheet glow", drawn.glow)}
+        found["emissiveFactor"] = [1.0, 1.0, 1.0]
+    return found
 
 
 def _material(material: Material, pictures: dict[str, bytes]) -> Json:

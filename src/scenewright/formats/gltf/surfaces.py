@@ -76,6 +76,23 @@ def surface(
     return GlbSurface(kept[0], kept[1], rows.reshape(-1), *kept[2:])
 
 
+def join_surfaces(surfaces: Sequence[GlbSurface]) -> GlbSurface:
+    """Several surfaces of one material as one."""
+    if len(surfaces) == 1:
+        return surfaces[0]
+    starts = np.cumsum([0, *(len(one.positions) for one in surfaces)])[:-1].astype(np.uint32)
+    indices = [one.indices + start for one, start in zip(surfaces, starts, strict=True)]
+    places = [one.places for one in surfaces if one.places is not None]
+    tangents = [one.tangents for one in surfaces if one.tangents is not None]
+    return GlbSurface(
+        np.concatenate([one.positions for one in surfaces]),
+        np.concatenate([one.normals for one in surfaces]),
+        np.concatenate(indices),
+        np.concatenate(places) if places else None,
+        np.concatenate(tangents) if tangents else None,
+    )
+
+
 def _tangents(corners: Floats64, normals: Floats64, places: Floats64) -> Floats64:
     """Tangents ``(m, 3, 4)`` at corners of faces, by how places change over each face: with sides
     p, q of a face and their places (a, b), (c, d), the way across is (p d - q b) / (a d - b c)."""

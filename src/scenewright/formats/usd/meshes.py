@@ -8,7 +8,7 @@ import numpy as np
 from pxr import Sdf, Usd, UsdGeom, UsdPhysics, UsdShade, Vt
 
 from scenewright.core.catalog import Part
-from scenewright.formats.glb import surfaces_of
+from scenewright.formats.gltf.meshes import surfaces_of
 from scenewright.formats.gltf.surfaces import GlbSurface, surface
 from scenewright.formats.usd.materials import PLACES, MaterialScope, linear_color, material_path
 from scenewright.formats.usd.names import free_path

@@ -19,7 +19,8 @@ from scenewright.core.space import Opening, Space
 from scenewright.render.colour import linear_of
 from scenewright.render.daylight import HOURS, towards
 from scenewright.render.items import to_level_coordinates
-from scenewright.render.lamps import Lamp, color_of_kelvin
+from scenewright.render.lamps import Lamp
+from scenewright.render.light_rows import light_rows
 from scenewright.render.observations.ceilings import CEILING
 from scenewright.render.observations.floor import WalkableFloor
 from scenewright.render.observations.world import VisibleWorld
@@ -34,11 +35,6 @@ SUN_RADIUS = 0.008
 """Tangent of the radius of the sun's disc, softened a little by haze."""
 ASIDE = float(np.deg2rad(38.0))
 """How far the sun stands aside of the way out of the largest window."""
-LARGE, LUX, COOL = 60.0, 300.0, 3500.0
-"""Rooms larger than this, m², have rows of lights that give this illuminance (EN 12464-1, sales
-areas and exhibitions: 300 lx) of this colour temperature."""
-ROWS, MOST_LIGHTS = 3.0, 48
-"""Distance of lights in metres, and the most of them in a room."""
 BEYOND = 0.15
 """What a source is expected to give to a room next door, as a share."""
 BESIDE = 0.3
@@ -158,29 +154,13 @@ def _lamps(scene: Scene, lit: Sequence[Lamp], numbers: Mapping[str, int]) -> Ite
 
 def _light_rows(floor: WalkableFloor, known: Floats) -> Iterator[Floats]:
     """Rows of lights under the ceilings of rooms that are large or have no other light."""
-    for number, space in enumerate(floor.spaces):
-        shape = shapely.Polygon(space.outline, space.holes)
-        dark = not (known[:, 0] == number).any()
-        if OPEN_AIR.isdisjoint(space.functions) and (shape.area > LARGE or dark):
-            apart = max(ROWS, float(np.sqrt(shape.area / MOST_LIGHTS)))
-            places = _places_in(shape, apart)
-            candela = LUX / 1000 * shape.area / len(places) / np.pi
-            light = candela * np.array(color_of_kelvin(COOL))
-            z = floor.elevation + space.height - 0.12
-            for x, y in places:
-                yield np.array([number, candela, x, y, z, 0.05, *light, 0.0, 0.0])
-
-
-def _places_in(shape: shapely.Polygon, apart: float) -> Floats:
-    """Points of a grid inside a shape, at least one."""
-    x0, y0, x1, y1 = shape.bounds
-    columns, rows = (max(round(side / apart), 1) for side in (x1 - x0, y1 - y0))
-    x = x0 + (np.arange(columns) + 0.5) * (x1 - x0) / columns
-    y = y0 + (np.arange(rows) + 0.5) * (y1 - y0) / rows
-    grid = np.stack(np.meshgrid(x, y), -1).reshape(-1, 2)
-    inside = grid[shapely.contains_xy(shape, grid[:, 0], grid[:, 1])]
-    inner = shape.representative_point()
-    return inside if len(inside) else np.array([[inner.x, inner.y]])
+    lit = frozenset(floor.spaces[int(number)].id for number in np.unique(known[:, 0]))
+    numbers = {space.id: number for number, space in enumerate(floor.spaces)}
+    for row in light_rows(floor.spaces, lit):
+        light = row.candela / 1000 * np.array(row.color)
+        for x, y, z in row.places:
+            place = [numbers[row.space.id], row.candela / 1000, x, y, floor.elevation + z]
+            yield np.array([*place, 0.05, *light, 0.0, 0.0])
 
 
 def _glowing(table: Singles, glow: float) -> Singles:

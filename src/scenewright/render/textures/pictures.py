@@ -16,6 +16,8 @@ from scenewright.render.textures.table import TEXTURES, bake
 QUALITY = 76
 SHARE = 0.998
 """Brighter shares of a texture are cut off, so that the rest has more steps."""
+STEPS = 1 << 14
+"""Steps of light between black and white in the table of sRGB: darkest ones a fifth of a byte."""
 Pixels = NDArray[np.uint8]
 
 
@@ -37,8 +39,8 @@ def color_picture(name: str) -> TexturePicture:
     """
     tone = bake(name).tone
     red, green, blue = np.quantile(tone.reshape(-1, 3), SHARE, axis=0).tolist()
-    share = np.clip(tone / np.array([red, green, blue]), 0.0, 1.0)
-    return TexturePicture(to_jpeg(as_pixels(coded_of(share))), (red, green, blue))
+    share = np.asarray(tone / np.array([red, green, blue]), np.float32)
+    return TexturePicture(to_jpeg(code_pixels(share)), (red, green, blue))
 
 
 @lru_cache(64)
@@ -52,6 +54,20 @@ def normal_picture(name: str) -> bytes:
     normal = np.stack([-slope_x, -slope_y, np.ones_like(height)], -1)
     normal /= np.linalg.norm(normal, axis=-1, keepdims=True)
     return to_jpeg(as_pixels(normal / 2 + 0.5), whole=True)
+
+
+def code_pixels(light: NDArray[np.float32]) -> Pixels:
+    """Linear light as bytes of sRGB, by a table: light beyond 1 is white.
+
+    >>> code_pixels(np.array([0.0, 0.214, 1.0, 2.0], np.float32)).tolist()
+    [0, 127, 255, 255]
+    """
+    return _codes()[np.minimum(light * (STEPS - 1), STEPS - 1).astype(np.uint16)]
+
+
+@lru_cache(1)
+def _codes() -> Pixels:
+    return as_pixels(coded_of(np.linspace(0.0, 1.0, STEPS)))
 
 
 def as_pixels(shares: NDArray[np.float64]) -> Pixels:

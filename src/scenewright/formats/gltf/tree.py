@@ -1,0 +1,229 @@
+"""The nodes of a document: home -> level -> rooms with their pieces, walls, openings, ceilings.
+
+What is built of one level is drawn as a whole by the node that holds it: its walls, its openings,
+its ceilings and its skirting each are one mesh, and nodes of their names hang below. What moves
+(leaves, sashes, doors, drawers) is a node of its own with its hinge or runner as origin.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from scenewright.core.catalog import Part, transform_part
+from scenewright.core.scene import Scene, Size
+from scenewright.render.bodies import Body, split_bodies
+from scenewright.render.items import RenderItem, to_level_coordinates
+
+RESERVED = re.compile(r"[\[\].:/%@\"\\]+")
+"""What three.js and Godot drop from the names of nodes."""
+LONGEST = 63
+"""Bytes of a name that Blender keeps."""
+MANY = 8
+"""From this number on, equal pieces of a room are instances of one node."""
+BRANCHES = {
+    "wall": "walls",
+    "opening": "openings",
+    "stairs": "stairs",
+    "ceiling": "ceilings",
+    "skirting": "skirting",
+    "light row": "light rows",
+}
+"""What is drawn as a whole by level, and how the node that draws it is called."""
+Json = dict[str, Any]
+
+
+class Drawn(NamedTuple):
+    """What a node draws: parts in its frame, equal for equal keys, the name of their mesh, and
+    where its instances are, as places and turns (none: once, at the node)."""
+
+    key: Hashable
+    name: str
+    parts: tuple[Part, ...]
+    places: tuple[tuple[list[float], list[float]], ...] = ()
+
+
+class Tree(NamedTuple):
+    """Nodes by number, what some of them draw, and names that are taken."""
+
+    nodes: list[Json]
+    drawn: dict[int, Drawn]
+    taken: set[str]
+
+    def add(self, parent: int, node: Json, drawn: Drawn | None = None) -> int:
+        """The number of a new node below another."""
+        self.nodes.append(node)
+        number = len(self.nodes) - 1
+        self.nodes[parent].setdefault("children", []).append(number)
+        if drawn is not None and drawn.parts:
+            self.drawn[number] = drawn
+        return number
+
+    def free(self, wish: str) -> str:
+        """A name nobody has yet."""
+        names = (wish if n == 1 else f"{wish} {n}" for n in range(1, len(self.taken) + 2))
+        name = next(name for name in names if name not in self.taken)
+        self.taken.add(name)
+        return name
+
+
+def build_tree(scene: Scene, found: Sequence[RenderItem], domain: str, batched: bool) -> Tree:
+    """All nodes, the root first; children by number. Unless ``batched`` everything draws itself."""
+    tree = Tree([], {}, {thing.name for thing in found})
+    tree.nodes.append({"name": tree.free(scene.name or domain), "extras": {"category": domain}})
+    sizes = {piece.id: piece.size for piece in scene.pieces}
+    for level in scene.levels:
+        extras = {"category": "level", "height": level.height, "elevation": level.elevation}
+        name = tree.free(level.name or f"level {level.id or 1}")
+        node: Json = {"name": name, "extras": extras}
+        if level.elevation:
+            node["translation"] = [0.0, float(level.elevation), 0.0]
+        mine = [thing for thing in found if thing.level == level.id]
+        _add_storey(tree, tree.add(0, node), mine, name, batched)
+        _add_pieces(tree, [t for t in mine if t.kind in ("surface", "piece")], sizes, batched)
+    return tree
+
+
+def _add_storey(
+    tree: Tree, top: int, found: Sequence[RenderItem], name: str, batched: bool
+) -> None:
+    """One level's branch but for its pieces: slab, spaces, stairs and what is drawn as a whole."""
+    for thing in found:
+        if thing.kind in ("slab", "space"):
+            _add_thing(tree, top, thing)
+    for kind, label in BRANCHES.items():
+        mine = [thing for thing in found if thing.kind == kind]
+        if mine:
+            head = tree.free(f"{label} of {name}")
+            whole = Drawn((kind, name), head, tuple(_in_level(mine))) if batched else None
+            extras = {"category": label, "layer": label}
+            branch = tree.add(top, {"name": head, "extras": extras}, whole)
+            for thing in mine:
+                _add_thing(tree, branch, thing, still=not batched)
+
+
+def _in_level(found: Iterable[RenderItem]) -> Iterator[Part]:
+    """What of things stands still, in the frame of their level."""
+    for thing in found:
+        for part in split_bodies(thing.parts)[0]:
+            moved = to_level_coordinates(thing, part.vertices)
+            yield Part(part.material, moved, part.faces)
+
+
+def _add_thing(
+    tree: Tree, parent: int, thing: RenderItem, size: Size | None = None, still: bool = True
+) -> None:
+    """A node with what stands ``still`` of a thing, and below it one for each body that moves."""
+    name = str(thing.extras.get("asset", thing.name) if thing.kind == "piece" else thing.name)
+    rest, bodies = split_bodies(thing.parts)
+    drawn = Drawn((thing.key, ""), name, rest) if still else None
+    number = tree.add(parent, node_of(thing, size), drawn)
+    for body in bodies:
+        moving = Drawn(_shape_key(body), f"{name} {body.joint.body}", _about_pivot(body))
+        tree.add(number, _body_node(thing, body), moving)
+
+
+def _body_node(thing: RenderItem, body: Body) -> Json:
+    """A node about whose origin a body turns or from which it slides; what it may do is in its
+    ``extras``: axis in glTF's frame, limits in radians or metres, and where it is ``at`` now."""
+    joint = body.joint
+    (x, y, z), (ax, ay, az) = joint.pivot, joint.axis
+    facts = {
+        "type": joint.kind,
+        "axis": [ax, az, -ay if ay else 0.0],
+        "lower": joint.lower,
+        "upper": joint.upper,
+        "at": joint.at,
+    }
+    place = [x, z, -y if y else 0.0]
+    extras = {"category": "body", "joint": facts}
+    return {"name": f"{thing.name} {joint.body}", "translation": place, "extras": extras}
+
+
+def _about_pivot(body: Body) -> tuple[Part, ...]:
+    shift = -np.array(body.joint.pivot)
+    return tuple(transform_part(part, np.eye(3), shift) for part in body.parts)
+
+
+def _shape_key(body: Body) -> Hashable:
+    """Equal for bodies of one shape: drawers above one another share their mesh."""
+    rows = ((p.material, np.round(p.vertices, 5), p.faces) for p in _about_pivot(body))
+    return tuple((material, (v + 0.0).tobytes(), f.tobytes()) for material, v, f in rows)
+
+
+def _add_pieces(
+    tree: Tree, found: Sequence[RenderItem], sizes: Mapping[str, Size], batched: bool
+) -> None:
+    """Pieces below their rooms; many of one kind are instances of a node, and have named nodes of
+    their own that draw nothing."""
+    rooms = {node["name"]: number for number, node in enumerate(tree.nodes)}
+    alike: dict[Hashable, list[RenderItem]] = {}
+    for thing in found:
+        alike.setdefault((thing.space, thing.key), []).append(thing)
+    for thing in found:
+        group = alike[thing.space, thing.key]
+        parent, size = rooms.get(thing.space, 1), sizes.get(thing.name)
+        if not batched or len(group) < MANY or not thing.parts:
+            _add_thing(tree, parent, thing, size)
+            continue
+        if thing is group[0]:
+            name = str(thing.extras.get("asset", thing.name))
+            drawn = Drawn(thing.key, name, thing.parts, tuple(map(place_of, group)))
+            extras = thing.extras | {"instances": len(group)}
+            tree.add(parent, {"name": tree.free(f"{name} x {len(group)}"), "extras": extras}, drawn)
+        tree.add(parent, node_of(thing, size))
+
+
+def place_of(thing: RenderItem) -> tuple[list[float], list[float]]:
+    """Where a thing is in glTF's axes, and its turn as a quaternion; a turn about our z is the same
+    turn about glTF's y."""
+    x, y, z = (float(v) for v in thing.at)
+    half = thing.turn / 2
+    turn = [0.0, float(np.sin(half)), 0.0, float(np.cos(half))]
+    return [x, z, -y if y else 0.0], turn
+
+
+def node_of(thing: RenderItem, size: Size | None = None) -> Json:
+    """A node at its place, with what is known of the thing."""
+    place, turn = place_of(thing)
+    node: Json = {"name": thing.name}
+    extras = dict[str, Any](thing.extras)
+    if size is not None:
+        extras["dimensions"] = [round(float(length), 4) for length in size]
+    if extras:
+        node["extras"] = extras
+    if any(place):
+        node["translation"] = place
+    if thing.turn:
+        node["rotation"] = turn
+    return node
+
+
+def name_safely(nodes: Sequence[Json]) -> None:
+    """Give nodes names that viewers keep; ``extras`` has the ``id`` where it was another one."""
+    names = safe_names([node["name"] for node in nodes])
+    for node, name in zip(nodes, names, strict=True):
+        if node["name"] != name and "extensions" not in node:
+            node["extras"] = node.get("extras", {}) | {"id": node["name"]}
+        node["name"] = name
+
+
+def safe_names(names: Sequence[str]) -> Iterator[str]:
+    """Names that viewers keep as they are: unique, without signs they drop, not too long.
+
+    >>> list(safe_names(["living/wall-1", "living-wall-1", "sofa"]))
+    ['living-wall-1', 'living-wall-1 2', 'sofa']
+    """
+    taken: set[str] = set()
+    for name in names:
+        plain, count = RESERVED.sub("-", name), 1
+        safe = plain.encode()[:LONGEST].decode(errors="ignore")
+        while safe in taken:
+            count += 1
+            end = f" {count}"
+            safe = plain.encode()[: LONGEST - len(end)].decode(errors="ignore") + end
+        taken.add(safe)
+        yield safe
