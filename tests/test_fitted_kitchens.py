@@ -144,6 +144,14 @@ def test_faults_of_fitted_kitchens_are_those_the_benchmark_counts(free):
             assert {name for name, fault in counted.items() if fault(pieces)} <= found
 
 
+@pytest.mark.parametrize(("area", "alone"), [(7.0, True), (9.0, False)])
+def test_a_sink_stands_alone_at_its_wall_in_small_kitchens_at_most(free, area, alone):
+    short = [free.low[0], free.low[1]._replace(start=0.0, end=0.6)]
+    walls = free._replace(low=short, area=area)
+    lines = [k.lines[1].units for step in list_steps(walls)[2:3] for k in step()]
+    assert any([name for name, _ in units] == ["sink_cabinet"] for units in lines) == alone
+
+
 def test_what_is_foreseen_of_a_kitchen_is_near_what_its_case_costs(free):
     rule = PRESETS["default"].settings.composing
     for area in (5.0, 12.0):

@@ -51,7 +51,7 @@ HUM = 0.5  # a fridge nearer to a bed is heard in it, metres
 BORDERS = (
     Border("sleep", "cook", APART, 10.0, True),
     Border("sleep", "chill", HUM, 8.0, True),
-    Border("sit", "cook", APART, 10.0, True),
+    Border("sit", "cook", APART, 16.0, True),
     Border("watch", "cook", APART, 8.0, True),
     Border("work", "cook", APART, 8.0, True),
     Border("dress", "cook", APART, 12.0, True),

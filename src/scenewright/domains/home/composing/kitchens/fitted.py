@@ -53,6 +53,8 @@ LANDED = 2.4
 FACING = -0.995  # cosine of the angle between walls that face each other
 U_FROM = 8.0
 """Area in m² from which a kitchen goes round two corners."""
+ALONE_BELOW = 8.0
+"""Area in m² from which no sink stands alone at a wall, without worktop to put a plate on."""
 Units = tuple[Unit, ...]
 
 
@@ -234,7 +236,10 @@ def _apart(free: FreeWalls, whole: bool) -> Iterator[FittedKitchen]:
                 _ends(stretch, holds, k == cold, _most(free) / 2)
                 for k, (stretch, holds) in enumerate(((one, "h"), (other, "s")))
             ]
-            yield from (FittedKitchen(pair) for pair in product(*lines) if _within_reach(*pair))
+            for pair in product(*lines):
+                alone = len(pair[1].units) == 1 and free.area >= ALONE_BELOW
+                if not alone and _within_reach(*pair):
+                    yield FittedKitchen(pair)
 
 
 def _within_reach(cooking: UnitLine, washing: UnitLine) -> bool:
