@@ -17,7 +17,7 @@ Ints = NDArray[np.int64]
 
 FLAT = 1e-3
 """Metres by which a corner may stand out of the plane of a face of a convex solid."""
-STEP = 0.012
+STEP = 0.018
 """Greatest distance in metres between points taken of a surface."""
 FEW = 12
 """Directions of edges up to which their cross products are tried: boxes, wedges, prisms."""
@@ -120,9 +120,8 @@ def penetration_depth(a: Solid, b: Solid, least: float) -> float:
     """
     if (np.minimum(a.high, b.high) - np.maximum(a.low, b.low) <= least).any():
         return 0.0
-    if a.convex and b.convex:
-        found = _parting_move(a, b)
-    else:
+    found = _parting_move(a, b)
+    if found > least and not (a.convex and b.convex):  # their hulls are in each other
         found = max(_deepest(a, b, least), _deepest(b, a, least))
     return found if found > least else 0.0
 

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
+from functools import cache
 from math import pi
 from zlib import crc32
 
@@ -22,6 +23,7 @@ from scenewright.clutter.spots import (
 )
 from scenewright.clutter.stability import keep_standing
 from scenewright.clutter.surfaces import Surfaces, surfaces_of
+from scenewright.clutter.sweeps import Box, sweeps_of
 from scenewright.clutter.tops import Carrier, Measure, carrier_of, to_level, to_local
 from scenewright.core.catalog import Asset, Catalog
 from scenewright.core.scene import CLUTTER, Piece, Pose, Scene, Size
@@ -51,12 +53,16 @@ def with_clutter(scene: Scene, catalog: Catalog, amount: str, seed: int = 0) -> 
             measured[key] = surfaces_of(parts_of(piece, catalog))
         return measured[key]
 
+    @cache
+    def sweeps(piece: Piece) -> tuple[Box, ...]:
+        return sweeps_of(piece, parts_of(piece, catalog))
+
     level_of = {space.id: space.level for space in scene.spaces}
     by_level: dict[str, list[Piece]] = defaultdict(list)
     for piece in scene.pieces:
         by_level[level_of.get(piece.space, "")].append(piece)
     for space in scene.spaces:
-        found += _furnish(space, by_level[space.level], catalog, amount, seed, measure)
+        found += _furnish(space, by_level[space.level], catalog, amount, seed, measure, sweeps)
     return replace(scene, pieces=(*scene.pieces, *keep_standing(scene.pieces, found, catalog)))
 
 
@@ -67,6 +73,7 @@ def _furnish(
     amount: str,
     seed: int,
     measure: Measure,
+    sweeps: Callable[[Piece], tuple[Box, ...]],
 ) -> Iterator[Piece]:
     """The small objects of a room."""
     rows = [row for row in ROWS if not row.rooms or set(row.rooms) & set(space.functions)]
@@ -79,7 +86,7 @@ def _furnish(
     for piece in here:
         near = [o for o in _near(piece, pieces) if not _is_flat(o, catalog)]
         seats = _seats(piece, near, catalog)
-        carriers.append(carrier_of(piece, near, windows, seats, measure))
+        carriers.append(carrier_of(piece, near, windows, seats, measure, sweeps))
     left = {row: row.most for row in rows}
     for carrier in carriers:
         rng = np.random.default_rng([seed, crc32(carrier.piece.id.encode())])

@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from scenewright.clutter.surfaces import CELL, Flags, Floats, Surfaces
+from scenewright.clutter.sweeps import Box
 from scenewright.core.scene import Piece
 from scenewright.core.space import Opening
 
@@ -60,9 +61,15 @@ def to_level(piece: Piece, points: Floats) -> Floats:
 
 
 def carrier_of(
-    piece: Piece, near: Sequence[Piece], windows: Sequence[Opening], seats: Floats, measure: Measure
+    piece: Piece,
+    near: Sequence[Piece],
+    windows: Sequence[Opening],
+    seats: Floats,
+    measure: Measure,
+    sweeps: Callable[[Piece], Sequence[Box]],
 ) -> Carrier:
-    """A piece as a carrier among the pieces of its level ``near`` it."""
+    """A piece as a carrier among the pieces of its level ``near`` it; ``sweeps`` are the boxes in
+    which something of a piece opens."""
     surfaces = measure(piece)
     main = next((k for k, one in enumerate(surfaces.levels) if one.free.sum() >= MAIN), 0)
     tops = tuple(
@@ -73,6 +80,8 @@ def carrier_of(
     spots = to_level(piece, np.stack([x.ravel(), y.ravel()], -1))
     for other in near:
         _stand_in(tops, piece, other, spots, measure)
+    for other in (piece, *near):
+        _open(tops, piece, sweeps(other), spots)
     for window in windows:
         _open_window(tops, piece, window, spots)
     return Carrier(piece, tops, surfaces, seats)
@@ -99,6 +108,19 @@ def _stand_in(
             top.free[_grown(inside)] = False
         else:
             top.headroom[inside] = np.minimum(top.headroom[inside], low - z)
+
+
+def _open(tops: Sequence[Top], piece: Piece, boxes: Sequence[Box], spots: Floats) -> None:
+    """Take the room in which something opens, boxes in the frame of the level."""
+    first, last = spots.min(0), spots.max(0)
+    for low, high in boxes:
+        if (low[:2] > last).any() or (high[:2] < first).any():
+            continue
+        within = ((spots > low[:2]) & (spots < high[:2])).all(1)
+        for top in tops:
+            z, inside = piece.pose.z + top.z, within.reshape(top.free.shape)
+            if z < high[2]:
+                top.headroom[inside] = np.minimum(top.headroom[inside], max(low[2] - z, 0.0))
 
 
 def _grown(cells: Flags) -> Flags:
