@@ -9,24 +9,31 @@ import numpy as np
 import pytest
 
 from scenewright.building.plan import spaces
+from scenewright.catalog.classes import SOFT_SEATS
 from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief
+from scenewright.core.explanation import find_remedy
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains import check
+from scenewright.domains.home.advice import REMEDIES
 from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask, find_blocked
 from scenewright.domains.home.cases.library import cases
-from scenewright.domains.home.composing.homewide.eating_places import (
-    add_kitchen_tables,
-    list_tables,
-    measure_places,
-    set_table,
+from scenewright.domains.home.composing.homewide.settling import (
+    HomeState,
+    is_home,
+    list_back,
+    list_moved,
+    measure_case,
+    wait,
 )
-from scenewright.domains.home.composing.homewide.settling import is_home, list_yielding
-from scenewright.domains.home.composing.homewide.soft_seats import SOFT, add_soft_seat
 from scenewright.domains.home.composing.homewide.used_floor import measure_taken
 from scenewright.domains.home.composing.places.moving import dress_group, make_unplaced
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.domains.home.household import decide_household
+from scenewright.domains.home.needs.forms import list_tables, measure_places
+from scenewright.domains.home.needs.proof import name_way, tell_proof
+from scenewright.domains.home.needs.settle import add_kitchen_tables, add_soft_seat, set_table
+from scenewright.domains.home.needs.solve_for import holds_no_less
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.programme import WELCOME, Wish
 from scenewright.domains.home.solving import prepare_rooms, solve
@@ -56,7 +63,7 @@ def _serve(brief: Brief, *placed: tuple[FurnishedGroup, ...], opened=list) -> li
     held = (*placed, *((),) * (len(tasks) - len(placed)))
     answers = [RoomAnswer(0.0, groups, (), (), None, 0.0, 0) for groups in held]
     household = decide_household([task.space for task in tasks], brief.residents)
-    return set_table(household, tasks, answers, opened)
+    return set_table(HomeState(tasks, opened, household), answers)
 
 
 def _stand(task: RoomTask, name: str, case_name: str, at: tuple[float, float]) -> FurnishedGroup:
@@ -108,12 +115,12 @@ def test_what_is_welcome_and_holds_nothing_makes_room(timed, gone):
     names = ("plant", "vanity", "chest", "wardrobe")
     each = [_stand(task, name, cases(name).groups[0].name, (7.0, 0.0)) for name in names]
     placed = tuple(g._replace(wish=g.wish._replace(rank=WELCOME)) for g in each)
-    trials = list(list_yielding(placed, "soft seat", timed))
-    assert [lost.wish.group for _, (lost,) in trials] == gone
-    assert all(len(rest) == 3 for rest, _ in trials)
+    rest, waiting = wait(placed, timed)
+    assert [group.wish.group for group in waiting] == gone
+    assert [g.wish.group for g in rest] == [name for name in names if name not in gone]
     asked = tuple(g._replace(wish=g.wish._replace(required=True)) for g in placed)
     needed = tuple(g._replace(wish=g.wish._replace(rank=1)) for g in placed[1:])
-    assert not list(list_yielding(asked + needed, "soft seat", timed))
+    assert wait(asked + needed, timed)[1] == ()
 
 
 def test_a_table_that_was_asked_for_in_its_size_stays():
@@ -130,7 +137,7 @@ def test_a_home_without_room_for_any_table_says_so():
     assert _places(answers) == [0.0, 0.0, 0.0]
     (lost,) = [m for answer in answers for m in answer.missing]
     assert lost.wish.group == "dining_wall"
-    assert "place for a table" in lost.reason
+    assert lost.reason == "no room of the home is large enough for a table with two stools"
 
 
 def test_a_table_that_takes_something_away_from_the_ways_of_the_home_is_not_set():
@@ -155,9 +162,9 @@ def test_a_bare_kitchen_gets_a_table_of_its_own():
     table = _stand(tasks[1], "dining", "1.2 m table for 4", (7.0, 1.0))
     held = ((), (table,), (), ())
     answers = [RoomAnswer(0.0, groups, (), (), None, 0.0, 0) for groups in held]
-    found = add_kitchen_tables(tasks, answers, list)
+    found = add_kitchen_tables(HomeState(tasks, list), answers)
     assert _places(found) == [4.0, 4.0, 0.0, 0.0]
-    again = add_kitchen_tables(tasks, found, list)
+    again = add_kitchen_tables(HomeState(tasks, list), found)
     assert all(a is b for a, b in zip(again, found, strict=True))
 
 
@@ -174,10 +181,12 @@ def test_a_home_without_a_living_room_has_a_soft_seat_where_it_sleeps():
     brief = _flat(KITCHEN, BEDROOMS[0], BATH)
     tasks = _tasks(brief)
     answers = [RoomAnswer(0.0, (), (), (), None, 0.0, 0) for _ in tasks]
-    found = add_soft_seat(tasks, answers, list)
-    seats = [[p.category for g in a.placed for p in g.pieces if p.category in SOFT] for a in found]
+    found = add_soft_seat(HomeState(tasks, list), answers)
+    seats = [
+        [p.category for g in a.placed for p in g.pieces if p.category in SOFT_SEATS] for a in found
+    ]
     assert seats == [[], ["armchair"], []]
-    again = add_soft_seat(tasks, found, list)
+    again = add_soft_seat(HomeState(tasks, list), found)
     assert all(a is b for a, b in zip(again, found, strict=True))
 
 
@@ -188,8 +197,8 @@ def _seat_beside(*pieces: Piece) -> list[tuple[float, float]]:
     bed = next(k for k, task in enumerate(tasks) if task.space.id == "bed")
     tasks[bed] = tasks[bed]._replace(fixed=(*tasks[bed].fixed, *pieces))
     answers = [RoomAnswer(0.0, (), (), (), None, 0.0, 0) for _ in tasks]
-    found = add_soft_seat(tasks, answers, list)
-    seats = [p for a in found for g in a.placed for p in g.pieces if p.category in SOFT]
+    found = add_soft_seat(HomeState(tasks, list), answers)
+    seats = [p for a in found for g in a.placed for p in g.pieces if p.category in SOFT_SEATS]
     return [p.pose[:2] for p in seats]
 
 
@@ -240,4 +249,51 @@ def test_whole_homes_eat_and_sit_and_stay_valid():
     assert check(home).valid
     there = [p.category for p in home.pieces]
     assert "dining_table" in there or "round_table" in there
-    assert set(there) & set(SOFT)
+    assert set(there) & SOFT_SEATS
+
+
+def test_what_moves_for_a_need_stands_elsewhere_and_holds_no_less():
+    task = next(t for t in _tasks(_flat(KITCHEN, *BEDROOMS, BATH)) if t.space.id == "first")
+    chest = _stand(task, "chest", "1.2 m chest of drawers", (7.0, 0.0))
+    taker = _stand(task, "wardrobe", cases("wardrobe").groups[0].name, (7.0, 0.0))
+    (back, *_) = list_back(task, (chest,), (taker,), chest)
+    (moved,) = (g for g in back if g.wish.group == "chest")
+    assert moved.dressed.box[:2].tolist() != chest.dressed.box[:2].tolist()
+    assert measure_case(moved.dressed.case) == measure_case(chest.dressed.case)
+    assert [group for _, group in list_moved((taker, chest))] == [chest, taker]
+    asked = chest._replace(wish=chest.wish._replace(required=True))
+    assert not list(list_moved((asked,)))
+
+
+def test_a_room_laid_out_anew_may_lose_storage_only_within_what_is_spare():
+    task = next(t for t in _tasks(_flat(KITCHEN, *BEDROOMS, BATH)) if t.space.id == "first")
+    forms = {
+        c.dressed.case.width: c
+        for c in (_stand(task, "chest", form.name, (7.0, 0.0)) for form in cases("chest").groups)
+    }
+    small, large = forms[min(forms)], forms[max(forms)]
+    wide, less = [RoomAnswer(0.0, (g,), (), (), None, 0.0, 0) for g in (large, small)]
+    gap = max(forms) - min(forms)
+    assert not holds_no_less(wide, less)
+    assert not holds_no_less(wide, less, gap - 0.05)
+    assert holds_no_less(wide, less, gap + 0.01)
+    assert holds_no_less(less, wide)
+    table = _stand(task, "dining_wall", "0.9 m wall table for 2", (7.0, 0.0))
+    assert not holds_no_less(wide._replace(placed=(large, table)), wide)
+
+
+def test_a_proof_names_what_was_tried_and_what_stands_in_the_way():
+    tasks = _tasks(_flat(KITCHEN, *BEDROOMS, BATH))
+    kitchen, bath = (
+        next(k for k, task in enumerate(tasks) if task.space.id == name)
+        for name in ("kitchen", "bath")
+    )
+    text = tell_proof(tasks, [(bath, ())], list_tables(6)[0], "a table for 6")
+    assert (
+        text
+        == "tried a table for 6 (2.6 x 1.9 m of floor) in bath, no wall or floor is long enough"
+    )
+    assert name_way(tasks[kitchen], "door 1") == "the door outside"
+    assert name_way(tasks[kitchen], "kitchen") == "the kitchen run"
+    helps = find_remedy(f"{text} (16.0 m² of floor)", REMEDIES)
+    assert helps == "make 2.6 x 1.9 m of floor free for a table for 6 in one of these rooms"

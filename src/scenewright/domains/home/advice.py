@@ -11,6 +11,11 @@ from scenewright.core.explanation import Compromise, Remedy
 LARGER = "give the room more floor, or forbid something else in it (wishes: forbid)"
 
 REMEDIES: tuple[Remedy, ...] = (
+    Remedy(r"large enough for (.+?)(?: \(|$)", "make 1.2 x 1.4 m of floor free for {0}"),
+    Remedy(
+        r"^(?:places to eat.*: )?tried (.+?) \(([\d.]+ x [\d.]+) m of floor\)",
+        "make {1} m of floor free for {0} in one of these rooms",
+    ),
     Remedy(
         r"no free wall of ([\d.]+) m",
         "keep {0} m of wall free of doors, windows and tall furniture, or forbid something else "
@@ -36,13 +41,12 @@ REMEDIES: tuple[Remedy, ...] = (
     Remedy(r"no seat to watch", "ask for seats too, or give the room more floor"),
     Remedy(r"hang in the closet", "none is needed; ask for a wardrobe to have one"),
     Remedy(r"away from the kitchen", "keep more wall beside the kitchen free"),
-    Remedy(
-        r"a table with two stools", "make 1.2 x 1.4 m of floor free in a living room or kitchen"
-    ),
     Remedy(r"the home cooks in", "ask for a kitchen in this room to have a second one"),
     Remedy(r"something smaller", "give the room more floor, or ask for the smaller one"),
     Remedy(r"the layout has no place", "add it to the layout that was handed in"),
-    Remedy(r"makes? room for|takes? its place", "give the room more floor to have both"),
+    Remedy(
+        r"makes? room for|takes? its place|comes before it", "give the room more floor to have both"
+    ),
     Remedy(r"no room is left|no place|small enough|without it|too near|drawn back", LARGER),
 )
 """By what a reason says; the first that matches counts."""

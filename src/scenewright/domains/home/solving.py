@@ -30,13 +30,8 @@ from scenewright.domains.home.attempt import RoomAnswer, RoomTask, build_task_pr
 from scenewright.domains.home.cases.own_library import libraries_of, taste_of
 from scenewright.domains.home.closets import has_closet
 from scenewright.domains.home.composing.compose import compose
-from scenewright.domains.home.composing.home_passes import (
-    ALIGNING,
-    MENDING,
-    SETTLING,
-    HomeState,
-    finish_home,
-)
+from scenewright.domains.home.composing.home_passes import ALIGNING, MENDING, SETTLING, finish_home
+from scenewright.domains.home.composing.homewide.settling import HomeState
 from scenewright.domains.home.drafts import choose_open, furnish_best
 from scenewright.domains.home.entrances import entered_by
 from scenewright.domains.home.furnishing.look import apply_style
@@ -162,7 +157,7 @@ def _walk_home(
     household = decide_household(rooms, brief.residents)
     if again:
         found = meet_stated_needs(household, every, found, opened)
-    home = HomeState(every.tasks, opened, household, timed=not again)
+    home = HomeState(every.tasks, opened, household, not again, every.wishes, every.budgets)
     mended = finish_home(home, found, MENDING)
     fewer = measure_shortage(household, mended) > measure_shortage(household, found)
     return finish_home(home, found if fewer else mended, (*SETTLING, *ALIGNING))

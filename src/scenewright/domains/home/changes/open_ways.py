@@ -12,7 +12,8 @@ from scenewright.core.space import Space
 from scenewright.domains.home.attempt import RoomAnswer
 from scenewright.domains.home.changes.least_change import Rest
 from scenewright.domains.home.changes.revised import NOTHING, Revised
-from scenewright.domains.home.composing.home_passes import ALIGNING, MENDING, HomeState, finish_home
+from scenewright.domains.home.composing.home_passes import ALIGNING, MENDING, finish_home
+from scenewright.domains.home.composing.homewide.settling import HomeState
 from scenewright.domains.home.home_floor import HomeFloor
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.remove_blockers import Opened, remove_blockers

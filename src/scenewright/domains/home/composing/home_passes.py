@@ -4,31 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import partial
-from typing import NamedTuple
 
 from scenewright.core.passes import ALL_PASSES, Pass, run_passes
 from scenewright.domains.home.attempt import RoomAnswer, RoomTask
 from scenewright.domains.home.composing.alignment.homes import align_rooms
 from scenewright.domains.home.composing.comparing import compare_homes
 from scenewright.domains.home.composing.homewide.bedsides import add_nightstands
-from scenewright.domains.home.composing.homewide.eating_places import add_kitchen_tables, set_table
-from scenewright.domains.home.composing.homewide.soft_seats import add_soft_seat
+from scenewright.domains.home.composing.homewide.settling import HomeState
 from scenewright.domains.home.composing.kitchens.mend import mend_kitchens
 from scenewright.domains.home.composing.mend_rooms import mend_rooms
-from scenewright.domains.home.household import Household
+from scenewright.domains.home.needs.settle import add_kitchen_tables, add_soft_seat, set_table
 from scenewright.domains.home.remove_blockers import Opened
 
 Answers = list[RoomAnswer]
-
-
-class HomeState(NamedTuple):
-    """The rooms of a home, who lives in it, what opens its ways, and whether its seconds are
-    stated (``timed``)."""
-
-    tasks: Sequence[RoomTask]
-    opened: Opened
-    household: Household | None = None
-    timed: bool = False
 
 
 HomePass = Callable[[HomeState, Answers], Answers]
@@ -37,16 +25,6 @@ HomePass = Callable[[HomeState, Answers], Answers]
 def _of_rooms(run: Callable[[Sequence[RoomTask], Answers, Opened], Answers]) -> HomePass:
     """A pass over rooms and their ways that asks for nothing else of the home."""
     return lambda home, answers: run(home.tasks, answers, home.opened)
-
-
-def _set_table(home: HomeState, answers: Answers) -> Answers:
-    if home.household is None:
-        return answers
-    return set_table(home.household, home.tasks, answers, home.opened, home.timed)
-
-
-def _add_soft_seat(home: HomeState, answers: Answers) -> Answers:
-    return add_soft_seat(home.tasks, answers, home.opened, home.timed)
 
 
 MENDING: tuple[Pass[HomePass], ...] = tuple(
@@ -58,9 +36,9 @@ MENDING: tuple[Pass[HomePass], ...] = tuple(
 )
 """What is dropped as a whole where the home then lacks more of what its household needs."""
 SETTLING: tuple[Pass[HomePass], ...] = (
-    Pass("set table", "home settling", _set_table, "a table for all who live in the home"),
-    Pass("kitchen tables", "home settling", _of_rooms(add_kitchen_tables), "one in bare kitchens"),
-    Pass("soft seat", "home settling", _add_soft_seat, "one in a home without any"),
+    Pass("set table", "home settling", set_table, "a table for all who live in the home"),
+    Pass("kitchen tables", "home settling", add_kitchen_tables, "one in bare kitchens"),
+    Pass("soft seat", "home settling", add_soft_seat, "one in a home without any"),
 )
 ALIGNING: tuple[Pass[HomePass], ...] = (
     Pass("mend rooms", "home aligning", _of_rooms(mend_rooms), "the worst row, its moves, again"),

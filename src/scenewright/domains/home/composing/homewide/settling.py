@@ -8,16 +8,19 @@ change stays where the exact ways of the whole home are as open as before.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from functools import cache
 from itertools import islice
+from operator import ge
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from scenewright.catalog.classes import DESKS, SOFT_SEATS
 from scenewright.core.catalog import Group
 from scenewright.core.same import once
 from scenewright.domains.home.attempt import (
     FurnishedGroup,
-    Missing,
     RoomAnswer,
     RoomTask,
     bars_no_more,
@@ -36,7 +39,7 @@ from scenewright.domains.home.composing.placed_faults import (
     list_standing,
     measure_before_doors,
 )
-from scenewright.domains.home.composing.places.forms import cost_of_case
+from scenewright.domains.home.composing.places.forms import cost_of_case, list_forms
 from scenewright.domains.home.composing.places.moving import (
     dress_group,
     find_places,
@@ -47,12 +50,20 @@ from scenewright.domains.home.composing.places.moving import (
 from scenewright.domains.home.composing.spacing.rules import measure_closeness
 from scenewright.domains.home.composing.views import cost_of_view
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
-from scenewright.domains.home.household import STORING, is_dwelling
-from scenewright.domains.home.measures import ROUNDING
+from scenewright.domains.home.groups.classes import BED_GROUPS
+from scenewright.domains.home.household import (
+    BED_PLACES,
+    STORING,
+    Household,
+    count_places,
+    is_dwelling,
+)
+from scenewright.domains.home.measures import HAIR, ROUNDING
 from scenewright.domains.home.programme import WELCOME, Wish
 from scenewright.domains.home.remove_blockers import Opened
 from scenewright.domains.home.rules.weigh_home import sum_rows
 from scenewright.domains.home.wished.wishes import list_barred_groups
+from scenewright.engine.solve import Budget
 
 Floats = NDArray[np.float64]
 
@@ -61,9 +72,37 @@ NOWHERE: Floats = np.empty((0, 5))
 SETTLED_APART = 0.3  # least distance between places of one form, metres
 PLACES = 5  # of one form that are furnished
 YIELDING = frozenset(("plant", "console"))
-"""What makes room for a first table in any case."""
+"""What waits in any case."""
+MOVED_FIRST = (
+    "plant",
+    "reading",
+    "media",
+    "seating",
+    "chest",
+    "shelf",
+    "sideboard",
+    "desk",
+    "kids_desk",
+    "wardrobe",
+    *BED_GROUPS,
+)
+"""Groups that move for the sake of a need, in this order."""
+FORMS = 4  # of a group that moves
 KEPT = STORING | {"desk", "kids_desk"}
 """What holds things or is worked at makes room for nothing, though it is merely welcome."""
+
+
+class HomeState(NamedTuple):
+    """The rooms of a home, what opens its ways, who lives in it, and whether its seconds are
+    stated (``timed``): then nothing moves for a need; what its rooms were to hold, and the work
+    they took (none: no room is solved again)."""
+
+    tasks: Sequence[RoomTask]
+    opened: Opened
+    household: Household | None = None
+    timed: bool = False
+    wishes: Sequence[tuple[Wish, ...]] = ()
+    budgets: Sequence[Budget] = ()
 
 
 def is_home(tasks: Sequence[RoomTask]) -> bool:
@@ -108,21 +147,26 @@ def _pick(boxes: Floats) -> Iterator[Floats]:
 
 
 def list_sound(
-    task: RoomTask, before: Placed, rest: Placed, found: Iterable[FurnishedGroup]
+    task: RoomTask,
+    before: Placed,
+    rest: Placed,
+    found: Iterable[FurnishedGroup],
+    spare: float = 0.0,
 ) -> Iterator[Placed]:
     """The groups of a room with one of those found beside the rest, where nothing is worse than
     ``before``: no way, no floor that others are used from, no window, no wide door, no view, no
-    wish; those last whose seats have a wall or a door right behind them."""
+    wish; those last whose seats have a wall or a door right behind them. How it stands may cost
+    ``spare`` more: by a window, at the wall of a door."""
     barred: frozenset[str] | None = None
     most: tuple[float, ...] | None = None
     wedged: list[Placed] = []
     for added in found:
         placed = (*rest, added)
-        most = _measure_harm(task, before, rest) if most is None else most
-        harm = _measure_harm(task, placed, rest)
-        if any(a > b + ROUNDING for a, b in zip(harm, most, strict=True)):
+        most = measure_harm(task, before, rest) if most is None else most
+        harm = measure_harm(task, placed, rest)
+        if any(a > b + ROUNDING for a, b in zip((harm[0] - spare, *harm[1:]), most, strict=True)):
             continue
-        barred = _find_barred(task, before) if barred is None else barred
+        barred = find_barred(task, before) if barred is None else barred
         if bars_no_more(with_narrow_ways(task), placed, barred):
             if measure_closeness((added,), (), task.ground) > 0.0:
                 wedged.append(placed)
@@ -132,12 +176,12 @@ def list_sound(
 
 
 @once(32)
-def _find_barred(task: RoomTask, before: Placed) -> frozenset[str]:
+def find_barred(task: RoomTask, before: Placed) -> frozenset[str]:
     """What no way reaches in a room as it stands, on a grid with narrower ways."""
     return frozenset(find_blocked(with_narrow_ways(task), before))
 
 
-def _measure_harm(task: RoomTask, placed: Placed, rest: Placed) -> tuple[float, ...]:
+def measure_harm(task: RoomTask, placed: Placed, rest: Placed) -> tuple[float, ...]:
     """What the groups that are not of the rest do to it, and to the room."""
     rule = task.preset.settings.composing
     new = [group for group in placed if all(group is not other for other in rest)]
@@ -171,14 +215,76 @@ def _count_lost(answers: Sequence[RoomAnswer]) -> int:
     return sum(len(answer.gone) + len(answer.missing) for answer in answers)
 
 
-def list_yielding(
-    placed: Placed, use: str, timed: bool
-) -> Iterator[tuple[Placed, tuple[Missing, ...]]]:
-    """The groups of a room without one of those merely welcome that hold nothing, in a ``timed``
-    run without one of :data:`YIELDING`, and what is missing for the sake of a ``use``."""
-    for other in placed:
-        held = KEPT.intersection(piece.category for piece in other.pieces)
-        spare = not timed and other.wish.rank >= WELCOME and not held
-        if (spare or other.wish.group in YIELDING) and not other.wish.required:
-            lost = Missing(other.wish, f"it makes room for the {use} of the home")
-            yield tuple(p for p in placed if p is not other), (lost,)
+def wait(placed: Placed, timed: bool) -> tuple[Placed, Placed]:
+    """The groups of a room without those merely welcome that hold nothing, in a ``timed`` run
+    without :data:`YIELDING`, and these."""
+    waiting = tuple(p for p in placed if _may_wait(p, timed))
+    return tuple(p for p in placed if not _may_wait(p, timed)), waiting
+
+
+def _may_wait(group: FurnishedGroup, timed: bool) -> bool:
+    held = KEPT.intersection(piece.category for piece in group.pieces)
+    spare = not timed and group.wish.rank >= WELCOME and not held
+    return (spare or group.wish.group in YIELDING) and not group.wish.required
+
+
+def put_back(
+    task: RoomTask, before: Placed, placed: Placed, waiting: Placed
+) -> tuple[Placed, tuple[Wish, ...]]:
+    """The groups with those of the ``waiting`` that still stand well where they stood ``before``,
+    and what found no place."""
+    gone = []
+    for group in waiting:
+        standing = standing_of(pieces_of(task, placed), flat_kinds(task.catalog))
+        free = len(stand_at(task, group.dressed.case, group.dressed.box[None], standing))
+        whole = next(list_sound(task, before, placed, (group,)), None) if free else None
+        placed = placed if whole is None else whole
+        gone += [group.wish] if whole is None else []
+    return placed, tuple(gone)
+
+
+def list_moved(placed: Placed) -> Iterator[tuple[Placed, FurnishedGroup]]:
+    """The groups of a room without one that finds another place or form, each with that one, what
+    holds things before beds."""
+    for name in MOVED_FIRST:
+        for other in placed:
+            if other.wish.group == name and not other.wish.required:
+                yield tuple(p for p in placed if p is not other), other
+
+
+def list_back(
+    task: RoomTask,
+    before: Placed,
+    rest: Placed,
+    moved: FurnishedGroup,
+    spare: float = 0.0,
+    shrunk: float = 0.0,
+) -> Iterator[Placed]:
+    """The ``rest`` with a group that stood ``before`` in another place, or in a form that holds no
+    less but for ``shrunk`` metres of storage, the most first."""
+    *others, stored = measure_case(moved.dressed.case)
+    least = (*others, stored - shrunk - HAIR)
+    fit = (c for c in list_forms(task, moved) if all(map(ge, measure_case(c), least)))
+    forms = dict.fromkeys((moved.dressed.case, *islice(fit, FORMS)))
+    for case in sorted(forms, key=lambda case: (-measure_case(case)[-1], case.width * case.depth)):
+        found = list_placed(task, rest, moved.wish, case, False)
+        yield from islice(list_sound(task, before, rest, found, spare), 1)
+
+
+@cache
+def measure_case(case: Group) -> tuple[float, ...]:
+    """What a case holds: sleepers, nightstands, places to work, metres of storage less what is not
+    missed.
+
+    >>> from scenewright.domains.home.cases.library import cases
+    >>> measure_case(cases("single").groups[0])[0]
+    1.0
+    """
+    kinds = [member.category for member in case.members]
+    return (
+        float(sum(BED_PLACES.get(kind, 0) for kind in kinds)),
+        float(kinds.count("nightstand")),
+        float(sum(kind in DESKS for kind in kinds)),
+        float(count_places(m for m in case.members if m.category in SOFT_SEATS)),
+        sum(m.size.width for m in case.members if m.category in STORING),
+    )
