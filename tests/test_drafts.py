@@ -10,10 +10,10 @@ from scenewright.catalog.loading import catalog_of
 from scenewright.domains import check
 from scenewright.domains.home import drafts
 from scenewright.domains.home.attempt import Missing, RoomAnswer
+from scenewright.domains.home.needs.stated import AskedRooms
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.solving import prepare_rooms
-from scenewright.domains.home.stated_needs import AskedRooms
 
 STUDIO = (Wish("seating", 0), Wish("sleeping", 0), Wish("kitchen", 0), Wish("media", 1))
 

@@ -17,10 +17,10 @@ from scenewright.domains.home.composing.judging import sum_faults
 from scenewright.domains.home.composing.spacing.rules import measure_closeness
 from scenewright.domains.home.composing.views import is_unseen
 from scenewright.domains.home.groups.classes import BED_GROUPS, RUNS
+from scenewright.domains.home.needs.stated import AskedRooms
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.remove_blockers import Opened
 from scenewright.domains.home.second_try import try_otherwise
-from scenewright.domains.home.stated_needs import AskedRooms
 
 DRAFTS, GOOD = 8, 60.0
 """How often a studio is furnished at most, and from which cost on once more."""

@@ -39,6 +39,7 @@ from scenewright.domains.home.home_floor import HomeFloor, join_floors
 from scenewright.domains.home.household import decide_household, explain_no_kitchen, seat_residents
 from scenewright.domains.home.kept_ways import find_barring_screens
 from scenewright.domains.home.learned.density import match_learned_density
+from scenewright.domains.home.needs.stated import AskedRooms, measure_shortage, meet_stated_needs
 from scenewright.domains.home.open_plan import share_open_plans
 from scenewright.domains.home.presets import PRESETS, HomePreset
 from scenewright.domains.home.problem import Problem
@@ -50,7 +51,6 @@ from scenewright.domains.home.room import count_steps
 from scenewright.domains.home.second_try import tried_again
 from scenewright.domains.home.shared_wishes import share_wishes
 from scenewright.domains.home.shortfall import complete_account, list_short_beds
-from scenewright.domains.home.stated_needs import AskedRooms, measure_shortage, meet_stated_needs
 from scenewright.domains.home.tasks import add_lamps_and_curtains, task_of, wishes_of
 from scenewright.domains.home.variants import other_groups, vary_task
 from scenewright.domains.home.wheelchair import furnish_by_use, widen_library

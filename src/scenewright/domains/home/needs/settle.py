@@ -216,8 +216,10 @@ def _say_why(
     forms: Sequence[Group],
 ) -> list[RoomAnswer]:
     """The answers with a need missing in the best room for it, for what its smallest form failed
-    of there and in the next; as they were where it is missing by now or no room may have it."""
-    if any(_is_served(m, wish) or m.wish.required for a in answers for m in a.missing):
+    of there and in the next, instead of what was merely usual or welcome and is missing; as they
+    were where something asked for or essential is missing or no room may have it."""
+    lacking = [m for a in answers for m in a.missing if m.wish.group in _serving(wish)]
+    if any(m.wish.required or not m.wish.rank for m in lacking):
         return answers
     rooms = _list_rooms(home, answers, tiers, wish.group, _serving(wish))[:PROVED]
     uses = frozenset[str]().union(*(names for names, _ in tiers))
@@ -231,9 +233,9 @@ def _say_why(
     case = min(forms, key=lambda form: form.width * form.depth)
     bare = [(place.room, wait(place.rest, home.timed)[0]) for place in rooms]
     why = tell_proof(home.tasks, bare, case, words) if bare else SMALL.format(words)
-    lost, room = Missing(wish, short + why), tried[0]
-    answer = answers[room]._replace(missing=(*answers[room].missing, lost))
-    return [answer if k == room else other for k, other in enumerate(answers)]
+    kept = [tuple(m for m in a.missing if m not in lacking) for a in answers]
+    kept[tried[0]] += (Missing(wish, short + why),)
+    return [a._replace(missing=m) for a, m in zip(answers, kept, strict=True)]
 
 
 def _may_settle(home: HomeState) -> bool:

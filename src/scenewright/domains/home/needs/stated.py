@@ -15,13 +15,8 @@ from typing import NamedTuple
 from scenewright.domains.home.attempt import Missing, RoomAnswer, RoomTask
 from scenewright.domains.home.composing.compose import compose
 from scenewright.domains.home.groups.classes import BED_GROUPS
-from scenewright.domains.home.household import (
-    BED_PLACES,
-    LEAST_BUNK,
-    SEATED,
-    Household,
-    count_places,
-)
+from scenewright.domains.home.household import LEAST_BUNK, SEATED, Household, count_places
+from scenewright.domains.home.needs.counting import count_sleepers
 from scenewright.domains.home.programme import FALLBACK, WELCOME, Wish
 from scenewright.domains.home.remove_blockers import Opened
 from scenewright.domains.home.second_try import lacks_essentials, try_otherwise
@@ -190,8 +185,7 @@ def _lack_beds(household: Household, answers: Sequence[RoomAnswer]) -> int:
 
 def _count_beds(answers: Sequence[RoomAnswer]) -> int:
     """How many sleep in the beds of rooms."""
-    pieces = (p for answer in answers for group in answer.placed for p in group.pieces)
-    return sum(BED_PLACES.get(piece.category, 0) for piece in pieces)
+    return int(count_sleepers([p for a in answers for group in a.placed for p in group.pieces]))
 
 
 def _list_fewer(household: Household, rooms: AskedRooms, found: Sequence[RoomAnswer]) -> Change:
