@@ -11,6 +11,8 @@ import pytest
 
 FOLDER = Path(__file__).parent.parent / "docs" / "notebooks"
 NOTEBOOKS = sorted(FOLDER.glob("*.ipynb"))
+NEEDS = {"episode": ("mujoco",)}
+"""What a notebook imports beside what everybody has."""
 VIEWS = ("_repr_html_", "_repr_svg_", "_repr_png_")
 
 
@@ -34,6 +36,8 @@ def run_cell(source: str, names: dict[str, Any]) -> None:
 
 @pytest.mark.parametrize("notebook", NOTEBOOKS, ids=lambda path: path.stem)
 def test_a_notebook_runs(notebook: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    for module in NEEDS.get(notebook.stem, ()):
+        pytest.importorskip(module)
     monkeypatch.chdir(tmp_path)
     names: dict[str, Any] = {}
     cells = json.loads(notebook.read_text("utf-8"))["cells"]
@@ -45,4 +49,4 @@ def test_a_notebook_runs(notebook: Path, tmp_path: Path, monkeypatch: pytest.Mon
 
 
 def test_there_are_notebooks() -> None:
-    assert {path.stem for path in NOTEBOOKS} == {"dataset", "flat", "shop"}
+    assert {path.stem for path in NOTEBOOKS} == {"dataset", "episode", "flat", "shop"}
