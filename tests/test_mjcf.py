@@ -14,9 +14,10 @@ from flat import flat_brief, flat_solution
 from scenewright.core.catalog import Material, Part
 from scenewright.core.solution import Solution, unfurnished
 from scenewright.formats import write
-from scenewright.formats.simulation.solids import solids_of
+from scenewright.formats.simulation.solids import column_of, solids_of
 from scenewright.formats.simulation.substances import substance_of
 from scenewright.geometry.mesh import Mesh, extrude, merge, rotate_mesh
+from scenewright.geometry.prisms import prism
 from scenewright.geometry.solids import ball, block, rod, slab
 
 OAK = Material("oak", (0.8, 0.7, 0.5))
@@ -60,6 +61,32 @@ def test_a_turned_box_is_a_box_and_a_round_bar_a_cylinder() -> None:
     assert bar.form == "cylinder"
     assert bar.sides[:2] == pytest.approx([0.02, 0.25])
     assert bar.middle == pytest.approx([1.0, 1.15, 0.2])
+
+
+@pytest.mark.parametrize("turned", [0.0, 0.4])
+@pytest.mark.parametrize("way", [1, -1])
+def test_a_column_is_what_its_triangles_are(turned: float, way: int) -> None:
+    turn = np.array([[np.cos(turned), -np.sin(turned)], [np.sin(turned), np.cos(turned)]])
+    for corners in (
+        [(0, 0), (2, 0), (2, 1), (0, 1)],
+        [(0, 0), (1, 0), (2, 0), (2, 1), (0, 1)],
+        [(0, 0), (2, 0), (1, 1)],
+        [(0, 0), (2, 0), (2.2, 1), (0, 1)],
+    ):
+        ring = np.array(corners, float) @ turn.T
+        (known,) = solids_of(Part(OAK, *prism(ring, 0.5, 3.0)))
+        made = column_of(ring[::way], 0.5, 3.0)
+        assert made is not None
+        assert (made.form, made.volume, made.area) == (
+            "box" if len(corners) == 5 else known.form,  # a corner within a side is none
+            pytest.approx(known.volume),
+            pytest.approx(known.area),
+        )
+        assert made.middle == pytest.approx(known.middle, abs=1e-6)
+        if len(corners) != 5:
+            assert sorted(made.sides) == pytest.approx(sorted(known.sides))
+    assert column_of(np.array([(0, 0), (2, 0), (1, 1e-5)]), 0.0, 1.0) is None
+    assert column_of(np.array([(0, 0), (2, 0), (1, 1.0)]), 1.0, 1.0001) is None
 
 
 def test_a_board_with_round_corners_is_no_cylinder() -> None:

@@ -249,3 +249,17 @@ def test_how_much_lies_about_is_drawn_by_look() -> None:
     drawn = [draw_clutter(brief, look, "some") for look in looks]
     assert drawn[0] == draw_clutter(brief, None, "some") == "some"
     assert set(drawn) == {"none", "some", "lived-in"}
+
+
+def test_the_sun_of_an_hour_shines_in_mjcf() -> None:
+    from scenewright.formats.simulation.mjcf.model import build_model
+
+    brief, plan = read_planned("sample:home-room")
+    scene = domains.scene_of(domains.solution_of(brief, {}), plan)
+    for hour in ("morning", "night"):
+        root, risen = build_model(replace(scene, hour=hour), catalog_of([])), sun_at(hour)
+        suns = [light for light in root.iter("light") if light.get("name") == "sun"]
+        assert len(suns) == (risen is not None)
+        if risen is not None:
+            down = [float(part) for part in (suns[0].get("dir") or "").split()]
+            assert down == pytest.approx((-risen.towards).tolist(), abs=1e-4)

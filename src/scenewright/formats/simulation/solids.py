@@ -47,6 +47,38 @@ def solids_of(part: Part, hollow: float = HOLLOW) -> tuple[ConvexSolid, ...]:
     )
 
 
+def column_of(ring: Floats, low: float, high: float) -> ConvexSolid | None:
+    """The solid over a convex polygon (k, 2) between two heights; none where it is a sliver.
+
+    >>> column_of(np.array([(0.0, 0), (2, 0), (2, 1), (0, 1)]), 0.0, 3.0).form
+    'box'
+    """
+    if _cross(ring, np.roll(ring, -1, axis=0)).sum() < 0:
+        ring = ring[::-1]
+    edges = np.roll(ring, -1, axis=0) - ring
+    bent = _cross(np.roll(edges, 1, axis=0), edges) > 1e-9
+    ring = ring[bent]
+    edges = np.roll(ring, -1, axis=0) - ring
+    lengths = np.linalg.norm(edges, axis=1)
+    flat = float(_cross(ring, np.roll(ring, -1, axis=0)).sum() / 2)
+    if len(ring) < 3 or 2 * flat < THIN * lengths.max() or high - low < THIN:
+        return None
+    volume, area = flat * (high - low), 2 * flat + float(lengths.sum()) * (high - low)
+    middle = np.array([*(ring.min(0) + ring.max(0)) / 2, (low + high) / 2])
+    x, y = edges[0] / lengths[0]
+    if len(ring) == 4 and np.abs(np.abs(edges @ (x, y)) - (lengths * (1, 0, 1, 0))).max() < 1e-6:
+        axes = np.array([(x, y, 0.0), (-y, x, 0.0), (0.0, 0.0, 1.0)])
+        sides = np.array([*lengths[:2], high - low]) / 2
+        found = _placed("box", middle, axes, sides)
+        return found._replace(volume=volume, area=area)
+    corners = np.array([(*corner, z) for z in (low, high) for corner in ring]) - middle
+    return ConvexSolid("hull", middle, np.eye(3), (0.0, 0.0, 0.0), corners, volume, area)
+
+
+def _cross(a: Floats, b: Floats) -> Floats:
+    return np.asarray(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0])
+
+
 def _components(part: Part) -> Iterator[tuple[Floats, Ints]]:
     """The meshes of a part that hang together by their corners, without faces that have no area."""
     corners = part.vertices[part.faces]

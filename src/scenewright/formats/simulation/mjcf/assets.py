@@ -43,8 +43,11 @@ def write_numbers(values: Iterable[float], digits: int = 5) -> str:
     >>> write_numbers((0.5, -0.0, 1e-9, 12.0))
     '0.5 0 0 12'
     """
-    rounded = (round(float(value), digits) for value in values)
-    return " ".join(f"{value:.10g}" if value else "0" for value in rounded)
+    if isinstance(values, np.ndarray):
+        rows = values.round(digits).tolist()
+    else:
+        rows = [round(float(value), digits) for value in values]
+    return ("%.10g " * len(rows))[:-1] % tuple(row + 0.0 for row in rows)  # no zero is negative
 
 
 def name_material(assets: Assets, material: Material) -> str:

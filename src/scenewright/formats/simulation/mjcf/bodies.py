@@ -134,11 +134,13 @@ def add_solid(
 
 
 def _solids(part: Part) -> tuple[ConvexSolid, ...]:
-    return _solids_of(Shape(part))
+    light = substance_of(part.material).density < SOFT
+    return _solids_of(Shape(part), SOFT_HOLLOW if light else HOLLOW)
 
 
 class Shape:
-    """A part that is told apart by being the same one: models are drawn once and kept."""
+    """A part whose triangles are told apart by being the same ones: models are drawn once and kept,
+    whatever they are painted in."""
 
     __slots__ = ("part",)
 
@@ -146,16 +148,18 @@ class Shape:
         self.part = part
 
     def __hash__(self) -> int:
-        return id(self.part)
+        return hash((id(self.part.vertices), id(self.part.faces)))
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Shape) and self.part is other.part
+        if not isinstance(other, Shape):
+            return False
+        mine, theirs = self.part, other.part
+        return mine.vertices is theirs.vertices and mine.faces is theirs.faces
 
 
 @lru_cache(maxsize=8192)
-def _solids_of(shape: Shape) -> tuple[ConvexSolid, ...]:
-    light = substance_of(shape.part.material).density < SOFT
-    return solids_of(shape.part, SOFT_HOLLOW if light else HOLLOW)
+def _solids_of(shape: Shape, hollow: float) -> tuple[ConvexSolid, ...]:
+    return solids_of(shape.part, hollow)
 
 
 def _touches(item: RenderItem, catalog: Catalog) -> bool:

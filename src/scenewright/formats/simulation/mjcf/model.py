@@ -13,9 +13,10 @@ from scenewright.core.scene import Prism, Scene
 from scenewright.formats.simulation.mjcf.assets import Assets, write_numbers
 from scenewright.formats.simulation.mjcf.bodies import World, add_item, add_parts, add_solid
 from scenewright.formats.simulation.mjcf.places import VIEW, camera_axes, room_places
-from scenewright.formats.simulation.solids import solids_of
-from scenewright.geometry.mesh import Mesh
-from scenewright.geometry.prisms import face_normals, prism, sheet
+from scenewright.formats.simulation.solids import column_of
+from scenewright.geometry.mesh import Floats
+from scenewright.geometry.prisms import face_normals, sheet
+from scenewright.render.daylight import sun_at
 from scenewright.render.items import SLAB, RenderItem, things, to_level_coordinates
 from scenewright.render.lamps import lamps_of
 from scenewright.render.observations.ceilings import ceilings
@@ -24,6 +25,8 @@ STEP = "0.004"
 """Seconds."""
 MOST_LIGHTS = 24
 """Lamps that shine, the brightest: MuJoCo draws no more than a hundred."""
+BRIGHT = 0.45
+"""Strength of the sun."""
 LUMENS = 4000.0
 """Lumens of a lamp of full strength."""
 SKY = {"type": "skybox", "builtin": "gradient", "rgb1": "0.62 0.76 0.9", "rgb2": "0.9 0.93 0.95"}
@@ -42,7 +45,7 @@ def build_model(scene: Scene, catalog: Catalog) -> Element:
     heights = {level.id: level.elevation for level in scene.levels}
     found = things(scene, catalog)
     _add_floors(world, found, heights)
-    _add_light(world, found, heights, catalog)
+    _add_light(world, scene, found, heights, catalog)
     _add_shell(world, (*found, *ceilings(scene)), heights)
     _add_walls(world, scene, heights)
     for item in found:
@@ -117,8 +120,7 @@ def _add_walls(world: World, scene: Scene, heights: dict[str, float]) -> None:
         body = SubElement(world.element, "body", {"name": name, "pos": place})
         for solid in wall.prisms:
             if _is_convex(solid):
-                mesh = prism(solid.outline, solid.base, solid.top)
-                _add_mesh(world.assets, body, mesh)
+                _add_column(world.assets, body, solid.outline, (solid.base, solid.top))
             else:
                 cap = sheet(solid.outline, solid.holes, solid.top)
                 _add_columns(world.assets, body, cap.vertices, cap.faces, (solid.base, solid.top))
@@ -138,21 +140,37 @@ def _add_columns(
 ) -> None:
     """A column over each triangle in plan."""
     for ring in vertices[faces][:, :, :2]:
-        _add_mesh(assets, body, prism(ring, *z))
+        _add_column(assets, body, ring, z)
 
 
-def _add_mesh(assets: Assets, body: Element, mesh: Mesh) -> None:
-    part = Part(SOLID, *mesh)
-    for solid in solids_of(part):
+def _add_column(assets: Assets, body: Element, ring: Floats, z: tuple[float, float]) -> None:
+    """A solid of masonry over a convex polygon (k, 2)."""
+    solid = column_of(ring, *z)
+    if solid is not None:
+        part = Part(SOLID, np.zeros((0, 3)), np.zeros((0, 3), np.int64))
         add_solid(assets, body, part, solid, np.zeros(3), ("shell", len(assets.meshes)))
 
 
+def _add_sun(world: World, hour: str) -> None:
+    """The sun of an hour, where it has risen; one from behind the reader where none is said."""
+    risen, light = sun_at(hour), {"dir": "0.45 -0.6 -0.75", "diffuse": "0.45 0.43 0.4"}
+    if risen is not None:
+        light["dir"] = write_numbers(-risen.towards)
+        light["diffuse"] = write_numbers([BRIGHT * share for share in risen.color], 3)
+    if risen is not None or not hour:
+        sun = {"name": "sun", "type": "directional", "pos": "0 0 20", "castshadow": "true"}
+        SubElement(world.element, "light", sun | light)
+
+
 def _add_light(
-    world: World, found: tuple[RenderItem, ...], heights: dict[str, float], catalog: Catalog
+    world: World,
+    scene: Scene,
+    found: tuple[RenderItem, ...],
+    heights: dict[str, float],
+    catalog: Catalog,
 ) -> None:
     """A sun, and the brightest lamps as points of light."""
-    sun = {"name": "sun", "type": "directional", "dir": "0.45 -0.6 -0.75", "pos": "0 0 20"}
-    SubElement(world.element, "light", sun | {"diffuse": "0.45 0.43 0.4", "castshadow": "true"})
+    _add_sun(world, scene.hour)
     for lamp in sorted(lamps_of(found, catalog), key=lambda lamp: -lamp.lumens)[:MOST_LIGHTS]:
         item = lamp.item
         at = to_level_coordinates(item, np.array([lamp.at]))[0] + (0, 0, heights[item.level])
