@@ -60,7 +60,7 @@ def records(
         homes, halls = count, max(count // 5, 1)
     done = 0
     for kind, number in (("home", homes), ("hall", halls)):
-        written = []
+        written: list[WrittenScene] = []
         for brief in _briefs(kind, number):
             if progress is not None:
                 progress(done / (homes + halls), f"{kind} {len(written) + 1} of {number}")
