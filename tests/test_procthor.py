@@ -298,6 +298,15 @@ def test_a_house_of_theirs_is_read(tmp_path: Path) -> None:
     assert {"double_bed", "toilet"} <= {piece.category for piece in again.solution.pieces}
 
 
+def test_a_house_before_schema_1_is_read(tmp_path: Path) -> None:
+    house = two_rooms()
+    low, high = house["doors"][0].pop("holePolygon")
+    house["doors"][0]["boundingBox"] = {"min": low, "max": high}
+    (door,) = read_house(tmp_path, house).rooms[0].doors
+    assert door.at == pytest.approx((4.0, 3.0))
+    assert (door.width, door.height) == (1.0, 2.1)
+
+
 def test_an_open_wall_is_a_passage(tmp_path: Path) -> None:
     house = two_rooms(doors=None)
     for row in house["walls"]:
@@ -314,7 +323,7 @@ def test_an_open_wall_is_a_passage(tmp_path: Path) -> None:
         ({"rooms": [{"id": "a", "floorPolygon": [corner(0, 0)]}]}, "floorPolygon"),
         ({"walls": [{"id": "w", "polygon": [{"x": "a"}, {}]}]}, "walls[0].polygon"),
         ({"objects": [{"id": "o", "position": corner(1e9, 0)}]}, "objects[0].position"),
-        ({"doors": [{"id": "d", "boundingBox": {}}]}, "upgrade"),
+        ({"doors": [{"id": "d", "boundingBox": {}}]}, "doors[0].boundingBox"),
     ],
 )
 def test_what_is_no_house_is_one_line(tmp_path: Path, change: dict[str, Any], words: str) -> None:

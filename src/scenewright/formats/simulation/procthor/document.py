@@ -9,7 +9,6 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from pydantic.alias_generators import to_camel
 
 from scenewright.core.document_faults import to_input_error
-from scenewright.core.errors import InputError
 from scenewright.core.footprint import MOST_CORNERS
 from scenewright.formats.json_document import check_size, parse_document
 
@@ -64,6 +63,13 @@ class HouseWall(BaseModel):
     empty: bool = False
 
 
+class Box(BaseModel):
+    """The corners of a hole, as houses before schema 1.0.0 give them."""
+
+    min: Corner
+    max: Corner
+
+
 class HouseHole(BaseModel):
     """A door or window: the rooms and walls it joins, and its corners along the first wall."""
 
@@ -75,8 +81,15 @@ class HouseHole(BaseModel):
     room1: str | None = None
     wall0: str | None = None
     wall1: str | None = None
-    hole_polygon: list[Corner] = Field(min_length=2, max_length=64)
+    hole_polygon: list[Corner] = Field(default=[], max_length=64)
+    bounding_box: Box | None = None
     own: OwnWords | None = Field(default=None, alias="scenewright")
+
+    @property
+    def corners(self) -> list[Corner]:
+        """Two or more corners of the hole, along the wall and up; none if it has none."""
+        box = self.bounding_box
+        return [box.min, box.max] if box and not self.hole_polygon else self.hole_polygon
 
 
 class Turn(BaseModel):
@@ -114,11 +127,6 @@ def load_house(path: Path) -> House:
     """The document of a file; InputError names the place of what is wrong in it."""
     check_size(path, "give one house a file")
     document = parse_document(path.read_bytes(), "a house")
-    if isinstance(document, dict) and _is_old(document):
-        raise InputError(
-            "is a house of a schema before 1.0.0, whose doors have boundingBox",
-            "upgrade it with ProcTHOR's scripts/upgrade_house.py",
-        )
     try:
         return House.model_validate(_without_nulls(document))
     except ValidationError as error:
@@ -130,12 +138,6 @@ def _without_nulls(document: Any) -> Any:
     if not isinstance(document, dict):
         return document
     return {key: value for key, value in document.items() if value is not None}
-
-
-def _is_old(document: dict[str, Any]) -> bool:
-    doors = document.get("doors")
-    first = doors[0] if isinstance(doors, list) and doors else None
-    return isinstance(first, dict) and "boundingBox" in first and "holePolygon" not in first
 
 
 def children_of(one: HouseObject) -> list[HouseObject]:

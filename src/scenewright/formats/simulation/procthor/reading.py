@@ -136,13 +136,13 @@ def _add_openings(house: House, rooms: Mapping[str, Row]) -> Iterator[Fate]:
         for hole in holes:
             wall = walls.get(hole.wall0 or "")
             room = rooms.get(hole.room0 or "") or rooms.get(wall.room_id if wall else "")
-            if wall is None or room is None:
+            if wall is None or room is None or len(hole.corners) < 2:
                 reason = "it is in no wall of a room"
                 yield Fate(hole.id, kind, "left out", reason, stands=kind == "door")
                 continue
             row = _opening(hole, wall)
             if kind == "window":
-                sill = min(point.y for point in hole.hole_polygon)
+                sill = min(point.y for point in hole.corners)
                 room["windows"].append(row | {"sill": round(max(sill, 0.0), 4)})
             else:
                 room["doors"].append(row | _door(hole, rooms))
@@ -153,7 +153,7 @@ def _add_openings(house: House, rooms: Mapping[str, Row]) -> Iterator[Fate]:
 def _opening(hole: HouseHole, wall: HouseWall) -> Row:
     """The middle of a hole in plan, its width and height."""
     start, end = (np.array(_plan(point)) for point in wall.polygon[:2])
-    across, up = ([getattr(point, axis) for point in hole.hole_polygon] for axis in "xy")
+    across, up = ([getattr(point, axis) for point in hole.corners] for axis in "xy")
     way = (end - start) / max(float(np.linalg.norm(end - start)), 1e-9)
     at = start + (min(across) + max(across)) / 2 * way
     name = hole.own.id if hole.own else ""
