@@ -87,10 +87,7 @@ THEMES: dict[str, ThemeRow] = {
         "cars: 1-2% exhibit_island* sized 4.4x1.8x1.5; 2-3 desk; 1-1 info_desk; 1-2 sofa;"
         " 1-1 coffee_table",
     ),
-    "church": ThemeRow(
-        (150, 600),
-        "altar: 1-1 stage sized 4x2.5x0.4; 1-1 lectern; pews: 5-9% bench* sized 3x0.6x0.9",
-    ),
+    "church": ThemeRow((150, 600), "altar: 1-1 stage sized 4x2.5x0.4; 1-1 lectern; 5-9% pew*"),
     "office": ThemeRow(
         (100, 500), "6-12% desk*; 2-5% storage_shelf*; 1-2 copier; 1-2 sofa; 1-3 potted_tree"
     ),

@@ -45,8 +45,8 @@ VISIBLE, TURNED, FREE = 6.0, -0.5, 0.6
 off walls what has a back stands free, in metres."""
 PARADED = ("mannequin", "plinth", "round_rack", "display_table", "potted_tree", "exhibit_island")
 MANY, ALIKE, SAME = 9, 0.8, 0.1
-"""So many things are a formation where this share of them is as far from its two neighbours as the
-others, to so many metres."""
+"""So many things are a formation where this share of them hangs together, each as far from a
+neighbour as is usual among them, to so many metres."""
 GOODS = (
     *("gondola", "book_stack", "clothes_rail", "wall_shelving", "bookcase", "lockers"),
     *("showcase", "display_cabinet", "fridge_shelf"),
@@ -131,7 +131,7 @@ def _behind(piece: Piece, beyond: float) -> shapely.Geometry:
 
 def count_seats(hall: Hall) -> int:
     """Chairs, and 0.5 m of a bench each."""
-    benches = hall.room.find("bench")
+    benches = hall.room.find("bench", "pew")
     return len(hall.room.find(*SEATS)) + sum(int(b.size.width / 0.5 + 1e-6) for b in benches)
 
 
@@ -197,7 +197,7 @@ def _beside(one: Piece, other: Piece) -> bool:
 
 def pew_pitch(hall: Hall, beyond: float) -> Count:
     """Pews too near or far behind those before them, of those with some before them."""
-    pews = hall.room.find("bench") if hall.theme == "church" else []
+    pews = hall.room.find("bench", "pew") if hall.theme == "church" else []
     pitches = [pitch for pew in pews if (pitch := _pitch(pew, pews)) is not None]
     low, high = PITCH[0] + beyond, PITCH[1] - beyond
     return _tally(not low - 1e-3 <= pitch <= high + 1e-3 for pitch in pitches)
@@ -226,10 +226,17 @@ def formations(hall: Hall, beyond: float) -> Count:
         mine = np.array([p.pose[:2] for p in hall.room.find(kind)]).reshape(-1, 2)
         if len(mine) >= MANY:
             far = np.hypot(*(mine[:, None] - mine[None]).transpose(2, 0, 1))
-            near = np.sort(far, axis=1)[:, 1:3].mean(1)
-            alike = np.abs(near - np.median(near)) < SAME + beyond
-            faults.append(float(alike.mean()) >= ALIKE)
+            near = float(np.median(np.sort(far, axis=1)[:, 1]))
+            faults.append(_largest(far < near + SAME + beyond) >= ALIKE * len(mine))
     return _tally(faults)
+
+
+def _largest(linked: np.ndarray) -> int:
+    """How many of some things (n, n) hang together at most."""
+    reach = linked.copy()
+    for _ in range(len(reach).bit_length()):
+        reach = (reach.astype(int) @ reach.astype(int)) > 0
+    return int(reach.sum(1).max())
 
 
 def backs_to_entrance(hall: Hall, beyond: float) -> Count:

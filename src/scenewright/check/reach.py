@@ -31,7 +31,7 @@ STAGE = "stage"
 
 _SIDES = {"front": (1, 2), "left": (2, 3), "back": (3, 0), "right": (0, 1)}
 _ROUND: tuple[Side, ...] = ("front", "left", "back", "right")
-_SEATS = ("seat", "chair", "stool", "bench")
+_SEATS = ("seat", "chair", "stool", "bench", "pew")
 _NEAREST = 12
 _TIGHT = 2.0
 _STEP = 0.1  # a route has entered a room when its centre is this far inside, metres

@@ -9,12 +9,20 @@ from __future__ import annotations
 import numpy as np
 
 from scenewright.core.brief import Brief, Room
-from scenewright.core.brief.zones import Demand
+from scenewright.core.brief.zones import AisleBrief, Demand
 from scenewright.domains.hall.build_problem import HallContext, wall_lengths, zone_areas
-from scenewright.domains.hall.demands.checked import floor_needed, sizes_of
+from scenewright.domains.hall.demands.checked import (
+    floor_needed,
+    sizes_of,
+    usual_clearance,
+    usual_size,
+)
 from scenewright.domains.hall.demands.holdings import fill_defaults
 from scenewright.domains.hall.demands.programme import (
+    CROSS_AISLE,
+    LONGEST_RUN,
     PROGRAMMES,
+    RUNS,
     WALL_BETWEEN,
     WALLS_OF_FILL,
     shop_programme,
@@ -58,7 +66,11 @@ def open_numbers(brief: Brief, room: Room, hall: HallContext) -> Room:
     by_floor = {row.category: row.each for row in PROGRAMMES[theme] if row.each}
     for k in (k for k in opened if k not in at_wall):
         each = by_floor.get(demands[k].category)
-        number = {"fill": share} if each is None else {"count": _by_floor(demands[k], hall, each)}
+        number = (
+            {"fill": share, "aisle": _part_rows(demands[k], hall, share)}
+            if each is None
+            else {"count": _by_floor(demands[k], hall, each)}
+        )
         demands[k] = demands[k].model_copy(update=number)
     return room.model_copy(update={"demands": demands})
 
@@ -96,6 +108,17 @@ def _line_walls(
 def _by_floor(demand: Demand, hall: HallContext, each: float) -> int:
     """How many of a demand there are with one for so many square metres of its zones."""
     return max(round(float((zone_areas(hall) * zones_of(demand, hall)).sum()) / each), 1)
+
+
+def _part_rows(demand: Demand, hall: HallContext, share: float) -> AisleBrief | None:
+    """The aisle across rows of goods used from both sides that are likely to be many; the one the
+    brief states."""
+    clear, width = usual_clearance(demand), usual_size(demand)[0]
+    every = max(int(LONGEST_RUN / width), 1)
+    floor = float((zone_areas(hall) * zones_of(demand, hall)).sum())
+    both = clear[0] > 0.0 and clear[2] > 0.0 and not any(clear[1::2])
+    many = share * floor / floor_needed(demand) >= RUNS * every
+    return AisleBrief(every=every, width=CROSS_AISLE) if both and many else demand.aisle
 
 
 def _front(demand: Demand) -> float:

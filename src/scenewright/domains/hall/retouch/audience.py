@@ -185,8 +185,9 @@ def _forms(problem: HallProblem, kept: Kept, seats: int) -> Iterator[Kept]:
     first = problem.units.spans[seats, 0]
     apart = float(problem.units.clear[first, ::2].sum()) + AT_WALL
     least = problem.route if problem.units.access[first].any() else 0.0
-    gaps = sorted({round(gap, 1): gap for gap in (*GAPS, apart, across) if gap >= least}.values())
     pews = problem.units.sizes[first, 0] > SEAT
+    tried = (apart,) if pews else (*GAPS, apart, across)
+    gaps = sorted({round(gap, 1): gap for gap in tried if gap >= least}.values())
     loose = (gap for gap in LOOSE if gap < along - CLOSE_SEATS)
     besides = [AISLE] if pews else sorted({along, min(along, CLOSE_SEATS), *loose})
     uses = sorted({*_rows(number, room), *_long_rows(problem, seats, number, room)})
