@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+from dataclasses import replace
 from functools import cache
 from typing import Any
 
@@ -15,7 +16,7 @@ from scenewright import read
 from scenewright.catalog.loading import catalog_of
 from scenewright.catalog.models.gltf import open_scene, scene_bodies
 from scenewright.core.catalog import Material, Part
-from scenewright.core.scene import Scene
+from scenewright.core.scene import Piece, Pose, Scene, Size
 from scenewright.core.solution import Solution
 from scenewright.domains import scene_of, solve
 from scenewright.formats.glb import document_of, encode_scene
@@ -252,3 +253,36 @@ def test_pieces_say_how_large_they_are_and_the_root_what_it_is() -> None:
         assert extras["dimensions"] == pytest.approx(list(piece.size), abs=1e-3)
         assert {"category", "space", "licence"} <= set(extras)
     assert len(things(scene, catalog_of([]))) < len(nodes)
+
+
+def test_small_things_of_a_room_are_drawn_as_one_where_they_lie() -> None:
+    _, scene = solved("home-house")
+    room = scene.spaces[0]
+    spot = shapely.Polygon(room.outline).representative_point()
+    things_here = tuple(
+        Piece(
+            f"{room.id}/bowl-{k}",
+            "bowl",
+            "",
+            room.id,
+            Pose(spot.x + 0.02 * k, spot.y, 0.4, 0.3 * k),
+            Size(0.2 + 0.01 * k, 0.2 + 0.01 * k, 0.1),
+        )
+        for k in range(9)
+    )
+    one = replace(scene, pieces=things_here)
+    document, buffer = document_of(one, catalog_of([]))
+    nodes = {node_id(n): n for n in document["nodes"]}
+    whole = nodes[f"small things of {room.id}"]
+    assert whole["extras"]["holds"] == 9
+    assert not [n for p in things_here for n in (nodes[p.id],) if "mesh" in n]
+    rows = document["meshes"][whole["mesh"]]["primitives"]
+    points = np.vstack([numbers(document, buffer, r["attributes"]["POSITION"]) for r in rows])
+    assert points[:, 1].min() == pytest.approx(0.4, abs=1e-5)
+    assert points[:, 0].min() == pytest.approx(spot.x - 0.1, abs=0.02)
+    assert points[:, 0].max() == pytest.approx(spot.x + 0.16 + 0.14, abs=0.02)
+    few = replace(scene, pieces=things_here[:7])
+    assert (
+        "mesh"
+        in {node_id(n): n for n in document_of(few, catalog_of([]))[0]["nodes"]}[things_here[0].id]
+    )

@@ -24,6 +24,8 @@ LONGEST = 63
 """Bytes of a name that Blender keeps."""
 MANY = 8
 """From this number on, equal pieces of a room are instances of one node."""
+SMALL = 0.45
+"""Longest side, in metres, of what is drawn with the other small things of a room."""
 BRANCHES = {
     "wall": "walls",
     "opening": "openings",
@@ -157,24 +159,44 @@ def _shape_key(body: Body) -> Hashable:
 def _add_pieces(
     tree: Tree, found: Sequence[RenderItem], sizes: Mapping[str, Size], batched: bool
 ) -> None:
-    """Pieces below their rooms; many of one kind are instances of a node, and have named nodes of
-    their own that draw nothing."""
+    """Pieces below their rooms. Many of one kind are instances of a node, many small ones are drawn
+    as a whole; both have named nodes of their own that draw nothing."""
     rooms = {node["name"]: number for number, node in enumerate(tree.nodes)}
-    alike: dict[Hashable, list[RenderItem]] = {}
+    batches: dict[Hashable, list[RenderItem]] = {}
     for thing in found:
-        alike.setdefault((thing.space, thing.key), []).append(thing)
-    for thing in found:
-        group = alike[thing.space, thing.key]
-        parent, size = rooms.get(thing.space, 1), sizes.get(thing.name)
-        if not batched or len(group) < MANY or not thing.parts:
-            _add_thing(tree, parent, thing, size)
-            continue
-        if thing is group[0]:
-            name = str(thing.extras.get("asset", thing.name))
-            drawn = Drawn(thing.key, name, thing.parts, tuple(map(place_of, group)))
-            extras = thing.extras | {"instances": len(group)}
-            tree.add(parent, {"name": tree.free(f"{name} x {len(group)}"), "extras": extras}, drawn)
-        tree.add(parent, node_of(thing, size))
+        batches.setdefault(_batch_key(thing, sizes.get(thing.name)), []).append(thing)
+    for key, group in batches.items():
+        parent = rooms.get(group[0].space, 1)
+        held = batched and len(group) >= MANY and bool(group[0].parts)
+        if held:
+            _add_batch(tree, parent, group, key)
+        for thing in group:
+            size = sizes.get(thing.name)
+            if held:
+                tree.add(parent, node_of(thing, size))
+            else:
+                _add_thing(tree, parent, thing, size)
+
+
+def _batch_key(thing: RenderItem, size: Size | None) -> Hashable:
+    """What things of a room have in common that may be drawn at once: being small, or the key."""
+    small = size is not None and max(size) <= SMALL and not split_bodies(thing.parts)[1]
+    return (thing.space, SMALL if small else thing.key)
+
+
+def _add_batch(tree: Tree, parent: int, group: Sequence[RenderItem], key: Hashable) -> None:
+    """A node that draws a group: instances of one mesh, or small things as one."""
+    first = group[0]
+    if len({thing.key for thing in group}) > 1:
+        name = tree.free(f"small things of {first.space}")
+        drawn = Drawn(key, name, tuple(_in_level(group)))
+        extras: Json = {"category": "small things", "space": first.space, "holds": len(group)}
+    else:
+        name = str(first.extras.get("asset", first.name))
+        drawn = Drawn(first.key, name, first.parts, tuple(map(place_of, group)))
+        extras = first.extras | {"instances": len(group)}
+        name = tree.free(f"{name} x {len(group)}")
+    tree.add(parent, {"name": name, "extras": extras}, drawn)
 
 
 def place_of(thing: RenderItem) -> tuple[list[float], list[float]]:
