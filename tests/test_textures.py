@@ -8,10 +8,11 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from scenewright.building.finishes import FLOORS, SURFACES, WOOD_FLOOR
+from scenewright.building.finishes import FLOORS, SURFACES, WOOD_FLOOR, floor_of
 from scenewright.building.palettes import PALETTES, list_coats
 from scenewright.catalog.assets import materials
 from scenewright.core.catalog import Material, Part
+from scenewright.core.space import Space
 from scenewright.geometry.mesh import merge
 from scenewright.geometry.prisms import box
 from scenewright.render.textures.pictures import color_picture, normal_picture
@@ -47,7 +48,7 @@ def test_every_material_that_wears_a_texture_exists() -> None:
     values = [value for value in vars(materials).values() if isinstance(value, Material)]
     known = {one.name for one in (*values, *SURFACES.values(), *FLOORS.values(), WOOD_FLOOR)}
     worn = {name.partition("/")[0] for name in WORN}
-    built = {"door oak", "threshold", "slab concrete", "wall plaster", "meadow", "terrazzo floor"}
+    built = {"door oak", "threshold", "slab concrete", "wall plaster", "meadow"}
     trees = {"crown", "light crown", "needles"}
     assert worn <= known | built | trees
     assert set(WORN.values()) <= set(TEXTURES)
@@ -96,3 +97,12 @@ def test_pictures_give_the_tones_back_and_relief_has_unit_normals() -> None:
     assert np.abs(np.linalg.norm(normals, axis=-1) - 1).mean() < 0.05
     assert normals[..., 2].min() > 0
     assert normals[..., 0].std() > 0.05
+
+
+def test_a_supermarket_and_a_church_stand_on_other_floors_than_a_home() -> None:
+    area = np.array([[0.0, 0], [20, 0], [20, 15], [0, 15]])
+    floors = {
+        use: floor_of(Space("a", "", (use,), "0", area)).name
+        for use in ("supermarket", "worship", "museum", "other")
+    }
+    assert len({texture_of(name) for name in floors.values()}) == 4, floors

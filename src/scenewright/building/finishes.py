@@ -17,6 +17,7 @@ STONE_FLOOR = Material("stone floor", (0.83, 0.81, 0.77), roughness=0.5)
 TILE_FLOOR = Material("tile floor", (0.80, 0.82, 0.82), roughness=0.3)
 DECK_FLOOR = Material("deck floor", (0.64, 0.58, 0.51), roughness=0.8)
 GRASS = Material("grass", (0.50, 0.58, 0.37), roughness=1.0)
+TERRAZZO_FLOOR = Material("terrazzo floor", (0.80, 0.79, 0.76), roughness=0.3)
 PLAIN_FLOOR = Material("screed floor", (0.78, 0.77, 0.74), roughness=0.85)
 
 SURFACES: dict[str, Material] = {
@@ -49,6 +50,9 @@ FLOORS: dict[str, Material] = {
     "washroom": TILE_FLOOR,
     "balcony": DECK_FLOOR,
     "storage": PLAIN_FLOOR,
+    "supermarket": TERRAZZO_FLOOR,
+    "worship": STONE_FLOOR,
+    "museum": PLAIN_FLOOR,
     "site": GRASS,
     "village": GRASS,
     "extend": GRASS,

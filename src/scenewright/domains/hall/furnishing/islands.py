@@ -23,6 +23,15 @@ from scenewright.core.space import Space
 from scenewright.domains.hall.classes import CARPETED_EXHIBITS, CARPETED_SEATS
 from scenewright.domains.hall.hall_layout import HallLayout, PlacedGroup, Zone
 
+FLOORED_FOR = {
+    "gondola": "supermarket",
+    "fridge_shelf": "supermarket",
+    "pew": "worship",
+    "showcase": "museum",
+    "exhibit_island": "museum",
+    "exhibit_panel": "museum",
+}
+"""What a hall is for by what stands in it, where its brief does not say: its floor is of that."""
 CARPETS = ("carpet_grey", "carpet_sand", "carpet_sage")
 BEYOND, ONE_CARPET, SEAM = 0.7, 1.3, 0.15
 """How far a carpet reaches beyond its objects, up to which gap two share one, and how far it
@@ -45,6 +54,7 @@ def scene_of_hall(solution: Solution, plan: Plan) -> Scene:
     """The scene of halls, with a carpet under each free-standing group and a spot over each of
     its exhibits."""
     scene = scene_of_rooms(solution, plan)
+    scene = replace(scene, spaces=tuple(_name_use(s, solution.pieces) for s in scene.spaces))
     if solution.detail is None:  # a saved hall without its groups
         return scene
     layout: HallLayout = solution.detail.layout
@@ -57,6 +67,14 @@ def scene_of_hall(solution: Solution, plan: Plan) -> Scene:
         [p for p in lit if p.category in CARPETED_EXHIBITS][:MOST_SPOTS], plan.spaces
     )
     return replace(scene, surfaces=tuple(carpets), pieces=(*scene.pieces, *spots))
+
+
+def _name_use(space: Space, pieces: Sequence[Piece]) -> Space:
+    """A space of unknown use with the one that what stands in it is for."""
+    held = {piece.category for piece in pieces if piece.space == space.id}
+    found = [use for category, use in FLOORED_FOR.items() if category in held]
+    known = space.functions != ("other",) or not found
+    return space if known else replace(space, functions=(found[0],))
 
 
 def _lay_carpet(
