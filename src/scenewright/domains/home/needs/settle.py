@@ -31,6 +31,7 @@ from scenewright.domains.home.composing.homewide.settling import (
     wait,
 )
 from scenewright.domains.home.composing.judging import Placed
+from scenewright.domains.home.composing.places.moving import AMID_FROM
 from scenewright.domains.home.groups.classes import TABLES
 from scenewright.domains.home.groups.living import talking
 from scenewright.domains.home.household import STORING
@@ -56,10 +57,13 @@ door."""
 SHRUNK = 0.6
 """Metres of storage that a room gives up for a need at most."""
 WALKED = 3
-"""Trials of a need that are walked past through the whole home, of each number of places."""
+"""Trials of a need that are walked past through the whole home, of each number of places; twice as
+many where all is tried."""
 SMALL = "no room of the home is large enough for {}"
 PROVED = 2
 """Rooms that are laid out anew for a need, the best."""
+SMALLEST = 2
+"""Forms of a need for which something else moves, the smallest."""
 SOUND = 2
 """Places of a need beside which what moved for it is put back."""
 Tiers = tuple[tuple[frozenset[str], float], ...]
@@ -112,9 +116,9 @@ def set_table(home: HomeState, answers: list[RoomAnswer]) -> list[RoomAnswer]:
     if sum(there) >= most:
         served = max(there) >= USUAL
         return answers if served else _set_for(home, answers, USUAL, (Stage(),), roomy=True)
-    stages = STAGES if eat < most else STAGES[:2]
+    tried = STAGES[:3] if not eat else STAGES if eat < most else STAGES[:2]
     for wanted in range(most, max(int(sum(there)), LEAST - 1), -1):
-        found = _set_for(home, answers, wanted, stages if wanted == most else STAGES[:3])
+        found = _set_for(home, answers, wanted, tried if wanted == most else STAGES[:3])
         if found is not answers:
             return found
     if not eat and (found := _set_for(home, answers, LEAST / 2, STAGES)) is not answers:
@@ -144,7 +148,7 @@ def _set_for(
         radius = find_void(task, pieces_of(task, rest)).radius
         if roomy and radius < USUAL_FLOOR:
             return
-        for case in list_tables(seats):
+        for case in (*list_tables(seats), *(list_tables(float(LEAST)) if seats < LEAST else ())):
             if min(case.width, case.depth) / 2 - TUCKED <= radius:
                 yield case
 
@@ -300,7 +304,8 @@ def _settle(
         for trial in _list_in(home, answers, place, stage, list_forms, stands_free)
     )
     solved = _list_solved(home, answers, rooms, list_forms) if stages[-1].moves else ()
-    for room, answer in chain(islice(trials, WALKED), solved):
+    walked = WALKED * (1 + stages[-1].moves)
+    for room, answer in chain(islice(trials, walked), solved):
         found = try_in_home(room, answer, answers, home.opened)
         if found is not None:
             return found
@@ -315,6 +320,9 @@ def _list_solved(
         task, answer = home.tasks[place.room], answers[place.room]
         own = tuple(p for p in place.rest if p.wish.required)
         forms = tuple(list_forms(place, own))
+        if place.wish.group in TABLES:
+            at_wall = task.ground.area < AMID_FROM
+            forms = tuple(form for form in forms if _is_free(form) != at_wall) or forms
         stand = [p.wish for p in answer.placed if p.wish.group in TABLES]
         asked = [w for w in home.wishes[place.room] if w.group not in TABLES]
         wishes = [w for w in (*asked, *stand) if w.group not in _serving(place.wish)]
@@ -342,7 +350,10 @@ def _list_in(
         return
     movable = list_moved(bare) if stage.moves else iter(((bare, None),))
     for rest, moved in movable:
-        for case in list_forms(place, rest):
+        forms = list(list_forms(place, rest))
+        if stage.moves:
+            forms = sorted(forms, key=lambda form: form.width * form.depth)[:SMALLEST]
+        for case in forms:
             wish = place.wish._replace(group=case.function)
             free = stands_free is not None and stands_free(case)
             found = list_placed(task, rest, wish, case, free)

@@ -14,7 +14,7 @@ from scenewright.domains.home.composing.judging import Placed
 from scenewright.domains.home.composing.placed_faults import list_standing
 from scenewright.domains.home.composing.verdict import LESS, measure_held
 from scenewright.domains.home.needs.table import NEEDS
-from scenewright.domains.home.programme import Wish, is_essential
+from scenewright.domains.home.programme import WELCOME, Wish, is_essential
 from scenewright.domains.home.wheelchair import furnish_by_use
 from scenewright.engine.solve import Budget
 
@@ -35,7 +35,9 @@ def solve_for(
     """The room with a need in one of its forms, if it then holds no less than ``before`` but for
     ``spare`` metres of storage: what is owed and the need first, all else in the floor that is
     left."""
-    first = tuple(w for w in wishes if w.core or w.required or w.group in OWED)
+    owed = (w for w in wishes if w.group in OWED and w.rank < WELCOME)
+    first = (*(w for w in wishes if w.core or w.required), *owed)
+    first = tuple(dict.fromkeys(first))
     by_group = {
         name: [f for f in forms if f.function == name] for name in {f.function for f in forms}
     }
