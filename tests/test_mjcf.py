@@ -15,7 +15,6 @@ from scenewright.core.catalog import Material, Part
 from scenewright.core.solution import Solution, unfurnished
 from scenewright.formats import write
 from scenewright.formats.simulation.solids import column_of, solids_of
-from scenewright.formats.simulation.substances import substance_of
 from scenewright.geometry.mesh import Mesh, extrude, merge, rotate_mesh
 from scenewright.geometry.prisms import prism
 from scenewright.geometry.solids import ball, block, rod, slab
@@ -109,11 +108,6 @@ def test_each_leg_is_a_solid_of_its_own_and_slivers_are_none() -> None:
     legs = [block((x, x + 0.04), (0, 0.04), (0, 0.7)) for x in (0.0, 0.9)]
     sliver = block((0, 1), (0, 1), (0, 1e-7))
     assert len(solids_of(part_of(*legs, sliver, ball(0.1, 0.1, 0.1, (3, 0, 0))))) == 3
-
-
-def test_materials_of_palettes_weigh_what_they_are_made_of() -> None:
-    assert substance_of(Material("brushed steel, retro teal", (0, 0, 0))).density > 7000
-    assert substance_of(Material("oak, retro teal", (0, 0, 0))).density < 1000
 
 
 def test_nothing_is_kept_from_touching(root: ElementTree.Element) -> None:

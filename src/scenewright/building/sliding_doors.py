@@ -18,6 +18,8 @@ from scenewright.geometry.prisms import box
 WIDE = 1.5
 """Width in metres from which on a door between rooms has two panels; others of plain boards."""
 WIDE_CLOSET = 0.9
+PLAY = 0.004
+"""Gap between a panel and what it runs under, metres."""
 SHIFT = 0.3
 """How far the front panel is drawn slid over the other, in metres."""
 
@@ -48,7 +50,7 @@ def _spans(opening: Opening) -> tuple[tuple[float, float], tuple[float, float]]:
 
 
 def _glazed(opening: Opening, frame: Material, glass: Material) -> Panels:
-    top = opening.head - LINING
+    top = opening.head - LINING - PLAY
     depth, width = min(0.05, opening.thickness / 3), min(FRAME, opening.width / 12)
     fixed, moved = _spans(opening)
     bars, pane = make_glazing(fixed, (0.0, depth), (0.02, top), width)
@@ -63,7 +65,7 @@ def _glazed(opening: Opening, frame: Material, glass: Material) -> Panels:
 
 
 def _plain(opening: Opening, material: Material, wide: float) -> Panels:
-    top, depth = opening.head - LINING, min(0.03, opening.thickness / 3)
+    top, depth = opening.head - LINING - PLAY, min(0.03, opening.thickness / 3)
     fixed, moved = _spans(opening)
     if opening.width < wide:
         half = opening.width / 2

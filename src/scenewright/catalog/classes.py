@@ -20,22 +20,3 @@ WORKTOP = PLAIN_CABINETS | {"corner_cabinet", "dishwasher", "filler_panel"}
 """Units of a kitchen with worktop on them."""
 RUN = WORKTOP | {"sink_cabinet", "hob_cabinet", "fridge"}
 """Units of a kitchen side by side."""
-LIGHT_FURNITURE = TABLE_SEATS | {
-    "bar_stool",
-    "box",
-    "coffee_table",
-    "deck_chair",
-    "drying_rack",
-    "floor_lamp",
-    "ironing_board",
-    "laundry_basket",
-    "litter_bin",
-    "office_chair",
-    "outdoor_chair",
-    "potted_tree",
-    "pouf",
-    "reading_chair",
-    "side_table",
-    "toy_box",
-}
-"""Furniture on the floor that one person moves by hand as a matter of course."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from scenewright.catalog.assets.bodies import front_joint, slide_joint
 from scenewright.catalog.assets.drawing import Drawing
 from scenewright.catalog.assets.joinery import (
+    GAP,
     corpus,
     door_pulls,
     drawer_pulls,
@@ -101,7 +102,8 @@ def _sliding_wardrobe(size: Size) -> Parts:
         pane = (wide[0] + 0.012, wide[1] - 0.012)
         panel = MIRROR if i == 1 else WHITE
         joint = slide_joint("panel", wide, z, y, 0.9 * (b - a) * (-1 if i else 1))
-        found[BLACK].append(frame(wide, (y, y + 0.024), z, 0.014)._replace(joint=joint))
+        up = (z[0] + GAP, z[1] - GAP)
+        found[BLACK].append(frame(wide, (y, y + 0.024), up, 0.014)._replace(joint=joint))
         found[panel].append(block(pane, (y + 0.004, y + 0.019), (z[0] + 0.012, z[1] - 0.012)))
     return parts(size, found)
 

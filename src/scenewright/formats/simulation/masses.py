@@ -12,13 +12,19 @@ from typing import NamedTuple
 
 import numpy as np
 
-from scenewright.catalog.classes import LIGHT_FURNITURE
+from scenewright.catalog.classes import RUN
 from scenewright.core.catalog import Catalog, Part
 from scenewright.geometry.mesh import Mesh, volume
 from scenewright.render.items import RenderItem
 
 LEAST = 0.05
 """Least mass of what moves, in kg."""
+HEAVY = 120.0
+"""Kilograms from which on a thing stands as if it were fixed."""
+ANCHORED = 1.2
+"""What is higher than this, in metres, and stands flat to a wall is screwed to it."""
+SOFT = frozenset(("leaf", "needles", "crown", "sheer", "curtain", "grass"))
+"""Words of what gives way: nothing rests on it and nothing runs into it."""
 
 
 class Substance(NamedTuple):
@@ -47,12 +53,27 @@ OTHERWISE = Substance(600.0, 0.5, 0.016)
 
 
 def is_free(item: RenderItem, catalog: Catalog) -> bool:
-    """Whether nothing but its weight holds a thing: what stands on others, and light furniture."""
-    category = str(item.extras.get("category", ""))
-    kind = catalog.kinds.get(category)
-    if item.kind != "piece" or kind is None or kind.services:
+    """Whether nothing but its weight holds a piece: it stands on a floor or on another thing, is on
+    no water, no part of a kitchen, not screwed to a wall and not too heavy to be moved."""
+    kind = catalog.kinds.get(str(item.extras.get("category", "")))
+    if item.kind != "piece" or kind is None or kind.support in ("wall", "ceiling") or kind.flat:
         return False
-    return kind.support == "top" or category in LIGHT_FURNITURE
+    piped = any(service.outlet == "water" for service in kind.services)
+    if piped or kind.category in RUN or not item.parts:
+        return False
+    high = max(float(part.vertices[:, 2].max()) for part in item.parts)
+    hard = [part for part in item.parts if not is_soft(part.material.name)]
+    screwed = kind.back == "flat" and high > ANCHORED
+    return bool(hard) and not screwed and mass_of(hard) <= HEAVY
+
+
+def is_soft(name: str) -> bool:
+    """Whether what a material of a name is on gives way.
+
+    >>> is_soft("light leaf"), is_soft("oak, boho leaf")
+    (True, False)
+    """
+    return not SOFT.isdisjoint(name.partition(",")[0].split())
 
 
 def substance_of(name: str) -> Substance:
@@ -82,7 +103,16 @@ def mass_of(parts: Iterable[Part]) -> float:
 
 
 def _mass(part: Part) -> float:
-    density, _, walls = substance_of(part.material.name)
     a, b, c = (part.vertices[part.faces[:, k]] for k in range(3))
     area = float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum()) / 2
-    return density * min(abs(volume(Mesh(part.vertices, part.faces))), area * walls)
+    return weigh(part.material.name, volume(Mesh(part.vertices, part.faces)), area)
+
+
+def weigh(name: str, volume: float, area: float) -> float:
+    """The mass in kg of a closed mesh of a volume in m³ and a surface in m².
+
+    >>> round(weigh("oak", 0.5, 4.0), 1)
+    38.4
+    """
+    density, _, walls = substance_of(name)
+    return density * min(abs(volume), area * walls)

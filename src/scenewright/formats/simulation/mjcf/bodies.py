@@ -9,8 +9,8 @@ from xml.etree.ElementTree import Element, SubElement
 
 import numpy as np
 
-from scenewright.catalog.classes import RUN
 from scenewright.core.catalog import Catalog, Part
+from scenewright.formats.simulation.masses import is_free, is_soft, substance_of, weigh
 from scenewright.formats.simulation.mjcf.assets import (
     Assets,
     name_hull,
@@ -20,16 +20,11 @@ from scenewright.formats.simulation.mjcf.assets import (
     write_numbers,
 )
 from scenewright.formats.simulation.solids import HOLLOW, ConvexSolid, solids_of
-from scenewright.formats.simulation.substances import substance_of, weigh
 from scenewright.geometry.joints import Joint
 from scenewright.geometry.mesh import Floats
 from scenewright.render.bodies import split_bodies
 from scenewright.render.items import RenderItem
 
-HEAVY = 120.0
-"""Kilograms from which on a thing is not moved: it stands as if fixed."""
-ANCHORED = 1.2
-"""What is higher than this, in metres, and stands flat to a wall is screwed to it."""
 SOFT_HOLLOW, SOFT = 0.05, 100.0
 """Hulls of what is lighter than this, in kg/m³, may fill deeper hollows: it gives way."""
 HUNG = {"hinge": ("0.6", "0.25", "0.02"), "slide": ("6", "2.5", "0.2")}
@@ -58,7 +53,7 @@ def add_item(world: World, item: RenderItem, elevation: float, catalog: Catalog)
     if item.turn:
         whole.set("quat", write_numbers(turn, 9))
     touched = _touches(item, catalog)
-    if touched and _is_free(item, catalog):
+    if is_free(item, catalog):
         SubElement(whole, "freejoint", {"name": f"{name} free"})
         for values in (world.drawn, world.shut):
             values += [*place, *turn]
@@ -107,7 +102,7 @@ def add_parts(
         if mesh is not None:
             material = name_material(assets, part.material)
             SubElement(body, "geom", {"class": "seen", "mesh": mesh, "material": material})
-        if touched and not substance_of(part.material).soft:
+        if touched and not is_soft(part.material.name):
             for number, solid in enumerate(_solids(part)):
                 add_solid(assets, body, part, solid, shift, (key, number))
 
@@ -116,13 +111,13 @@ def add_solid(
     assets: Assets, body: Element, part: Part, solid: ConvexSolid, shift: Floats, key: Hashable
 ) -> None:
     """One solid that can be touched, with its mass and friction."""
-    mass = weigh(part.material, solid.volume, solid.area)
+    mass = weigh(part.material.name, solid.volume, solid.area)
     facts = {
         "class": "touched",
         "type": solid.form if solid.form != "hull" else "mesh",
         "pos": write_numbers(solid.middle + shift),
         "mass": write_numbers((max(mass, 1e-4),)),
-        "friction": write_numbers((substance_of(part.material).friction, 0.005, 0.0001)),
+        "friction": write_numbers((substance_of(part.material.name).friction, 0.005, 0.0001)),
     }
     if solid.form == "hull":
         facts["mesh"] = name_hull(assets, key, solid.corners)
@@ -134,7 +129,7 @@ def add_solid(
 
 
 def _solids(part: Part) -> tuple[ConvexSolid, ...]:
-    light = substance_of(part.material).density < SOFT
+    light = substance_of(part.material.name).density < SOFT
     return _solids_of(Shape(part), SOFT_HOLLOW if light else HOLLOW)
 
 
@@ -166,24 +161,3 @@ def _touches(item: RenderItem, catalog: Catalog) -> bool:
     """Whether a thing can be bumped into: rugs and what hangs as cloth cannot."""
     kind = catalog.kinds.get(str(item.extras.get("category", "")))
     return item.kind != "piece" or kind is None or not kind.flat
-
-
-def _is_free(item: RenderItem, catalog: Catalog) -> bool:
-    """Whether a piece may be moved: it stands on a floor or on another thing, is not connected to
-    pipes or wires of the house, nor part of a kitchen, nor screwed to a wall, nor too heavy."""
-    kind = catalog.kinds.get(str(item.extras.get("category", "")))
-    if item.kind != "piece" or kind is None or kind.support in ("wall", "ceiling"):
-        return False
-    piped = any(service.outlet == "water" for service in kind.services)
-    if piped or kind.category in RUN or not item.parts:
-        return False
-    high = max(float(part.vertices[:, 2].max()) for part in item.parts)
-    if kind.back == "flat" and high > ANCHORED:
-        return False
-    mass = sum(
-        weigh(part.material, solid.volume, solid.area)
-        for part in item.parts
-        if not substance_of(part.material).soft
-        for solid in _solids(part)
-    )
-    return 0.0 < mass <= HEAVY
