@@ -87,7 +87,7 @@ def test_no_stool_stands_by_itself_where_the_counter_has_no_more_places() -> Non
     assert "longer counter" in lost.reason
 
 
-HIGH: dict[str, Any] = {"category": "dining_table", "size": [1.8, 0.6, 1.05]}
+HIGH: dict[str, Any] = {"category": "dining_table", "count": 1, "size": [1.8, 0.6, 1.05]}
 
 
 def test_stools_stand_at_a_high_table_not_where_bread_is_sold() -> None:

@@ -104,7 +104,7 @@ def test_homes_have_no_theme() -> None:
     [
         (["Car showroom"], [], "showroom"),
         (["Shop"], ["clothes_rail"], "generic"),
-        (["Hall"], ["auditorium_seat"], "gate"),
+        (["Hall"], ["auditorium_seat", "round_table"], ""),
         (["Hall"], ["stage"], ""),
     ],
 )

@@ -27,6 +27,20 @@ MAIN_EXHIBITS = ("exhibit_island", "showcase", "plinth", "interactive_table", "s
 """Kinds that may be the main exhibit, the likeliest first."""
 ON_SHOW = frozenset((*MAIN_EXHIBITS[:4], "exhibit_panel", "display_table", "mannequin"))
 """Kinds that visitors walk round or along to look at."""
+SHOWN_SINGLY = ("mannequin", "plinth")
+"""What stands in companies where there are many."""
+ANYWHERE = frozenset(
+    (
+        "bench",
+        "lounge_seat",
+        "auditorium_seat",
+        "dining_chair",
+        "round_table",
+        "dining_table",
+        "desk",
+    )
+)
+"""Seats and tables of so many themes that they speak of none."""
 CARPETED_EXHIBITS = frozenset(
     ("showcase", "plinth", "exhibit_island", "exhibit_panel", "interactive_table")
 )

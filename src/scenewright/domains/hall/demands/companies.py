@@ -3,11 +3,11 @@ formation stretched over its zone (Morgan 2011, Visual Merchandising: odd groups
 
 from __future__ import annotations
 
+from scenewright.domains.hall.classes import SHOWN_SINGLY
 from scenewright.domains.hall.demands.holdings import HallDemand, LoungePart
 from scenewright.domains.hall.measures import AISLE
 from scenewright.domains.hall.seats.lounges import lay_as_one
 
-SHOWN_SINGLY = ("mannequin", "plinth")
 FEWEST_SHOWN, COMPANY_SIZE = 6, 4
 """From how many on they stand in companies, and how many these have, about."""
 

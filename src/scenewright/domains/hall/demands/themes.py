@@ -15,6 +15,7 @@ from collections.abc import Iterable
 from typing import NamedTuple
 
 from scenewright.core.errors import InputError
+from scenewright.domains.hall.classes import ANYWHERE
 
 Sides = tuple[float, float, float, float]
 RETAIL = (
@@ -119,6 +120,6 @@ def guess_theme(names: Iterable[str], categories: Iterable[str]) -> str:
     spoken = [THEME_OF[word] for word in words if word in THEME_OF]
     if spoken:
         return next((theme for theme in spoken if theme != "generic"), "generic")
-    asked = list(categories)
+    asked = [one for one in categories if one not in ANYWHERE]
     found = max(THEMES, key=lambda name: sum(one in THEMES[name].goods for one in asked))
     return found if set(asked) & set(THEMES[found].goods) else ""
