@@ -114,7 +114,7 @@ PROGRAMMES: dict[str, tuple[Fixture, ...]] = {
         _TABLE,
     ),
     "showcases": (
-        _COUNTER,
+        _COUNTER._replace(each=120),
         _WALL._replace(share=0.3),
         Fixture("showcase", (1.2, 0.6, 1.1), _around(0.6), share=0.7, fills=True, required=True),
         _TABLE,
