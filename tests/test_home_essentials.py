@@ -54,7 +54,7 @@ def one_room(
 ROOMS = {
     "a bed with its side at the only wall": (
         one_room(
-            "single_bedroom", 2.7, 2.0, [(0, 0.9, 1.35), (1.35, 2.0, 1.4), (2.7, 1.15, 1.26)], []
+            "single_bedroom", 2.9, 2.0, [(0, 0.9, 1.35), (1.45, 2.0, 1.4), (2.9, 1.15, 1.26)], []
         ),
         "single_bed",
     ),
@@ -72,9 +72,9 @@ ROOMS = {
     "a chest of drawers for a wardrobe": (
         one_room(
             "single_bedroom",
-            2.5,
-            2.6,
-            [(0, 0.5, 0.8), (0, 1.7, 0.9), (2.5, 1.9, 0.9), (1.9, 0, 0.7)],
+            2.47,
+            2.77,
+            [(0, 0.48, 0.8), (0, 2.1, 0.9), (2.47, 1.91, 0.9), (1.8, 0, 0.7)],
             [],
         ),
         "chest_of_drawers",
