@@ -31,7 +31,10 @@ LOW = ("coffee_table", "side_table")
 CHESTS = ("sideboard", "chest_of_drawers", "console_table", "shoe_cabinet", "tv_stand", "vanity")
 SHELVES = ("bookcase", "shelf_unit", "storage_shelf", "wall_shelf", "display_cabinet")
 BASINS = ("basin", "pedestal_basin")
-DESK = tuple(sorted(DESKS | {"vanity"}))
+WORKPLACES = tuple(sorted(DESKS))
+DESK = (*WORKPLACES, "vanity")
+DESKS_OF_HALLS = ("reading_table", "carrel", "info_desk", "counter")
+SLEEPING = ("bedroom", "double_bedroom", "single_bedroom")
 WET = ("bathroom", "toilet", "washroom")
 CHILD = ("child_bedroom",)
 GROWN = ("study", "living", "bedroom", "double_bedroom", "single_bedroom", "storage")
@@ -87,9 +90,9 @@ ROWS = (
     Row("phone", ("nightstand",), 0, 0.6, "any", turn=0.5),
     Row("cream_tube", ("nightstand",), 0, 0.5),
     # where one works
-    Row("monitor", DESK, 0.7, 1, "behind", GROWN, turn=0),
-    Row("keyboard", DESK, 0.7, 1, "seat", GROWN, turn=0),
-    Row("mouse", DESK, 0.7, 1, "beside", GROWN, turn=0),
+    Row("monitor", WORKPLACES, 0.7, 1, "behind", GROWN, turn=0),
+    Row("keyboard", WORKPLACES, 0.7, 1, "seat", GROWN, turn=0),
+    Row("mouse", WORKPLACES, 0.7, 1, "beside", GROWN, turn=0),
     Row("pen_pot", DESK, 1, 1, "back"),
     Row("book", DESK, 0.6, 1, "back", pile=3, turn=0.2),
     Row("mug", DESK, 0.3, 0.8, "side", turn=3),
@@ -140,6 +143,12 @@ ROWS = (
     Row("toy_car", (*DESK, "shelf_unit", "toy_box", "nightstand"), 0.4, 1, "any", CHILD, turn=3),
     Row("ball", ("toy_box", "shelf_unit", "wardrobe"), 0.3, 0.6, "any", CHILD),
     Row("teddy", ("shelf_unit", "bookcase", "chest_of_drawers"), 0.3, 1, "any", CHILD, turn=0.4),
+    # where the public reads and asks
+    Row("book", DESKS_OF_HALLS[:2], 0.6, 2, "any", pile=3, turn=0.3),
+    Row("laptop", DESKS_OF_HALLS[:2], 0.3, 0.5, "seat", turn=0),
+    Row("magazine", DESKS_OF_HALLS[2:], 1, 2, "any", pile=4, turn=0.2),
+    Row("pen_pot", DESKS_OF_HALLS[2:], 0.7, 1, "side"),
+    Row("plant", DESKS_OF_HALLS[2:], 0.3, 0.5, "side"),
     # what makes a room up
     Row("toy_car", (*SHELVES, *DESK, "toy_box"), 0, 4, "any", CHILD, turn=3, fill=True),
     Row("toy_blocks", (*SHELVES, *DESK, *CHESTS), 0, 3, "any", CHILD, turn=0.5, fill=True),
@@ -168,6 +177,16 @@ ROWS = (
     Row("plant", (*CHESTS, "wardrobe"), 0, 1, "side", fill=True),
     Row("shoes", ("shoe_cabinet", "bench", "console_table"), 0, 3, "shelf", fill=True),
     Row("hat", ("wardrobe", "shoe_cabinet"), 0, 2, "any", fill=True),
+    Row("teddy", (*SHELVES, *DESK, "wardrobe", "chest_of_drawers"), 0, 2, "any", CHILD, fill=True),
+    Row("cream_tube", (*CHESTS, "nightstand"), 0, 4, "back", SLEEPING, fill=True),
+    Row("pump_bottle", CHESTS, 0, 2, "back", SLEEPING, fill=True),
+    Row("candle", ("nightstand", *SHELVES, *LOW), 0, 2, "any", fill=True),
+    Row("photo_frame", ("nightstand", *DESK), 0, 2, "back", turn=0.3, fill=True),
+    Row("magazine", (*DESK, *LOW, *CHESTS), 0, 2, "any", pile=3, turn=0.3, fill=True),
+    Row("book", (*SHELVES, *DESK, "nightstand"), 0, 3, "any", pile=4, turn=0.2, fill=True),
+    Row("basket", (*SHELVES, "wardrobe", "bathroom_cabinet"), 0, 2, "any", fill=True),
+    Row("bag", ("wardrobe", "chest_of_drawers", "bench", "sideboard"), 0, 2, "any", fill=True),
+    Row("storage_box", ("wardrobe", "bathroom_cabinet", "fridge"), 0, 4, "any", fill=True),
     Row("towels", ("chest_of_drawers", "bench", "wardrobe"), 0, 1, "any", fill=True),
 )
 SOFT = frozenset((*SOFT_SEATS, *BEDS, "cot", "pouf"))

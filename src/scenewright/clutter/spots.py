@@ -62,12 +62,10 @@ def find_spot(
 ) -> tuple[int, Spot] | None:
     """The level and spot of the ``number``-th thing of a row, of a box ``size``; none if there is
     no room for it."""
-    rows = [k for k, top in enumerate(carrier.tops) if where in ("shelf", "any") or top.highest]
-    if where == "shelf":
-        rows = [k for k in rows if not carrier.tops[k].highest]
-    elif where == "any" and len(rows) > 1:
-        main = [k for k in rows if carrier.tops[k].highest]
-        rows = main + [k for k in rng.permutation(len(carrier.tops)).tolist() if k not in main]
+    rows = [k for k, top in enumerate(carrier.tops) if top.highest and where != "shelf"]
+    if where in ("shelf", "any"):
+        shelves = [k for k, top in enumerate(carrier.tops) if top.shelf and not top.highest]
+        rows += rng.permutation(shelves).astype(int).tolist()
     for k in rows:
         free = windows_free(carrier.tops[k], *size)
         if free.any():

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from scenewright.clutter.surfaces import CELL, Flags, Floats, Surfaces
+from scenewright.clutter.surfaces import CELL, Flags, Floats, Level, Surfaces
 from scenewright.clutter.sweeps import Box
 from scenewright.core.scene import Piece
 from scenewright.core.space import Opening
@@ -20,18 +20,21 @@ TOUCH = 0.002
 """Metres by which something stands out of a surface before it is in the way there."""
 SWING = 0.6
 """Metres before a window that its leaf takes when it opens inwards: nothing above its sill."""
-MAIN = 100
-"""Cells of the least level that is the top of a piece rather than its knob: 100 cm²."""
+MAIN, SHARE = 100, 0.2
+"""Cells of the least level that is the top of a piece rather than a knob (100 cm²) or the edge of a
+headboard: so large a share of its largest level."""
 
 
 class Top(NamedTuple):
     """One level of a placed piece that carries: cells still ``free``, metres of ``headroom``; the
-    ``highest`` level of it is its top, others are shelves. Arrays are changed as it fills."""
+    ``highest`` large level of it is its top, those under something are shelves (others are the
+    floors of basins and baths). Arrays are changed as it fills."""
 
     z: float
     free: Flags
     headroom: Floats
     highest: bool
+    shelf: bool = False
 
 
 class Carrier(NamedTuple):
@@ -71,9 +74,11 @@ def carrier_of(
     """A piece as a carrier among the pieces of its level ``near`` it; ``sweeps`` are the boxes in
     which something of a piece opens."""
     surfaces = measure(piece)
-    main = next((k for k, one in enumerate(surfaces.levels) if one.free.sum() >= MAIN), 0)
+    open_above = [int(one.free[np.isinf(one.headroom)].sum()) for one in surfaces.levels]
+    least = max(MAIN, SHARE * max(open_above, default=0))
+    main = next((k for k, cells in enumerate(open_above) if cells >= least), 0)
     tops = tuple(
-        Top(one.z, one.free.copy(), one.headroom.copy(), k == main)
+        Top(one.z, one.free.copy(), one.headroom.copy(), k == main, covered(one))
         for k, one in enumerate(surfaces.levels)
     )
     x, y = surfaces.middles
@@ -85,6 +90,11 @@ def carrier_of(
     for window in windows:
         _open_window(tops, piece, window, spots)
     return Carrier(piece, tops, surfaces, seats)
+
+
+def covered(level: Level) -> bool:
+    """Whether most of a level lies under something of its own model: a shelf."""
+    return bool(np.isfinite(level.headroom[level.free]).mean() > 0.5)
 
 
 def _stand_in(
