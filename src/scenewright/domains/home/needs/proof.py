@@ -67,9 +67,11 @@ def _list_misses(task: RoomTask, rest: Placed, group: FurnishedGroup) -> Iterato
         if now > before + ROUNDING:
             yield words
     shut = set(find_blocked(with_narrow_ways(task), placed)) - find_barred(task, rest)
-    if shut:
-        names = sorted({name_way(task, name) for name in shut})
+    names = sorted({name_way(task, name) for name in shut - {group.name}})
+    if names:
         yield f"leaves no way to {' and '.join(names)}"
+    elif shut:
+        yield "is reached by no way"
 
 
 def name_way(task: RoomTask, name: str) -> str:
