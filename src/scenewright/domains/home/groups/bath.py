@@ -23,15 +23,9 @@ def toilet() -> Iterator[Group]:
 
 def basin() -> Iterator[Group]:
     """A wash basin, on a cabinet where wide enough, with its mirror."""
-    sizes = (
-        (HAND_BASIN.width, HAND_BASIN.depth + 0.01),
-        (0.5, 0.42),
-        (0.6, 0.46),
-        (0.8, 0.48),
-        (1.0, 0.5),
-        (1.2, 0.5),
-    )
-    for width, depth in sizes:
+    width, depth, _ = HAND_BASIN
+    yield _basin(width, depth + 0.01, f"{width:.2f} m hand basin")
+    for width, depth in ((0.5, 0.42), (0.6, 0.46), (0.8, 0.48), (1.0, 0.5), (1.2, 0.5)):
         yield _basin(width, depth, f"{width:.1f} m basin")
 
 
