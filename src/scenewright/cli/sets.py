@@ -37,7 +37,7 @@ LooksOption = Annotated[int, typer.Option(help="Looks of every home; 0 as it is 
 VaryOption = Annotated[
     str, typer.Option(help="Of looks: style,light,doors,poses,clutter; of seeds: residents.")
 ]
-FormatsOption = Annotated[str, typer.Option(help="Suffixes, such as .json,.glb.")]
+FormatsOption = Annotated[str, typer.Option(help="Suffixes, such as .json,.glb,.mjcf.xml.")]
 ParquetOption = Annotated[bool, typer.Option("--parquet", help="The manifest as Parquet too.")]
 JobsOption = Annotated[int | None, typer.Option(min=1, max=1024, help="Workers; one a core.")]
 MemoryOption = Annotated[float | None, typer.Option(help="GiB a worker may take (4).")]
