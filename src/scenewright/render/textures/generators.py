@@ -46,7 +46,7 @@ class Laid(NamedTuple):
 
 def _grey(tone: Floats, warm: float = 0.0) -> Floats:
     """Three channels of one tone; where it is dark the more saturated, the more ``warm``."""
-    tone = np.maximum(tone, 0.02)
+    tone = np.maximum(tone, 0.02).astype(np.float32)
     return np.stack([tone ** (1 - warm), tone, tone ** (1 + 1.5 * warm)], -1)
 
 
