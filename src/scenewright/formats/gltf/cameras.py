@@ -84,7 +84,7 @@ def _add_whole(tree: Tree, cameras: list[Json], low: Floats, high: Floats) -> No
     middle = (low + high) / 2
     ends = np.stack(np.meshgrid(*np.stack([low, high], -1)), -1).reshape(-1, 3) - middle
     seen = np.abs(ends @ np.stack([right / ASPECT, np.cross(back, right)], -1)).max(1) / tangent
-    away = 1.03 * float((seen + ends @ back).max())
+    away = 1.08 * float((seen + ends @ back).max())
     x, y, z = middle + away * back
     eye = {"translation": [float(x), float(z), float(-y)], "rotation": turn_of(ASIDE, -STEEP)}
     reach = float(np.linalg.norm(high - low))
