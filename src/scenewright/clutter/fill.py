@@ -32,6 +32,8 @@ from scenewright.render.items import parts_of
 
 SIZES = (0.92, 1.0, 1.06)
 """Shares of the usual size that small objects of a kind come in."""
+ROUNDS = 2
+"""How often what makes a room up comes round again."""
 REACH = 0.8
 """Metres from a table within which a chair looks at it."""
 
@@ -114,7 +116,7 @@ def _make_up(
 ) -> Iterator[Piece]:
     """One after another of what makes a room up, until it has enough or holds no more."""
     left = {
-        (n, k): int(row.lived)
+        (n, k): ROUNDS * int(row.lived)
         for n, row in enumerate(rows)
         if row.fill
         for k, carrier in enumerate(carriers)

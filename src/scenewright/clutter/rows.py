@@ -22,7 +22,7 @@ what lies there, behind it; leaning on a back; across the foot of a bed; on shel
 AMOUNTS: tuple[Amount, ...] = ("none", "some", "lived-in")
 ENOUGH = 44
 """Small objects of a room that is lived in, where its furniture carries so many."""
-SHARE = 0.5
+SHARE = 0.6
 """Share of a top's area that small objects and the free space about them may take."""
 
 WORK = tuple(sorted((WORKTOP - {"fridge"}) | {"kitchen_island"}))
