@@ -88,7 +88,7 @@ def _our_homes(number: int, progress: Progress | None) -> tuple[list[Solution], 
 def _their_homes(folder: Path, number: int) -> tuple[list[Solution], float]:
     """Houses of ProcTHOR as solutions, and the seconds of the processor one takes."""
     python = os.environ.get("PROCTHOR_PYTHON", sys.executable)
-    words = [python, str(CODE), str(folder), str(number)]
+    words = [python, "-P", str(CODE), str(folder), str(number)]  # its folder shadows modules
     done = subprocess.run(words, capture_output=True, text=True, check=False)
     if done.returncode:
         last = (done.stderr.strip().splitlines() or ["it ended without a word"])[-1]

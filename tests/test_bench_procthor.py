@@ -45,5 +45,5 @@ def test_a_generator_that_is_not_there_is_named(monkeypatch: pytest.MonkeyPatch)
     monkeypatch.setenv("PYTHONPATH", "")
     if "procthor" in sys.modules:
         pytest.skip("it is there")
-    with pytest.raises(InputError, match="ProcTHOR cannot be run.*pip install procthor"):
+    with pytest.raises(InputError, match=r"ProcTHOR cannot be run.*pip install procthor"):
         next(records(count=1))

@@ -10,6 +10,7 @@ from pxr import Sdf, Usd, UsdGeom, UsdPhysics, UsdShade, Vt
 from scenewright.core.catalog import Part
 from scenewright.formats.gltf.meshes import surfaces_of
 from scenewright.formats.gltf.surfaces import GlbSurface, surface
+from scenewright.formats.simulation.masses import is_soft
 from scenewright.formats.usd.materials import PLACES, MaterialScope, linear_color, material_path
 from scenewright.formats.usd.names import free_path
 from scenewright.formats.usd.physics import approximation_of
@@ -38,9 +39,10 @@ def define_parts(
         mesh.CreateDisplayColorAttr([linear_color(part.material)])
         if found.places is not None:
             _place_texture(mesh, found.places)
-        UsdPhysics.CollisionAPI.Apply(mesh.GetPrim())
-        touched = UsdPhysics.MeshCollisionAPI.Apply(mesh.GetPrim())
-        touched.CreateApproximationAttr(approximation_of(part, moves))
+        if not is_soft(part.material.name):
+            UsdPhysics.CollisionAPI.Apply(mesh.GetPrim())
+            touched = UsdPhysics.MeshCollisionAPI.Apply(mesh.GetPrim())
+            touched.CreateApproximationAttr(approximation_of(part, moves))
         path = material_path(stage, scope, part.material)
         binding = UsdShade.MaterialBindingAPI.Apply(mesh.GetPrim())
         binding.Bind(UsdShade.Material(stage.GetPrimAtPath(path)))
