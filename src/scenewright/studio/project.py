@@ -46,7 +46,7 @@ def open_project(path: Path) -> sqlite3.Connection:
         db.execute("PRAGMA journal_mode=WAL")
         db.execute("PRAGMA synchronous=FULL")
         db.executescript(TABLES)
-    except (sqlite3.Error, InputError) as error:
+    except sqlite3.Error as error:
         db.close()
         raise InputError(
             f"is not a project of the studio: {error}", "choose another name", file=str(path)
@@ -60,7 +60,7 @@ def _check_mark(db: sqlite3.Connection) -> None:
         for text in ("PRAGMA application_id", "SELECT count(*) FROM sqlite_master")
     )
     if tables and mark != MARK:
-        raise InputError("it is a database of another program")
+        raise sqlite3.DatabaseError("it is a database of another program")
     db.execute(f"PRAGMA application_id={MARK}")
 
 
