@@ -57,7 +57,7 @@ clean:
 
 .venv/checked: .venv/installed
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[dev]'
-	for extra in solve peers bim dxf pdf gis svg docs; do \
+	for extra in solve peers bim dxf pdf gis svg docs usd mujoco cluster; do \
 	  $(BIN)/python -m pip install --quiet --disable-pip-version-check --editable ".[$$extra]" \
 	    || echo "The extra $$extra cannot be installed here: its tests are skipped, as pytest's summary says."; \
 	done
