@@ -59,7 +59,7 @@ def records(
     yield from _models()
     done = 0
     for kind, number in (("home", homes), ("hall", halls)):
-        judged = []
+        judged: list[JudgedScene] = []
         for brief in _briefs(kind, number):
             if progress is not None:
                 progress(done / (homes + halls), f"{kind} {len(judged) + 1} of {number}")
