@@ -8,7 +8,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from benchmarks.damage import damage_zip, zipped
+from benchmarks.damage import damage_json, damage_zip, zipped
 from benchmarks.damage_structure import damage_lines, damage_streams, damage_xml
 from benchmarks.damaged_samples import HOME, XML
 from benchmarks.damaged_uses import DamagedFormat, arrange_with, given, learn_groups, plain, plan_it
@@ -48,6 +48,7 @@ def _zipped_ifc(folder: Path) -> bytes:
 
 _HOME_ZIP = given(zipped({"Home.xml": XML.encode()}))
 _LINES, _XML = plain(damage_lines), plain(damage_xml)
+_HOUSE = written("procthor.json")
 PLAN_FORMATS = (
     DamagedFormat(
         "sweet homes",
@@ -65,6 +66,7 @@ PLAN_FORMATS = (
     DamagedFormat(
         "zipped IFC", 60, ".ifczip", _zipped_ifc, plain(damage_zip(damage_lines)), plan_it
     ),
+    DamagedFormat("ProcTHOR houses", 60, ".procthor.json", _HOUSE, plain(damage_json), plan_it),
     DamagedFormat("DXF plans", SHARE, ".dxf", written("dxf"), _LINES, plan_it),
     DamagedFormat("SVG plans", SHARE, ".svg", written("svg"), _XML, plan_it),
     DamagedFormat("PDF plans", SHARE, ".pdf", written("pdf"), plain(damage_streams), plan_it),

@@ -11,6 +11,7 @@ from typing import Any
 import pytest
 
 import map_files
+from flat import flat_solution
 from hostile_documents import CITY, LAND, MAP
 from scenewright import formats
 from scenewright.core.brief import Brief
@@ -79,6 +80,11 @@ def write_saved(path: Path) -> None:
     path.write_bytes(gzip.decompress((SAVED / "home-room.json.gz").read_bytes()))
 
 
+def write_house(path: Path) -> None:
+    """The flat as a house of ProcTHOR."""
+    formats.write(flat_solution(), path)
+
+
 def write_sequence(path: Path) -> None:
     """The city model as a head and one feature a line."""
     head = CITY | {"CityObjects": {}, "vertices": []}
@@ -110,6 +116,7 @@ READERS: dict[str, tuple[str, Callable[[Path], None], str]] = {
     "dxf": (".dxf", write_by("ezdxf"), "home"),
     "ifc": (".ifc", write_by("ifcopenshell"), "home"),
     "pdf": (".pdf", write_by("pypdfium2"), "home"),
+    "procthor": (".procthor.json", write_house, "home"),
     "svg": (".svg", write_by("svgelements"), "home"),
     "geopackage": (".gpkg", write_map, "site"),
     "shapefile": (".shp", write_map, "site"),

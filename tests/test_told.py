@@ -101,7 +101,7 @@ def test_a_batch_tells_what_is_left_out(tmp_path: Path) -> None:
     assert row.status == "left out"
     with (tmp_path / "out" / "summary.csv").open(encoding="utf-8") as file:
         (line,) = csv.DictReader(file)
-    assert line["message"].startswith("r: single: no place found")
+    assert line["message"].startswith("r: sleeping: no free wall of 2.0 m to stand against")
 
 
 def test_a_batch_that_is_quiet_names_what_failed(

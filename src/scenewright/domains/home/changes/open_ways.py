@@ -2,19 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 
+from scenewright.catalog.classes import EATING_TABLES, SOFT_SEATS
 from scenewright.catalog.loading import catalog_of
+from scenewright.core.passes import Pass
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
 from scenewright.core.space import Space
 from scenewright.domains.home.attempt import RoomAnswer
 from scenewright.domains.home.changes.least_change import Rest
 from scenewright.domains.home.changes.revised import NOTHING, Revised
-from scenewright.domains.home.composing.home_passes import ALIGNING, MENDING, finish_home
+from scenewright.domains.home.composing.home_passes import (
+    ALIGNING,
+    MENDING,
+    SETTLING,
+    HomePass,
+    finish_home,
+)
 from scenewright.domains.home.composing.homewide.settling import HomeState
 from scenewright.domains.home.home_floor import HomeFloor
+from scenewright.domains.home.household import Household, decide_household
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.remove_blockers import Opened, remove_blockers
 from scenewright.domains.home.second_try import tried_again
@@ -49,7 +58,9 @@ def open_ways(
         settings=preset_named(PRESETS, solution.preset).settings,
     )
     answers = [_whole_answer(revised.rest) if revised else NOTHING for revised in touched]
-    after = opened(_try_anew(touched, answers, opened))
+    household = decide_household(rooms, solution.brief.residents)
+    settling = tuple(_settled_in(touched, solution.pieces))
+    after = opened(_try_anew(touched, answers, opened, household, settling))
     return {
         space.id: revised._replace(rest=Rest((), answer))
         for space, revised, answer in zip(rooms, touched, after, strict=True)
@@ -62,8 +73,23 @@ def _whole_answer(rest: Rest) -> RoomAnswer:
     return answer._replace(placed=(*stay, *answer.placed))
 
 
+def _settled_in(
+    touched: Sequence[Revised | None], before: Sequence[Piece]
+) -> Iterator[Pass[HomePass]]:
+    """The passes that settle a need of the home which rooms furnished again served before."""
+    anew = {revised.task.space.id for revised in touched if revised and revised.anew}
+    stood = {piece.category for piece in before if piece.space in anew}
+    for row in SETTLING:
+        if stood & (SOFT_SEATS if row.name == "soft seat" else EATING_TABLES):
+            yield row
+
+
 def _try_anew(
-    touched: Sequence[Revised | None], answers: Answers, opened: Opened
+    touched: Sequence[Revised | None],
+    answers: Answers,
+    opened: Opened,
+    household: Household,
+    settling: Sequence[Pass[HomePass]],
 ) -> list[RoomAnswer]:
     """The answers for all rooms, with further tries for those furnished again, finished as
     at first."""
@@ -78,11 +104,8 @@ def _try_anew(
         return [after[i] for i in anew]
 
     tasks = [revised.task for revised in anew.values()]
-    again = tried_again(
-        tasks,
-        [revised.anew for revised in anew.values()],
-        [revised.budget for revised in anew.values()],
-        [answers[i] for i in anew],
-        opened_anew,
-    )
-    return together(finish_home(HomeState(tasks, opened_anew), again, (*MENDING, *ALIGNING)))
+    wishes = [revised.anew for revised in anew.values()]
+    budgets = [revised.budget for revised in anew.values()]
+    again = tried_again(tasks, wishes, budgets, [answers[i] for i in anew], opened_anew)
+    home = HomeState(tasks, opened_anew, household, False, wishes, budgets, whole=False)
+    return together(finish_home(home, again, (*MENDING, *settling, *ALIGNING)))

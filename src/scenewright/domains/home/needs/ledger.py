@@ -30,7 +30,7 @@ def make_ledger(solution: Solution, plan: Plan) -> tuple[LedgerRow, ...]:
     >>> brief, plan = read_planned("sample:home-studio")
     >>> rows = make_ledger(solve(brief, plan=plan, steps=200), plan)
     >>> [(row.need, row.owed) for row in rows][:2]
-    [('beds', 1.0), ('places to eat', 1.0)]
+    [('beds', 2.0), ('places to eat', 2.0)]
     """
     if not is_dwelling(plan.spaces):
         return ()

@@ -243,7 +243,8 @@ def _say_why(
 
 
 def _may_settle(home: HomeState) -> bool:
-    return is_home(home.tasks) and not any(task.cancelled() for task in home.tasks)
+    known = is_home(home.tasks) or not home.whole
+    return known and not any(task.cancelled() for task in home.tasks)
 
 
 def _list_rooms(

@@ -95,7 +95,8 @@ KEPT = STORING | {"desk", "kids_desk"}
 class HomeState(NamedTuple):
     """The rooms of a home, what opens its ways, who lives in it, and whether its seconds are
     stated (``timed``): then nothing moves for a need; what its rooms were to hold, and the work
-    they took (none: no room is solved again)."""
+    they took (none: no room is solved again); ``whole`` is false where these are but some of its
+    rooms."""
 
     tasks: Sequence[RoomTask]
     opened: Opened
@@ -103,6 +104,7 @@ class HomeState(NamedTuple):
     timed: bool = False
     wishes: Sequence[tuple[Wish, ...]] = ()
     budgets: Sequence[Budget] = ()
+    whole: bool = True
 
 
 def is_home(tasks: Sequence[RoomTask]) -> bool:
