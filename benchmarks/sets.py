@@ -5,7 +5,7 @@ when workers and runs are killed, here and on Dask. ``scenewright bench sets``.
 MJCF, with the manifest. The rate is that of two processors: 120 by the processor seconds of a home,
 start and reading of kernels included; other work on the machine makes the clock say more. The first
 of them are made again, killed ten times by SIGKILL: by turns the run and one of its
-workers; then on two workers of a local Dask cluster of which one is killed twice. What is missing
+workers; then on two workers of a local Dask cluster, one killed twice. What is missing
 or other than the bytes of the run that nobody killed is lost. Runs on Linux.
 """
 
@@ -184,7 +184,7 @@ def children(parent: int) -> list[int]:
 
 
 def kill_on_dask(folder: Path, out: Path) -> Path:
-    """A set made by two Dask workers of which one is killed after a quarter and after a half."""
+    """A set made by two Dask workers, one killed after a quarter and after a half."""
     from distributed import Client, LocalCluster
 
     with LocalCluster(

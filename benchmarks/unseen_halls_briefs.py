@@ -184,7 +184,7 @@ def _area(ring: Any) -> float:
 
 
 def _part(room: dict[str, Any], space: Space) -> Brief:
-    """One room of a map by itself, with its doors where they meet its inner walls."""
+    """A single room of a map, with its doors where they meet its inner walls."""
     low = space.outline.min(0)
     room |= {
         "outline": (space.outline - low).round(3).tolist(),

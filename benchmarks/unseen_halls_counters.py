@@ -46,7 +46,7 @@ off walls what has a back stands free, in metres."""
 PARADED = ("mannequin", "plinth", "round_rack", "display_table", "potted_tree", "exhibit_island")
 MANY, ALIKE, SAME = 9, 0.8, 0.1
 """So many things are a formation where this share of them hangs together, each as far from a
-neighbour as is usual among them, to so many metres."""
+neighbour as is usual among them, rounded to this length in metres."""
 GOODS = (
     *("gondola", "book_stack", "clothes_rail", "wall_shelving", "bookcase", "lockers"),
     *("showcase", "display_cabinet", "fridge_shelf"),
@@ -220,7 +220,7 @@ def spacious_seats(hall: Hall, beyond: float) -> Count:
 
 
 def formations(hall: Hall, beyond: float) -> Count:
-    """Kinds of which many stand in a regular grid, of those that are shown singly."""
+    """Kinds shown singly that stand in a regular grid all the same."""
     faults = []
     for kind in PARADED:
         mine = np.array([p.pose[:2] for p in hall.room.find(kind)]).reshape(-1, 2)
@@ -240,7 +240,7 @@ def _largest(linked: np.ndarray) -> int:
 
 
 def backs_to_entrance(hall: Hall, beyond: float) -> Count:
-    """Halls in which what stands free near an entrance shows it its back."""
+    """Halls where a free-standing thing near an entrance turns its back to it."""
     ways = _doors(hall.room, "in")
     mine = hall.room.find(*BACKED, *DESKS)
     return _tally([any(_turns_back(hall.room, p, w, beyond) for p in mine for w in ways)])

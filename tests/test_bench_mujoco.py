@@ -1,4 +1,4 @@
-"""The benchmark of MuJoCo models: it tells what stands from what falls, what opens from what is
+"""The benchmark of MuJoCo models: it tells stable things from falling ones, what opens from what is
 stuck."""
 
 from __future__ import annotations

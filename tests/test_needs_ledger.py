@@ -1,4 +1,4 @@
-"""The ledger of a household: what a home owes by residents and floor, what stands, why not."""
+"""The ledger of a household: what a home owes by residents and floor, what it has, why not."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def piece(kind: str, space: str, x: float, y: float, *size: float) -> Piece:
 def dwelling(
     pieces: Sequence[Piece], left_out: Sequence[LeftOut] = (), **keys: object
 ) -> sw.Solution:
-    """The small flat with a bath, so that it is a dwelling, and what stands in it."""
+    """The small flat with a bath, so that it is a dwelling, and its furniture."""
     document = json.loads(flat_brief().model_dump_json())
     document["rooms"].append(WET)
     brief = type(flat_brief()).model_validate(document | keys)

@@ -40,7 +40,7 @@ def brief(domain: str = "home", **room: Any) -> Brief:
         ("painting", "use wall_exhibit with the name 'painting'"),
         ("car", "use exhibit_island with the name 'car'"),
         ("whiteboard", "use screen"),
-        ("xyzzy", "see: scenewright list assets"),
+        ("well", "see: scenewright list assets"),
     ],
 )
 def test_a_demand_for_what_is_no_kind_offers_those_with_that_word(word: str, offered: str) -> None:
@@ -71,7 +71,7 @@ def test_asking_for_a_piece_offers_the_group_that_holds_it(word: str, offered: s
 
 
 def test_fixed_items_that_are_like_a_kind_are_noted() -> None:
-    words = ("couch", "couch", "xyzzy", "sofa")
+    words = ("couch", "couch", "well", "sofa")
     fixed = [{"category": word, "at": [1, 1], "size": [1, 1, 1]} for word in words]
     (note,) = note_unknown_kinds(brief(fixed=fixed), shipped().kinds)
     assert note.message.startswith("2 fixed 'couch' are no kind of the catalog")

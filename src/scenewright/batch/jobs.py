@@ -36,7 +36,7 @@ class Limits(NamedTuple):
 
 class Variation(NamedTuple):
     """What is made of every plan: a home a seed of ``seeds`` (none: one, with the seed of the
-    options), each in so many ``looks`` (0: as it is asked for), and what of them varies."""
+    options), each in a number of ``looks`` (0: as it is asked for), and what of them varies."""
 
     seeds: Sequence[int] = ()
     looks: int = 0

@@ -13,7 +13,7 @@ MOST = 4
 
 def suggest_kinds(name: str, kinds: Mapping[str, Kind]) -> list[str]:
     """The categories a name may mean: those with that word for them, in any language, those it is
-    a part of, those in one of whose phrases it stands; else those spelt like it.
+    a part of, those in one of whose phrases it stands; else those spelt like it that have words.
 
     >>> from scenewright.catalog.kinds import KINDS
     >>> [suggest_kinds(name, KINDS)[:1] for name in ("couch", "till", "rope", "bokcase", "unicorn")]
@@ -26,7 +26,8 @@ def suggest_kinds(name: str, kinds: Mapping[str, Kind]) -> list[str]:
         *(key for key in kinds if said in key.split("_")),
         *(key for key in kinds if any(said in phrase.split() for phrase in phrases[key])),
     ]
-    return list(dict.fromkeys(named or get_close_matches(name, kinds, MOST)))[:MOST]
+    spelt = [key for key, kind in kinds.items() if kind.words]
+    return list(dict.fromkeys(named or get_close_matches(name, spelt, MOST)))[:MOST]
 
 
 def offer_kinds(name: str, kinds: Mapping[str, Kind]) -> str:

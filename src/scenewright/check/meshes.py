@@ -132,7 +132,7 @@ def find_stops(drawn: Sequence[DrawnPiece]) -> list[Stop]:
     """Doors, drawers and flaps that meet another piece before they are open.
 
     Each is tried at :data:`STEPS` positions. What people push aside (seats) and what gives way
-    stops nothing, and nothing stops what stands on the body's own piece.
+    stops nothing, and nothing stops things on the body's own piece.
     """
     boxes = [one.box for one in drawn]
     low, high = np.array([box[0] for box in boxes]), np.array([box[1] for box in boxes])

@@ -31,7 +31,7 @@ def note_unknown_kinds(brief: Brief, kinds: Mapping[str, Kind]) -> list[Note]:
     """A note for each word for fixed items that is not a kind but like one: they stand as boxes.
 
     >>> from scenewright.catalog.kinds import KINDS
-    >>> items = [{"category": word, "at": [1, 1], "size": [1, 1, 1]} for word in ("couch", "xyzzy")]
+    >>> items = [{"category": word, "at": [1, 1], "size": [1, 1, 1]} for word in ("couch", "well")]
     >>> room = {"outline": [[0, 0], [4, 0], [4, 3], [0, 3]], "fixed": items}
     >>> [note.message[:56] for note in note_unknown_kinds(Brief(rooms=[room]), KINDS)]
     ["a fixed 'couch' is no kind of the catalog and drawn as a"]

@@ -1,4 +1,4 @@
-"""The table of small objects: what stands on which kinds, in which rooms, how many, and where.
+"""The table of small objects: which are put on which kinds, in which rooms, how many, and where.
 
 Counts are a carrier's at the two levels; a fraction is a chance, so 0.5 puts one on every second.
 Where there are seats they are a seat's. What makes up a room (``fill``) is placed last, one after
@@ -21,7 +21,7 @@ what lies there, behind it; leaning on a back; across the foot of a bed; on shel
 
 AMOUNTS: tuple[Amount, ...] = ("none", "some", "lived-in")
 ENOUGH = 44
-"""Small objects of a room that is lived in, where its furniture carries so many."""
+"""Small objects of a room that is lived in, where its furniture has room for them."""
 SHARE = 0.6
 """Share of a top's area that small objects and the free space about them may take."""
 

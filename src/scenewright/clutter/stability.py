@@ -29,7 +29,7 @@ TOUCH = 0.004
 SOFT_GIVES = 0.05
 """The same on and of what gives way: cushions, seats, beds."""
 LEAST = 0.001
-"""The least margin of what stands, metres."""
+"""The least margin of a stable object, metres."""
 _INSIDE = np.array([0.9, 0.87])
 """Shares of the way from the middle to the rim: not alike, so that no ray runs along an edge."""
 _ABOVE = {False: 0.01, True: 0.6}
@@ -69,7 +69,7 @@ def _by_carrier(pieces: Sequence[Piece]) -> dict[str, list[Piece]]:
 
 
 def keep_standing(pieces: Sequence[Piece], small: Sequence[Piece], catalog: Catalog) -> list[Piece]:
-    """The small objects that stand, without those that do not and what stands on these."""
+    """The stable small objects, without unstable ones and whatever rests on those."""
     named = {piece.id: piece for piece in (*pieces, *small)}
     fallen = {
         one.piece.id

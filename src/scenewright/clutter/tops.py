@@ -1,4 +1,4 @@
-"""The tops of a placed piece: its surfaces, less what stands on them or reaches over them."""
+"""The tops of a placed piece: its surfaces, less the things on or above them."""
 
 from __future__ import annotations
 

@@ -30,7 +30,7 @@ class Joint(NamedTuple):
 
 
 def transform_joint(joint: Joint, matrix: ArrayLike, shift: ArrayLike = 0.0) -> Joint:
-    """The joint of a model of which each point p becomes ``matrix`` (3, 3) p + ``shift`` (3,).
+    """The joint of a model whose points p become ``matrix`` (3, 3) p + ``shift`` (3,).
 
     A reflection turns the sense of a hinge round; a slide is as much longer as its axis is.
 

@@ -1,7 +1,7 @@
 """A project file: every version of a scene, one after another, in SQLite.
 
 Append-only: a verb adds a version below the one it changed, and undo, redo and going back only
-add to the list of which version was shown when. With a write-ahead log and full synchronisation
+add to the list of versions shown. With a write-ahead log and full synchronisation
 what was acknowledged survives a kill at any moment.
 """
 

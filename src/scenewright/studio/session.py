@@ -6,8 +6,8 @@ import math
 import sqlite3
 import tempfile
 import zipfile
-from collections.abc import Callable, Mapping, Sequence
-from contextlib import AbstractContextManager
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import replace
 from io import BytesIO
 from pathlib import Path
@@ -71,10 +71,8 @@ class Session:
 
     def arrange(self, seed: int = 0) -> None:
         """Furnish the plan anew in a thread of its own; locked pieces stay."""
-        shown = self._must_show()
-        with self.lock:
-            if self.running:
-                raise BUSY
+        with self._turn():
+            shown = self._must_show()
             self.running = True
         self.stopping.clear()
         Thread(target=self._arrange, args=(shown, seed), daemon=True).start()
@@ -84,8 +82,8 @@ class Session:
         self.stopping.set()
 
     def _arrange(self, shown: Shown, seed: int) -> None:
-        brief = _keep_locked(shown.solution)
         try:
+            brief = _keep_locked(shown.solution)
             plan = domains.plan_of(brief)
             solution = domains.solve(
                 brief,
@@ -107,8 +105,8 @@ class Session:
     def change(self, what: str, **edits: Any) -> list[Json]:
         """Change the scene by hand (the edits of :func:`scenewright.domains.adjust`); every change
         with its reason."""
-        shown = self._must_show()
         with self._turn():
+            shown = self._must_show()
             adjusted = domains.adjust(shown.solution, plan=shown.plan, **edits)
             same = adjusted.solution.brief is shown.solution.brief
             plan = shown.plan if same else domains.plan_of(adjusted.solution.brief)
@@ -174,10 +172,13 @@ class Session:
             write(shown.solution, path)
             return path.read_bytes()
 
-    def _turn(self) -> AbstractContextManager[Any]:
-        if self.running:
-            raise BUSY
-        return self.lock
+    @contextmanager
+    def _turn(self) -> Iterator[None]:
+        """One verb at a time, and none while something is arranged."""
+        with self.lock:
+            if self.running:
+                raise BUSY
+            yield
 
     def _must_show(self) -> Shown:
         if self.shown is None:

@@ -78,7 +78,7 @@ def attach_joint(joint: Joint | None, meshes: Sequence[Mesh]) -> list[Mesh]:
 
 def assign_bodies(meshes: Sequence[Mesh]) -> list[Joint | None]:
     """The joint each mesh of a model moves by, its body named by what it is and numbered; none for
-    what stands still.
+    the rest, which does not move.
 
     >>> from scenewright.geometry.solids import block
     >>> x, y, z = (0.0, 0.5), (0.2, 0.22), (0.0, 0.7)

@@ -40,7 +40,7 @@ ANYWHERE = frozenset(
         "desk",
     )
 )
-"""Seats and tables of so many themes that they speak of none."""
+"""Seats and tables common to most themes, which therefore suggest none."""
 CARPETED_EXHIBITS = frozenset(
     ("showcase", "plinth", "exhibit_island", "exhibit_panel", "interactive_table")
 )

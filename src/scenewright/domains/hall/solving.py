@@ -159,7 +159,7 @@ def _lay_alike(
     run: Callable[[dict[int, HallTask]], dict[int, Laid]],
 ) -> list[str]:
     """Lay out the halls of ``tasks`` like their models and say how they differ; ``halls`` and
-    ``laid`` get what stands there. Where that leaves out more than laying one out by itself, it
+    ``laid`` get what is placed there. Where that leaves out more than laying one out alone, it
     is."""
     alike = {
         k: carry_over(

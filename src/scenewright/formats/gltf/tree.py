@@ -118,7 +118,7 @@ def _in_level(found: Iterable[RenderItem]) -> Iterator[Part]:
 def _add_thing(
     tree: Tree, parent: int, thing: RenderItem, size: Size | None = None, still: bool = True
 ) -> None:
-    """A node with what stands ``still`` of a thing, and below it one for each body that moves."""
+    """A node with the ``still`` parts of a thing, and below it one for each body that moves."""
     name = str(thing.extras.get("asset", thing.name) if thing.kind == "piece" else thing.name)
     rest, bodies = split_bodies(thing.parts)
     drawn = Drawn((thing.key, ""), name, rest) if still else None

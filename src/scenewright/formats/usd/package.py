@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from zipfile import ZIP_STORED, ZipFile, ZipInfo
 
 ALIGNED = 64
-"""Bytes at a multiple of which each file begins."""
+"""Each file begins at a multiple of this number of bytes."""
 HEADER = 30
 """Bytes of a zip's local header before name and padding."""
 PADDING = 0x1986
@@ -18,7 +18,7 @@ DAY = (1980, 1, 1, 0, 0, 0)
 
 
 def pack_files(files: Mapping[str, bytes]) -> bytes:
-    """The package of named files, the first of which is the one that is opened.
+    """The package of named files; the first is the one that is opened.
 
     >>> data = pack_files({"scene.usda": b"#usda 1.0"})
     >>> data.index(b"#usda") % 64, data == pack_files({"scene.usda": b"#usda 1.0"})

@@ -2,7 +2,7 @@
 
 Places near the walls of the free floor are tried. From each a ring of level rays tells how far it
 is free; of pieces and windows in view it counts how much of the picture they fill, up to a share
-each, less for what is cut by an edge; what stands nearer than an arm's length is in the way.
+each, less for what is cut by an edge; things nearer than an arm's length are in the way.
 """
 
 from __future__ import annotations

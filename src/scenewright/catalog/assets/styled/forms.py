@@ -100,7 +100,7 @@ TALL = 0.55
 CORNER = 0.055
 """How far legs of tables reach in from a short side, metres: a chair stands beside each."""
 PUSHED_IN = 0.22
-"""How far under a table its chairs reach, metres: what stands there stands further in."""
+"""How far under a table its chairs reach, metres: legs and aprons stay clear of it."""
 
 
 def add(found: Stuff, more: Stuff) -> Stuff:

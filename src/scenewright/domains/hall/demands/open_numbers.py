@@ -106,7 +106,7 @@ def _line_walls(
 
 
 def _by_floor(demand: Demand, hall: HallContext, each: float) -> int:
-    """How many of a demand there are with one for so many square metres of its zones."""
+    """How many of a demand there are with one for a given number of square metres of its zones."""
     return max(round(float((zone_areas(hall) * zones_of(demand, hall)).sum()) / each), 1)
 
 

@@ -3,7 +3,7 @@
 Amounts follow the floor: footprints and the free depth around them together take the usual share
 of the theme (:mod:`.themes`), walls first; the rest is left to walk. Free depths of 0.6 m at both
 sides of an aisle give it 1.2 m, so that two people pass (Neufert 2012, Architects' Data, shops;
-Panero and Zelnik 1979 give 1.3 m for the same). Desks come first, then what stands at walls.
+Panero and Zelnik 1979 give 1.3 m for the same). Desks come first, then furniture at walls.
 """
 
 from collections.abc import Mapping
@@ -289,7 +289,7 @@ def shop_programme(kind: str, area: float, perimeter: float) -> list[Demand]:
 def count_fixtures(
     rows: tuple[Fixture, ...], left: float, area: float, wall: float
 ) -> tuple[int, ...]:
-    """How many of each row a hall of ``area`` m² gets: those for each so much floor, then what
+    """How many of each row a hall of ``area`` m² gets: those counted by floor area, then what
     takes a share of the ``wall``, then of the floor that is ``left``; never more than both hold."""
     at_wall = sum(row.share for row in rows if row.place == "wall")
     order = sorted(range(len(rows)), key=lambda k: (not rows[k].each, rows[k].place != "wall"))
@@ -315,7 +315,7 @@ def count_fixtures(
 
 
 def demand_of(row: Fixture, count: int, demand_id: str) -> Demand:
-    """A row of a programme as the demand of so many."""
+    """A row of a programme as a demand with a count."""
     broken = AisleBrief(every=max(int(LONGEST_RUN / row.size[0]), 1), width=CROSS_AISLE)
     return Demand(
         id=demand_id,

@@ -31,7 +31,7 @@ FLOORED_FOR = {
     "exhibit_island": "museum",
     "exhibit_panel": "museum",
 }
-"""What a hall is for by what stands in it, where its brief does not say: its floor is of that."""
+"""What a hall is for by the things in it, where its brief does not say: its floor is of that."""
 CARPETS = ("carpet_grey", "carpet_sand", "carpet_sage")
 BEYOND, ONE_CARPET, SEAM = 0.7, 1.3, 0.15
 """How far a carpet reaches beyond its objects, up to which gap two share one, and how far it
@@ -70,7 +70,7 @@ def scene_of_hall(solution: Solution, plan: Plan) -> Scene:
 
 
 def _name_use(space: Space, pieces: Sequence[Piece]) -> Space:
-    """A space of unknown use with the one that what stands in it is for."""
+    """A space of unknown use with the use that its furniture implies."""
     held = {piece.category for piece in pieces if piece.space == space.id}
     found = [use for category, use in FLOORED_FOR.items() if category in held]
     known = space.functions != ("other",) or not found

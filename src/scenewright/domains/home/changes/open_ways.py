@@ -24,6 +24,7 @@ from scenewright.domains.home.composing.home_passes import (
 from scenewright.domains.home.composing.homewide.settling import HomeState
 from scenewright.domains.home.home_floor import HomeFloor
 from scenewright.domains.home.household import Household, decide_household
+from scenewright.domains.home.needs.counting import count_eaters
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.remove_blockers import Opened, remove_blockers
 from scenewright.domains.home.second_try import tried_again
@@ -58,8 +59,11 @@ def open_ways(
         settings=preset_named(PRESETS, solution.preset).settings,
     )
     answers = [_whole_answer(revised.rest) if revised else NOTHING for revised in touched]
+    anew = {revised.task.space.id for revised in touched if revised and revised.anew}
+    before = [piece for piece in solution.pieces if piece.space in anew]
     household = decide_household(rooms, solution.brief.residents)
-    settling = tuple(_settled_in(touched, solution.pieces))
+    household = household._replace(residents=round(count_eaters(before)))
+    settling = tuple(_settled_by(before))
     after = opened(_try_anew(touched, answers, opened, household, settling))
     return {
         space.id: revised._replace(rest=Rest((), answer))
@@ -73,12 +77,9 @@ def _whole_answer(rest: Rest) -> RoomAnswer:
     return answer._replace(placed=(*stay, *answer.placed))
 
 
-def _settled_in(
-    touched: Sequence[Revised | None], before: Sequence[Piece]
-) -> Iterator[Pass[HomePass]]:
-    """The passes that settle a need of the home which rooms furnished again served before."""
-    anew = {revised.task.space.id for revised in touched if revised and revised.anew}
-    stood = {piece.category for piece in before if piece.space in anew}
+def _settled_by(before: Sequence[Piece]) -> Iterator[Pass[HomePass]]:
+    """The passes that settle the needs of a home which pieces served."""
+    stood = {piece.category for piece in before}
     for row in SETTLING:
         if stood & (SOFT_SEATS if row.name == "soft seat" else EATING_TABLES):
             yield row

@@ -1,1 +1,1 @@
-"""What a household needs of its home: owed by who lives there, counted in what stands."""
+"""What a household needs of its home: owed by who lives there, counted in its furniture."""

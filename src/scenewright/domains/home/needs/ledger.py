@@ -1,4 +1,4 @@
-"""The ledger of a household: what its home owes, what stands, where, and why not the rest."""
+"""The ledger of a household: what its home owes, what it has, where, and why not the rest."""
 
 from __future__ import annotations
 

@@ -34,7 +34,7 @@ HARMS = (
 def tell_proof(
     tasks: Sequence[RoomTask], rooms: Sequence[tuple[int, Placed]], case: Group, words: str
 ) -> str:
-    """What was tried and what stands in its way, room by room: the groups of a room beside which
+    """What was tried and what is in its way, room by room: the groups of a room beside which
     the smallest form has no place, the nearest miss of its places."""
     found = [
         f"{tasks[room].space.name or tasks[room].space.id}, {_find_miss(tasks[room], rest, case)}"

@@ -101,7 +101,7 @@ class Turn(BaseModel):
 
 
 class HouseObject(BaseModel):
-    """An object: the middle of its box, its turn, and what stands on it."""
+    """An object: the middle of its box, its turn, and the objects on it."""
 
     model_config = CAMEL
 

@@ -1,4 +1,4 @@
-"""What kinds of ours are called by AI2-THOR, and what stands in holes of walls there."""
+"""What kinds of ours are called by AI2-THOR, and its words for what fills holes of walls."""
 
 from __future__ import annotations
 
