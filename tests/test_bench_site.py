@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import shapely
-from benchmarks import comparison, site_compounds, site_methods, site_scale, site_speed
+from benchmarks import comparison, site_compounds, site_methods, site_scale, site_speed, sites
 from benchmarks.shapely_site import shapely_site, site_terms
 from benchmarks.site_instances import example_site
 from benchmarks.site_reco import Designed, compounds
@@ -155,3 +155,14 @@ def test_a_door_where_its_walk_begins_needs_no_stub() -> None:
     asked = wishes.model_copy(update={"form": "peripheral"})
     solved = solve(Brief.model_validate({"domain": "site", "name": "S", "sites": [asked]}))
     assert all(len(path.line) > 1 for path in solved.detail[0].pathways)
+
+
+@pytest.mark.realdata
+def test_the_composition_of_compounds_is_told_beside_the_designers() -> None:
+    records = list(sites.records(seed=1, count=2))
+    assert all(list(record) == KEYS for record in records)
+    assert [row["metric"] for row in records] == [figure.name for figure in sites.FIGURES]
+    by_name = {row["metric"]: row for row in records}
+    assert by_name["overlaps, sum"]["ours"] == 0.0
+    assert by_name["hours of sun, median"]["baseline"] > 1.0
+    assert list(sites.records(seed=1, count=2))[:6] == records[:6]
