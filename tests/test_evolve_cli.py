@@ -14,7 +14,6 @@ import pytest
 
 import scenewright as sw
 from scenewright import cli
-from scenewright.cli.evolve_words import FORMS, HELP, Command, parse_line
 from scenewright.core.errors import InputError
 from scenewright.engine.preference.events import (
     Event,
@@ -27,6 +26,7 @@ from scenewright.engine.preference.events import (
     Worst,
 )
 from scenewright.workflow.evolution.population import BreedingPlan
+from scenewright.workflow.evolution.words import FORMS, HELP, Command, parse_line
 from scenewright.workflow.evolve import evolve
 
 SHOWN = (10, 11, 12, 13)

@@ -26,8 +26,9 @@ from starlette.testclient import TestClient
 
 from scenewright.studio import project
 from scenewright.studio.guard import Keys, guarded
-from scenewright.studio.server import PAGES, Listeners, do_verb, studio_app
+from scenewright.studio.server import PAGES, Listeners, studio_app
 from scenewright.studio.session import Session, put
+from scenewright.studio.verbs import do_verb
 
 PORT = 8420
 HOME = f"http://127.0.0.1:{PORT}"

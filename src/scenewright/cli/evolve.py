@@ -201,8 +201,8 @@ def _lines(request: EvolveRequest, look: Callable[[], None]) -> Iterator[str]:
 
 def _obey(line: str, evolution: Evolution, request: EvolveRequest, console: Console) -> str:
     """Do what a line says; ``done`` or ``quit`` where it ends the evolution."""
-    from scenewright.cli import evolve_words as words
     from scenewright.cli.tables import print_line
+    from scenewright.workflow.evolution import words
 
     screen = evolution.screen
     assert screen is not None
@@ -228,8 +228,8 @@ def _do(
     """Commands that go on."""
     from math import radians
 
-    from scenewright.cli import evolve_words as words
     from scenewright.cli.tables import print_line
+    from scenewright.workflow.evolution import words
 
     match command:
         case words.Command("next"):

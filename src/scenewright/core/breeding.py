@@ -24,11 +24,13 @@ class Breeder(NamedTuple):
     by several threads. ``measure`` tells the features of what a genome develops into, and how
     much that was asked for it lacks, where that is far quicker than developing it: of known
     parts put together anew, of buildings without ways. NaN is what only developing
-    tells; there need be no features where something lacks."""
+    tells; there need be no features where something lacks. ``first`` are genomes that are quickest
+    to develop of all: they begin the first batch, and can be looked at while it is bred."""
 
     genes: tuple[Gene, ...]
     develop: Callable[[Genome], Solution]
     measure: Callable[[Genome], tuple[Mapping[str, float], int]] | None = None
+    first: tuple[Genome, ...] = ()
 
 
 class BreedingStage(NamedTuple):

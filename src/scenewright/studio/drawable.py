@@ -30,18 +30,11 @@ def draw(solution: Solution, plan: Plan, report: Report) -> Json:
     """Levels with their shell, the symbols, the pieces from the floor up, what was left out and
     what the referee found."""
     scene, catalog = scene_of(solution, plan), catalog_of(solution.brief.catalogs)
-    levels = {space.id: space.level for space in scene.spaces}
-    first = scene.levels[0].id if scene.levels else ""
-    shown = [piece for piece in scene.pieces if is_drawn(piece, catalog.kinds)]
-    shown.sort(key=lambda piece: drawing_height(piece, catalog.kinds))
-    symbols: dict[str, list[list[list[float]]]] = {}
-    pieces = [_piece(p, levels.get(p.space, first), catalog, symbols) for p in shown]
     return {
         "name": scene.name,
         "domain": solution.brief.domain,
         "levels": [_level(scene, level) for level in scene.levels],
-        "symbols": symbols,
-        "pieces": pieces,
+        **_pieces(scene, catalog),
         "left_out": [
             {"space": out.space, "what": out.what, "reason": out.reason, "required": out.required}
             for out in solution.left_out
@@ -50,6 +43,31 @@ def draw(solution: Solution, plan: Plan, report: Report) -> Json:
         "verdict": str(report),
         "findings": [describe_finding(found) for found in report.findings],
     }
+
+
+def draw_card(solution: Solution, plan: Plan) -> Json:
+    """What a small picture of a layout needs: shell, symbols, and poses (symbol, level, x, y,
+    heading), a few kB."""
+    scene, catalog = scene_of(solution, plan), catalog_of(solution.brief.catalogs)
+    drawn = _pieces(scene, catalog)
+    poses = [
+        [one["symbol"], one["level"], *(round(one["pose"][k], 3) for k in (0, 1, 3))]
+        for one in drawn["pieces"]
+        if not one["hangs"]
+    ]
+    levels = [_level(scene, level) for level in scene.levels]
+    return {"levels": levels, "symbols": drawn["symbols"], "pieces": poses}
+
+
+def _pieces(scene: Scene, catalog: Catalog) -> Json:
+    """The pieces of a scene from the floor up, and the symbols they are drawn by."""
+    levels = {space.id: space.level for space in scene.spaces}
+    first = scene.levels[0].id if scene.levels else ""
+    shown = [piece for piece in scene.pieces if is_drawn(piece, catalog.kinds)]
+    shown.sort(key=lambda piece: drawing_height(piece, catalog.kinds))
+    symbols: dict[str, list[list[list[float]]]] = {}
+    pieces = [_piece(p, levels.get(p.space, first), catalog, symbols) for p in shown]
+    return {"symbols": symbols, "pieces": pieces}
 
 
 def describe_finding(found: Finding) -> Json:

@@ -54,6 +54,15 @@ def open_project(path: Path) -> sqlite3.Connection:
     return db
 
 
+def path_of(db: sqlite3.Connection) -> Path | None:
+    """The file of a project; none for one in memory.
+
+    >>> path_of(open_project(Path(":memory:")))
+    """
+    name = db.execute("PRAGMA database_list").fetchone()[2]
+    return Path(name) if name else None
+
+
 def _check_mark(db: sqlite3.Connection) -> None:
     (mark,), (tables,) = (
         db.execute(text).fetchone()

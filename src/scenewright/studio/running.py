@@ -38,3 +38,4 @@ def serve(
     )
     ready(keys.token or "")
     uvicorn.Server(config).run(sockets=[listening])
+    session.breeding.close()

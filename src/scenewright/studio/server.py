@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import asyncio
 import json
-import math
 from collections.abc import AsyncIterator, Awaitable, Callable
 from importlib import resources
 from pathlib import Path, PurePath
@@ -21,15 +20,21 @@ from scenewright.formats import samples
 from scenewright.formats.table import formats
 from scenewright.studio.drawable import Json
 from scenewright.studio.session import FORMATS, Session
+from scenewright.studio.verbs import do_verb, read_request
 
 SCRIPT = "text/javascript"
 PAGES = {
     "": "text/html",
     "studio.css": "text/css",
     "studio.js": SCRIPT,
+    "breed.js": SCRIPT,
+    "draw.js": SCRIPT,
+    "wire.js": SCRIPT,
     "walk.js": SCRIPT,
     "three.js": SCRIPT,
 }
+MOST_CARDS = 500
+"""Layouts that one request may ask for."""
 PAUSE = 10.0
 """Seconds after which a line that says nothing keeps an event stream open."""
 NAMED_FILES = ("catalogs", "groups", "sources", "source_file", "nets", "style")
@@ -93,12 +98,21 @@ def studio_app(session: Session, listeners: Listeners, folder: Path) -> Starlett
     async def list_samples(_request: Request) -> Response:
         return JSONResponse([*samples()])
 
+    async def breeding(_request: Request) -> Response:
+        return JSONResponse(await run_in_threadpool(session.breeding.state))
+
+    async def cards(request: Request) -> Response:
+        asked = [int(n) for n in request.query_params.get("of", "").split(",") if n.isdecimal()]
+        return JSONResponse(await run_in_threadpool(session.breeding.draw, asked[:MOST_CARDS]))
+
     return Starlette(
         routes=[
             *(Route(f"/{name}", _page(name)) for name in PAGES),
             Route("/state", state),
             Route("/events", events),
             Route("/samples", list_samples),
+            Route("/breeding", breeding),
+            Route("/cards", cards),
             Route("/export.zip", export),
             Route("/picture.png", picture),
             Route("/scene.glb", model),
@@ -132,79 +146,12 @@ async def _answer(verb: Callable[..., Json], session: Session, body: bytes, *mor
         return JSONResponse({"fault": str(error)}, 422)
 
 
-def do_verb(session: Session, body: bytes) -> Json:
-    """Do what a request asks: ``{"verb": "move", "piece": "sofa", "pose": [x, y, heading]}``."""
-    asked = _read_request(body)
-    verb, piece = asked.get("verb"), str(asked.get("piece", ""))
-    match verb:
-        case "open":
-            session.open(_sample(asked))
-        case "arrange":
-            session.arrange(_whole(asked, "seed"))
-        case "stop":
-            session.stop()
-        case "undo" | "redo":
-            getattr(session, verb)()
-        case "go":
-            session.go(_whole(asked, "version"))
-        case "judge":
-            return {"findings": session.judge(piece, _pose(asked))}
-        case "move":
-            return {"changes": session.change(f"moved {piece}", move={piece: _pose(asked)})}
-        case "swap":
-            other = str(asked.get("other", ""))
-            return {"changes": session.change(f"swapped {piece}, {other}", swap=[(piece, other)])}
-        case "lock" | "unlock":
-            return {"changes": session.change(f"{verb}ed {piece}", **{verb: [piece]})}
-        case "again":
-            space, seed = str(asked.get("space", "")), _whole(asked, "seed")
-            done = f"arranged {space} again, seed {seed}"
-            return {"changes": session.change(done, again=[space], seed=seed)}
-        case _:
-            raise InputError(f"there is no verb {verb!r}", "see the page's requests")
-    return {}
-
-
-def _read_request(body: bytes) -> Json:
-    try:
-        asked = json.loads(body)
-    except ValueError:
-        asked = None
-    if not isinstance(asked, dict):
-        raise InputError("the request is no JSON object", "send one verb with its keys")
-    return asked
-
-
-def _whole(asked: Json, key: str) -> int:
-    number = asked.get(key, 0)
-    if not isinstance(number, int) or not 0 <= number < 1 << 53:
-        raise InputError(f"{key}: {number!r} is no whole number", "give one from 0 on")
-    return number
-
-
-def _pose(asked: Json) -> tuple[float, float, float]:
-    pose = asked.get("pose")
-    listed = pose if isinstance(pose, list) and len(pose) == 3 else [None]
-    if not all(isinstance(number, int | float) and math.isfinite(number) for number in listed):
-        raise InputError("pose: is no place", "give [x, y, heading] in metres and radians")
-    x, y, heading = map(float, listed)
-    return x, y, math.remainder(heading, math.tau)
-
-
-def _sample(asked: Json) -> str:
-    """The name of a sample: the page names no other file of this machine."""
-    name = str(asked.get("source", ""))
-    if name not in samples():
-        raise InputError(f"there is no sample {name!r}", "choose one of the list")
-    return name
-
-
 def _bring(session: Session, body: bytes, folder: Path, name: str) -> Json:
     plain = PurePath(name.replace("\\", "/")).name
     if not plain or plain.startswith(".") or plain != name:
         raise InputError(f"{name!r} is no name of a file", "bring the file itself")
     if plain.lower().endswith(".json"):
-        check_names_no_file(_read_request(body), plain)
+        check_names_no_file(read_request(body), plain)
     path = folder / plain
     path.write_bytes(body)
     session.open(str(path))

@@ -22,6 +22,7 @@ from scenewright.core.report import Report
 from scenewright.core.solution import Solution, unfurnished
 from scenewright.formats import read_planned, solution_json, write
 from scenewright.studio import project
+from scenewright.studio.breeding import Breeding
 from scenewright.studio.drawable import Json, describe_finding, draw
 
 Tell = Callable[[Json], None]
@@ -47,6 +48,7 @@ class Session:
         self.db, self.tell = db, tell
         self.lock, self.stopping = RLock(), Event()
         self.running = False
+        self.breeding = Breeding(project.path_of(db), tell)
         self.shown: Shown | None = None
         version = project.shown_version(db)
         if version is not None:
@@ -80,6 +82,18 @@ class Session:
     def stop(self) -> None:
         """Ask the search that runs to end with the best so far."""
         self.stopping.set()
+        self.breeding.stop()
+
+    def breed(self) -> None:
+        """Breed layouts of the plan shown, with what is locked in it: the sheet, or the first."""
+        with self._turn():
+            self.breeding.begin(_keep_locked(self._must_show().solution))
+
+    def choose(self, number: int) -> None:
+        """Take over a layout that was bred."""
+        with self._turn():
+            parent = self._must_show().version
+            self._keep(parent, f"took layout {number + 1}", *self.breeding.choose(number))
 
     def _arrange(self, shown: Shown, seed: int) -> None:
         try:

@@ -16,6 +16,8 @@ from scenewright.domains.home.solving import solve
 
 ANSWERS = 240
 """Whole homes that rooms are taken from."""
+WHOLE = 4
+"""Of them as many as are shown as they are, first of all."""
 
 
 def make_breeder(brief: Brief, plan: Plan, seed: int = 0) -> Breeder:
@@ -43,7 +45,8 @@ def make_breeder(brief: Brief, plan: Plan, seed: int = 0) -> Breeder:
         return combine_rooms([room for room, _ in rooms]), sum(lacking for _, lacking in rooms)
 
     genes = tuple(Gene(room.id, ANSWERS) for room in plan.spaces)
-    return Breeder(genes, partial(_develop, plan, answer), measure)
+    whole = tuple((number,) * len(genes) for number in range(WHOLE))
+    return Breeder(genes, partial(_develop, plan, answer), measure, whole)
 
 
 def _develop(plan: Plan, answer: Callable[[int], Solution], genome: Genome) -> Solution:

@@ -1,31 +1,12 @@
 // The page: shows the server's document, sends verbs, listens to events. Lengths are metres, the
 // plan's y points up, the screen's down.
-const SVG = "http://www.w3.org/2000/svg";
-const $ = (id) => document.getElementById(id);
-const NUDGE = 0.05, QUARTER = Math.PI / 2, MARGIN = 0.6;
+import { drawFloor, drawShell, element, extent, line, placed } from "/draw.js";
+import { $, fill, read, say, send } from "/wire.js";
+import { hideBreeding, showBreeding, refreshBreeding, noteShare } from "/breed.js";
+
+const NUDGE = 0.05, QUARTER = Math.PI / 2;
 
 let doc = { version: 0 }, level = "", picked = "", view = null, drag = null, touched = false, changes = [];
-
-function element(name, attributes = {}, parent = null, text = "") {
-  const made = document.createElementNS(SVG, name);
-  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
-  if (text) made.textContent = text;
-  if (parent) parent.append(made);
-  return made;
-}
-
-function say(text) {
-  $("note").textContent = text;
-  clearTimeout(say.timer);
-  if (text) say.timer = setTimeout(() => { $("note").textContent = ""; }, 7000);
-}
-
-async function send(verb, keys = {}) {
-  const reply = await fetch("/do", { method: "POST", body: JSON.stringify({ verb, ...keys }) });
-  const said = await reply.json().catch(() => ({ fault: `the studio answered ${reply.status}` }));
-  if (said.fault) say(said.fault);
-  return said;
-}
 
 async function change(verb, keys = {}) {
   const said = await send(verb, keys);
@@ -37,7 +18,7 @@ async function change(verb, keys = {}) {
 let asked = 0;
 async function refresh() {
   const turn = ++asked;
-  const fresh = await (await fetch("/state")).json();
+  const fresh = await read("/state");
   if (turn !== asked) return;
   if (fresh.name !== doc.name) { view = null; touched = false; picked = ""; }
   doc = fresh;
@@ -45,14 +26,10 @@ async function refresh() {
   show();
 }
 
-const outline = (rings) => rings.map((ring) => "M" + ring.map(([x, y]) => `${x},${-y}`).join(" ") + "Z").join("");
-const line = (points) => "M" + points.map(([x, y]) => `${x},${-y}`).join(" ");
-const placed = ([x, y, , heading]) => `translate(${x} ${-y}) rotate(${90 - heading * 180 / Math.PI})`;
-
 function show() {
   $("name").textContent = doc.name || "Scenewright";
   $("undo").disabled = !doc.undo; $("redo").disabled = !doc.redo;
-  $("arrange").disabled = !doc.version || doc.running;
+  $("arrange").disabled = $("breed").disabled = !doc.version || doc.running;
   $("stop").hidden = !doc.running; $("share").hidden = !doc.running;
   $("levels").replaceChildren(...((doc.levels ?? []).length > 1 ? doc.levels : []).map((one) => {
     const tab = document.createElement("button");
@@ -74,12 +51,10 @@ function drawPlan() {
   }
   if (!view) view = extent(here);
   plan.setAttribute("viewBox", view.join(" "));
-  for (const one of here.spaces) element("path", { class: "space", d: outline(one.rings), "fill-rule": "evenodd" }, plan);
-  for (const one of here.surfaces) element("path", { class: "ground", d: outline(one.rings) }, plan);
+  drawFloor(here, plan);
   const bad = new Set((doc.findings ?? []).flatMap((found) => found.pieces));
   for (const piece of doc.pieces.filter((one) => one.level === level)) drawPiece(piece, bad, plan);
-  for (const one of here.walls) element("path", { class: one.low ? "low" : "wall", d: outline(one.rings) }, plan);
-  for (const one of here.openings) drawOpening(one, plan);
+  drawShell(here, plan);
   for (const one of here.spaces) {
     const [x, y] = one.label;
     element("text", { class: "room", x, y: -y, "font-size": view[2] / 55 }, plan, one.name);
@@ -94,25 +69,6 @@ function drawPiece(piece, bad, plan) {
   for (const points of doc.symbols[piece.symbol]) element("path", { d: line(points) }, group);
 }
 
-function drawOpening(one, plan) {
-  const [x, y] = one.at, [ux, uy] = one.along, half = one.width / 2;
-  const a = [x - ux * half, y - uy * half], b = [x + ux * half, y + uy * half];
-  if (one.kind === "window") { element("path", { class: "opening", d: line([a, b]) }, plan); return; }
-  if (!one.hinge || !one.swing) return;
-  const at = one.hinge < 0 ? a : b, far = one.hinge < 0 ? b : a;
-  const tip = [at[0] - uy * one.swing * one.width, at[1] + ux * one.swing * one.width];
-  const sweep = one.hinge * one.swing < 0 ? 0 : 1;
-  const arc = ` A${one.width} ${one.width} 0 0 ${1 - sweep} ${far[0]},${-far[1]}`;
-  element("path", { class: "opening door", d: line([at, tip]) + arc }, plan);
-}
-
-function extent(here) {
-  const points = here.spaces.flatMap((one) => one.rings[0]);
-  const xs = points.map((p) => p[0]), ys = points.map((p) => -p[1]);
-  const x = Math.min(...xs) - MARGIN, y = Math.min(...ys) - MARGIN;
-  return [x, y, Math.max(...xs) + MARGIN - x, Math.max(...ys) + MARGIN - y];
-}
-
 const chosen = () => doc.pieces?.find((piece) => piece.id === picked);
 
 function showSelected() {
@@ -125,8 +81,6 @@ function showSelected() {
     `${Math.round(heading * 180 / Math.PI)}°`;
   $("lock").textContent = piece.locked ? "Unlock" : "Lock";
 }
-
-function fill(id, rows, make) { $(id).replaceChildren(...rows.map(make)); }
 
 function item(text, pieces = [], bad = false) {
   const row = document.createElement("li"), button = document.createElement("button");
@@ -229,7 +183,7 @@ $("plan").addEventListener("wheel", (event) => {
 }, { passive: false });
 
 document.addEventListener("keydown", (event) => {
-  if (event.target.matches("input, select") || $("walk").ariaPressed === "true") return;
+  if (event.target.matches("input, select") || $("plan").hasAttribute("hidden") && $("space").hidden || $("walk").ariaPressed === "true") return;
   const piece = chosen(), key = event.key.toLowerCase(), command = event.ctrlKey || event.metaKey;
   const way = { arrowleft: [-1, 0], arrowright: [1, 0], arrowup: [0, 1], arrowdown: [0, -1] }[key];
   if (command && key === "z" && !event.shiftKey) change("undo");
@@ -264,6 +218,7 @@ let space = null, spaceOf = 0;
 
 async function showSpace(walking) {
   if (!doc.version) return;
+  hideBreeding();
   for (const [id, on] of [["space", true], ["pad", walking]]) $(id).hidden = !on;
   $("plan").setAttribute("hidden", "");
   $("solid").ariaPressed = !walking; $("walk").ariaPressed = walking;
@@ -291,6 +246,7 @@ function roomToStandIn() {
 
 function showPlan() {
   for (const id of ["space", "pad"]) $(id).hidden = true;
+  hideBreeding();
   $("plan").removeAttribute("hidden");
   $("solid").ariaPressed = $("walk").ariaPressed = false;
 }
@@ -302,6 +258,14 @@ for (const button of $("pad").children) {
     button.addEventListener(kind, () => space?.press(button.dataset.key, on));
   }
 }
+
+$("breed").onclick = async () => {
+  if ($("breed").ariaPressed === "true") { showPlan(); return; }
+  if (!doc.version) return;
+  showPlan();
+  $("plan").setAttribute("hidden", "");
+  await showBreeding(async () => { showPlan(); await refresh(); });
+};
 
 $("picture").onclick = async () => {
   say("drawing …");
@@ -326,10 +290,11 @@ const events = new EventSource("/events");
 events.onmessage = (message) => {
   const event = JSON.parse(message.data);
   if (event.changed) refresh();
+  if (event.bred) refreshBreeding();
   if (event.fault || event.notice) say(event.fault ?? event.notice);
-  if (event.share !== undefined) { $("share").value = event.share; $("share").title = event.what; }
+  if (event.share !== undefined) { $("share").value = event.share; $("share").title = event.what; noteShare(event.share); }
 };
 events.onerror = () => say("the studio does not answer; start it again and use its new link");
 
-for (const name of await (await fetch("/samples")).json()) $("samples").append(new Option(name.replace("sample:", ""), name));
+for (const name of await read("/samples")) $("samples").append(new Option(name.replace("sample:", ""), name));
 await refresh();

@@ -15,6 +15,7 @@ from scenewright.drawing.svg import write_svg
 from scenewright.engine.preference.trust import TrustRecord
 from scenewright.render.picture import Pixels
 from scenewright.render.plan_picture import draw_scene_plan
+from scenewright.workflow.evolution.comparing import describe_differences
 
 Floats = NDArray[np.float64]
 SIDE = 320
@@ -50,6 +51,11 @@ class ShownCandidate(NamedTuple):
             figures["predicted deviation"] = round(self.deviation, 3)
             figures["predicted chance"] = round(self.chance, 3)
         return figures | domains.features_of(solution, self.plan)
+
+    def differences(self, other: ShownCandidate) -> list[str]:
+        """In words what it is or has against another: pieces, places, what figures say."""
+        figures = [domains.features_of(one.solution, one.plan) for one in (self, other)]
+        return describe_differences(self.solution, other.solution, *figures)
 
     def faults(self) -> str:
         """What is to be marked on a sheet: that a rule is broken, and what has no place."""

@@ -14,6 +14,7 @@ import zlib
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from threading import RLock
 from typing import Any, NamedTuple
 
 from scenewright.core.atomic_file import bring_to_disk, check_targets, note_read
@@ -52,12 +53,13 @@ NONE_NEW = NewCandidates()
 
 class EvolutionLog:
     """A log on disk, or in memory if ``path`` is empty. A file that is there must be a log, or
-    empty; it is looked at read-only before it is opened to be written."""
+    empty; it is looked at read-only before it is opened to be written. It may be used from any
+    thread, one at a time."""
 
     def __init__(self, path: str | os.PathLike[str] = "") -> None:
-        self.path = str(path)
+        self.path, self._lock = str(path), RLock()
         with self._report_faults():
-            self._base = _open(Path(self.path)) if self.path else sqlite3.connect(":memory:")
+            self._base = _open(Path(self.path)) if self.path else _connect(":memory:")
             if not self.path:
                 _create(self._base)
             self._base.execute("PRAGMA synchronous=FULL")
@@ -126,7 +128,7 @@ class EvolutionLog:
     def _report_faults(self) -> Iterator[None]:
         """Whatever SQLite, the system or damaged content leads to, as one InputError that names
         the file."""
-        with report_damage(self.path, "a log that can be used", "choose another name"):
+        with self._lock, report_damage(self.path, "a log that can be used", "choose another name"):
             try:
                 yield
             except sqlite3.IntegrityError:
@@ -154,8 +156,8 @@ def _open(path: Path) -> sqlite3.Connection:
     return base
 
 
-def _connect(path: Path) -> sqlite3.Connection:
-    return bound(sqlite3.connect(path, timeout=10.0))
+def _connect(path: Path | str) -> sqlite3.Connection:
+    return bound(sqlite3.connect(path, timeout=10.0, check_same_thread=False))
 
 
 def _create(base: sqlite3.Connection) -> None:

@@ -3,22 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from concurrent.futures import Future, ThreadPoolExecutor
+from concurrent.futures import Future, ThreadPoolExecutor, wait
 from typing import NamedTuple
 
 from scenewright import domains
 from scenewright.core.breeding import Breeder, Genome
 from scenewright.core.brief import Brief
+from scenewright.core.errors import CancelledError
 from scenewright.core.plan import Plan
 from scenewright.core.solution import Solution
 from scenewright.workflow.evolution.population import BredLayout, BreedingGround, develop_all
 
 OnProgress = Callable[[float, str], None]
+OnCancel = Callable[[], bool]
 Developed = tuple[BredLayout, Solution]
 WORKERS = 2
 """Threads that breed."""
-PARTS = 6
-"""Parts that a batch is developed in."""
+PARTS = 24
+"""Parts that a batch is developed in: what one holds can be looked at before the next is made."""
+PATIENCE = 0.05
+"""Seconds after which whoever waits for a part is told again, and may give up."""
 
 
 class Batch(NamedTuple):
@@ -90,13 +94,19 @@ class Nursery:
             found += [(first + n, one) for n, one in enumerate(parts[k].result())]
         return found
 
-    def collect(self, progress: OnProgress | None) -> list[Developed]:
-        """What was bred, when all is; ``progress`` gets how much is."""
+    def collect(self, progress: OnProgress | None, cancel: OnCancel | None) -> list[Developed]:
+        """What was bred, when all is; ``progress`` gets how much is. Once ``cancel`` says so
+        the batch is given up: :class:`CancelledError`."""
         found: list[Developed] = []
         parts = self.batch.parts if self.batch else ()
         for k, part in enumerate(parts):
-            if progress is not None and not part.done():
-                progress(k / len(parts), "breeding candidates")
+            while not part.done():
+                if progress is not None:
+                    progress(k / len(parts), "breeding candidates")
+                if cancel is not None and cancel():
+                    self.give_up()
+                    raise CancelledError("cancelled while breeding")
+                wait([part], PATIENCE)
             found += part.result()
         self.batch = None
         return found

@@ -44,7 +44,7 @@ from scenewright.workflow.evolution.history import read_history
 from scenewright.workflow.evolution.locking import lock_brief, name_epoch
 from scenewright.workflow.evolution.log import EvolutionLog
 from scenewright.workflow.evolution.log_records import check_genome
-from scenewright.workflow.evolution.nursery import Nursery, OnProgress
+from scenewright.workflow.evolution.nursery import Nursery, OnCancel, OnProgress
 from scenewright.workflow.evolution.population import (
     BreedingPlan,
     breed_further,
@@ -171,6 +171,19 @@ class Evolution:
         """Whether the next screen can be shown at once."""
         return self._nursery.batch is not None and self._nursery.batch.ready()
 
+    def bred_so_far(self) -> list[Solution]:
+        """The valid candidates bred so far for the next screen. Looking changes nothing."""
+        return [solution for _, (bred, solution) in self._nursery.peek() if bred.valid]
+
+    @property
+    def sheets(self) -> tuple[tuple[int, ...], ...]:
+        """The numbers of the candidates of every screen, in their places."""
+        return tuple(screen.shown for screen in self._history.screens)
+
+    def candidate(self, number: int) -> ShownCandidate | None:
+        """A candidate that was shown, with what is predicted of it now."""
+        return self._show([number])[0] if number in self._history.shown else None
+
     def best_so_far(self) -> ShownCandidate | None:
         """The predicted best of the candidates that are bred so far for the next screen, under the
         number it will have; none while there is nothing to tell. Looking changes nothing."""
@@ -187,13 +200,14 @@ class Evolution:
         predicted = float(mean[best]), float(deviation[best])
         return ShownCandidate(number, found[best][2], plan.plan, *predicted)
 
-    def ask(self, progress: OnProgress | None = None) -> Screen:
+    def ask(self, progress: OnProgress | None = None, cancel: OnCancel | None = None) -> Screen:
         """The next screen: the champion, favourites, the predicted best, draws and the farthest.
-        ``progress`` gets the share bred and what is done, where the screen has to wait for it."""
+        ``progress`` gets the share bred and what is done, where the screen has to wait for it;
+        ``cancel`` ends the waiting (:class:`CancelledError`): nothing is shown or kept then."""
         epoch, number = name_epoch(self.events), len(self._history.screens)
         if self._run is not None:
-            return self._ask_by_method(self._run, number, progress)
-        self._adopt(epoch, number, progress)
+            return self._ask_by_method(self._run, number, progress, cancel)
+        self._adopt(epoch, number, progress, cancel)
         taste = self.taste
         shown = self._choose(taste, epoch, number)
         candidates = self._show(shown, taste)
@@ -204,11 +218,13 @@ class Evolution:
         self._breed(epoch, number + 1, taste)
         return Screen(number, tuple(candidates), champion_of(self._history.events), self.trust)
 
-    def _ask_by_method(self, run: MethodRun, number: int, progress: OnProgress | None) -> Screen:
+    def _ask_by_method(
+        self, run: MethodRun, number: int, progress: OnProgress | None, cancel: OnCancel | None
+    ) -> Screen:
         """The next sheet of a method: what it asks of, developed now."""
         crowd = run.crowd(self._history, self._archive.bred, number)
         self._nursery.begin("", number, lambda: list(crowd.asked))
-        shown = self._archive.add(self._nursery.collect(progress), "")
+        shown = self._archive.add(self._nursery.collect(progress, cancel), "")
         body = {"screen": number, "shown": shown, "predicted": [None] * len(shown), "wide": 0}
         self._append("screen", body, shown)
         return Screen(number, tuple(self._show(shown)), self._champion(), self.trust)
@@ -287,13 +303,15 @@ class Evolution:
         chosen = choose_screen(taste, values, seen, places, rng, self._mix)
         return [rows[k] for k in chosen]
 
-    def _adopt(self, epoch: str, screen: int, progress: OnProgress | None) -> None:
+    def _adopt(
+        self, epoch: str, screen: int, progress: OnProgress | None, cancel: OnCancel | None = None
+    ) -> None:
         """Take in what was bred for a screen, breeding it now if nobody has."""
         if not self._nursery.is_breeding(epoch, screen):
             before = self._history.before_screen(screen - 1)
             known = self._archive.of_epoch(epoch)
             self._breed(epoch, screen, self._learn(counting(before)) if known else None)
-        self._archive.add(self._nursery.collect(progress), epoch)
+        self._archive.add(self._nursery.collect(progress, cancel), epoch)
 
     def _breed(self, epoch: str, screen: int, taste: PersonTaste | None) -> None:
         """Begin to breed for a screen, on what was known when the one before was chosen."""
@@ -309,6 +327,8 @@ class Evolution:
 
         def choose() -> list[Genome]:
             begun = breed_genomes(breeder.genes, parents, known, age, rng, how)
+            if not rows:
+                begun = list(dict.fromkeys((*breeder.first, *begun)))[: how.first]
             if taste is None or not rows:
                 return begun
             wide = self._mix.wide(taste.statements)

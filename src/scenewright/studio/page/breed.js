@@ -1,0 +1,219 @@
+// Breeding: a sheet of layouts, what is said of them by key and button, and all sheets in one grid.
+import { drawCard, element } from "/draw.js";
+import { $, fill, make, read, say, send } from "/wire.js";
+
+const KEYS = ["1", "2", "3", "4", "5", "6", "7", "8", "9", "0", "-", "="];
+const CODES = ["Digit1", "Digit2", "Digit3", "Digit4", "Digit5", "Digit6", "Digit7", "Digit8", "Digit9", "Digit0", "Minus", "Equal"];
+let bred = {}, known = new Map(), all = false, pair = [], leave = null;
+
+export async function showBreeding(back) {
+  leave = back;
+  for (const id of ["breeding", "taste"]) $(id).hidden = false;
+  $("facts").hidden = true; $("breed").ariaPressed = true;
+  await send("breed");
+  await refreshBreeding();
+  $("next").focus();
+}
+
+export function hideBreeding() {
+  for (const id of ["breeding", "taste"]) $(id).hidden = true;
+  $("facts").hidden = false; $("breed").ariaPressed = false;
+}
+
+export function noteShare(share) { $("breeding-share").value = share; }
+
+let turn = 0;
+export async function refreshBreeding() {
+  if ($("breeding").hidden) return;
+  const mine = ++turn, fresh = await read("/breeding");
+  if (mine !== turn) return;
+  if (fresh.brief !== bred.brief && fresh.brief) { known = new Map(); pair = []; }
+  if (fresh.running && bred.shown && fresh.brief === bred.brief) bred.running = true; else bred = fresh;
+  const missing = bred.shown ? [...new Set(bred.sheets.flat())].filter((number) => !known.has(number)) : [];
+  if (missing.length && !bred.running) learn(await read(`/cards?of=${missing}`));
+  if (mine === turn) show();
+}
+
+function unpack(told) {
+  return Object.entries(told.cards ?? {}).map(([number, { shell, pieces }]) => [Number(number), {
+    levels: told.shells[shell], pieces: pieces.map(([symbol, ...pose]) => [told.symbols[symbol], ...pose]) }]);
+}
+
+function learn(told) { for (const [number, card] of unpack(told)) known.set(number, card); }
+
+function show() {
+  const running = bred.running;
+  $("breeding-share").hidden = $("breeding-stop").hidden = !running;
+  $("next").disabled = $("take-back").disabled = running || !bred.shown;
+  $("next").textContent = bred.shown || running ? "Next sheet ⏎" : "First sheet ⏎";
+  if (!bred.shown && !running && bred.open) $("next").disabled = false;
+  $("sheets").ariaPressed = all;
+  $("sheet-name").textContent = bred.shown ? `Sheet ${bred.sheet + 1}` : running ? "Breeding the first layouts …" : "Breed";
+  $("trust").textContent = bred.trust ? `predictions: ${bred.trust}` : "";
+  $("cards").classList.toggle("small", all);
+  if (!bred.shown) showEarly();
+  else if (all) showAll();
+  else $("cards").replaceChildren(...bred.shown.map((one, place) => sheetCard(one, place)));
+  showTaste();
+}
+
+function showEarly() {
+  const cards = bred.early ? unpack(bred.early) : [];
+  $("cards").replaceChildren(...cards.map(([, card]) => {
+    const made = make("article", { className: "card early" });
+    made.append(picture(card), make("p", { className: "guess", textContent: "one of those bred; twelve that differ are chosen when all are" }));
+    return made;
+  }));
+}
+
+function showAll() {
+  $("cards").replaceChildren(...bred.sheets.flatMap((numbers, sheet) => [
+    make("h3", { textContent: `Sheet ${sheet + 1}` }), ...numbers.map((number) => smallCard(number))]));
+}
+
+function picture(card, number = null) {
+  const svg = element("svg", { role: "img" });
+  if (card) drawCard(card, svg);
+  if (number !== null) svg.addEventListener("click", () => enlarge([number]));
+  return svg;
+}
+
+const saidOf = (number) => bred.said.filter((one) => [one.best, one.worst, one.candidate, one.one].includes(number));
+
+function marks(number) {
+  const found = saidOf(number), stars = found.findLast((one) => one.event === "stars");
+  return [number === bred.champion ? "your choice" : found.some((one) => one.event === "pick") ? "liked" : "",
+    found.some((one) => one.event === "worst") ? "worst" : "",
+    stars ? "★".repeat(stars.stars) : "",
+    ...found.filter((one) => one.event === "reason").map((one) => one.reason)].filter(Boolean).join(" · ");
+}
+
+function frame(number, kind = "") {
+  const names = ["card", kind, number === bred.champion ? "best" : "", saidOf(number).some((one) => one.event === "worst") ? "worst" : ""];
+  return make("article", { className: names.filter(Boolean).join(" ") });
+}
+
+function smallCard(number) {
+  const made = frame(number);
+  made.title = marks(number);
+  made.append(picture(known.get(number), number));
+  return made;
+}
+
+const button = (text, title, act) => make("button", { textContent: text, title, onclick: act });
+
+function sheetCard(one, place) {
+  const made = frame(one.number), name = place + 1, stars = saidOf(one.number).findLast((row) => row.event === "stars")?.stars ?? 0;
+  const top = make("div", { className: "top" }, make("kbd", { textContent: KEYS[place] }),
+    make("span", { className: "mark", textContent: marks(one.number) }));
+  if (one.faults) top.append(make("span", { className: "bad", textContent: one.faults }));
+  const rating = make("span", { className: "stars" }, ...[1, 2, 3, 4, 5].map((count) =>
+    button(count <= stars ? "★" : "☆", `${count} stars`, () => tell(`${name}=${count}`))));
+  const why = make("select", { title: "What it lacks", onchange: (event) => tell(`why ${name} ${event.target.value}`) },
+    new Option("why…", ""), ...bred.reasons.map((reason) => new Option(reason, reason)));
+  const row = make("div", { className: "row" },
+    button("Best", `key ${KEYS[place]}`, () => tell(`${name}`)), button("Worst", `Shift and key ${KEYS[place]}`, () => tell(`worst ${name}`)),
+    rating, why, compareButton(one.number), button("Use", "take this layout to the plan", () => choose(one.number)));
+  if (!bred.reasons.length) why.remove();
+  made.append(top, picture(known.get(one.number), one.number));
+  if (one.predicted !== null) made.append(make("div", { className: "guess", title: "what the model expects from what you said; no more",
+    textContent: `predicted: ${Math.round(100 * one.predicted)} % to be your pick` }));
+  made.append(row);
+  return made;
+}
+
+function compareButton(number) {
+  const made = button(pair.includes(number) ? "Comparing…" : "Compare", "with another one", () => {
+    pair = pair.includes(number) ? pair.filter((one) => one !== number) : [...pair, number].slice(-2);
+    if (pair.length === 2) { enlarge(pair); pair = []; }
+    show();
+  });
+  made.ariaPressed = pair.includes(number);
+  return made;
+}
+
+function nameOf(number) {
+  const place = bred.shown.findIndex((one) => one.number === number);
+  return place < 0 ? `layout ${number + 1}` : `${KEYS[place]}`;
+}
+
+async function enlarge(numbers) {
+  const figures = numbers.map((number, k) => {
+    const caption = make("figcaption", {}, make("strong", { textContent: nameOf(number) }), make("span", { className: "mark", textContent: marks(number) }));
+    const places = numbers.map((one) => 1 + bred.shown.findIndex((row) => row.number === one));
+    if (numbers.length === 2 && places.every(Boolean)) {
+      caption.append(button("This one is better", "", () => { $("large").close(); tell(`${places[k]} > ${places[1 - k]}`); }));
+    }
+    caption.append(button("Use", "take this layout to the plan", () => { $("large").close(); choose(number); }));
+    if (numbers.length === 1) caption.append(button("Compare with …", "then choose the other one", () => { $("large").close(); pair = [number]; show(); }));
+    return make("figure", {}, picture(known.get(number)), caption);
+  });
+  if (numbers.length === 1 && pair.length === 1 && pair[0] !== numbers[0]) { const two = [pair[0], numbers[0]]; pair = []; show(); return enlarge(two); }
+  $("pair").className = numbers.length === 1 ? "one" : "";
+  $("pair").replaceChildren(...figures);
+  $("differences").replaceChildren();
+  $("large").showModal();
+  if (numbers.length !== 2) return;
+  const { differences = [] } = await send("compare", { one: numbers[0], other: numbers[1] });
+  const told = differences.length ? differences.map((text) => `${nameOf(numbers[0])}: ${text}`) : ["no difference that has words"];
+  fill("differences", told, (text) => make("li", { textContent: text }));
+}
+
+function words(one) {
+  const name = (number) => nameOf(number);
+  switch (one.event) {
+    case "pick": return `${name(one.best)} is the best`;
+    case "worst": return `${name(one.worst)} is the worst`;
+    case "stars": return `${name(one.candidate)}: ${"★".repeat(one.stars)}`;
+    case "reason": return `${name(one.candidate)}: ${one.reason}`;
+    case "prefer": return `${name(one.one)} is better than ${name(one.other)}`;
+    case "lock": return `${one.name} stays`;
+    default: return one.event;
+  }
+}
+
+function showTaste() {
+  const champion = bred.champion ?? null;
+  $("champion").replaceChildren(...(champion === null ? [make("p", { textContent: "none yet" })] :
+    [smallCard(champion), button("Use it", "take this layout to the plan", () => choose(champion))]));
+  fill("favourites", (bred.favourites ?? []).filter((one) => known.has(one)), smallCard);
+  fill("said", (bred.said ?? []).slice(-12), (one) => make("li", { textContent: words(one) }));
+  $("keep").hidden = !(bred.lockable ?? []).length;
+  $("keep").replaceChildren(new Option("Keep in place…", ""), ...(bred.lockable ?? []).map((one) => new Option(`${one.name} (${one.space})`, one.id)));
+}
+
+async function tell(line) {
+  if (!bred.shown || bred.running) return;
+  await send("say", { line, sheet: bred.sheet });
+  await refreshBreeding();
+}
+
+async function choose(number) {
+  const said = await send("choose", { number });
+  if (!said.fault) { say(`layout ${nameOf(number)} is on the plan; Undo brings back what was there`); await leave?.(); }
+}
+
+async function next() {
+  if ($("next").disabled) return;
+  bred.running = true; show();
+  all = false;
+  const said = await send("next");
+  if (said.fault) await refreshBreeding();
+}
+
+$("next").onclick = next;
+$("take-back").onclick = () => tell("undo");
+$("sheets").onclick = () => { all = !all; show(); };
+$("breeding-stop").onclick = () => send("stop");
+$("keep").onchange = (event) => { if (event.target.value) tell(`lock ${event.target.value}`); };
+
+document.addEventListener("keydown", (event) => {
+  if ($("breeding").hidden || event.target.matches("input, select") || document.querySelector("dialog[open]")) return;
+  const place = CODES.indexOf(event.code), command = event.ctrlKey || event.metaKey;
+  if (command && event.key.toLowerCase() === "z") tell("undo");
+  else if (command) return;
+  else if (place >= 0 && place < (bred.shown ?? []).length && !all) tell(event.shiftKey ? `worst ${place + 1}` : `${place + 1}`);
+  else if (event.key === "Enter" && !event.target.matches("button:not(#next)")) next();
+  else return;
+  event.preventDefault();
+});
