@@ -43,6 +43,7 @@ if TYPE_CHECKING:
         solve,
     )
     from scenewright.domains.home.problem import Problem
+    from scenewright.domains.plotting import plots_of
     from scenewright.formats import losses, read, samples, write
     from scenewright.formats.solution_json import read as read_solution
     from scenewright.workflow.arrange import arrange
@@ -83,6 +84,7 @@ __all__ = [
     "losses",
     "observe",
     "photograph",
+    "plots_of",
     "read",
     "read_solution",
     "resolve",
@@ -112,6 +114,7 @@ _HOMES = {
     "explain": "domains:explain",
     "generate": "workflow.generate:generate",
     "Report": "core.report:Report",
+    "plots_of": "domains.plotting:plots_of",
     "scene_of": "domains:scene_of",
     "solution_of": "domains:solution_of",
     "shipped": "catalog.assets:shipped",

@@ -34,6 +34,7 @@ SURFACES: dict[str, Material] = {
     "hedge": Material("hedge", (0.30, 0.42, 0.20), roughness=1.0),
     "white_wall": Material("garden wall, white", (0.93, 0.92, 0.89), roughness=0.95),
     "stone_wall": Material("garden wall, stone", (0.74, 0.69, 0.60), roughness=0.95),
+    "fence": Material("garden fence", (0.55, 0.46, 0.36), roughness=0.95),
     "coping": Material("tile coping", (0.27, 0.28, 0.30), roughness=0.9),
     "carpet_grey": Material("carpet, grey", (0.49, 0.50, 0.52), roughness=1.0),
     "carpet_sand": Material("carpet, sand", (0.64, 0.59, 0.53), roughness=1.0),

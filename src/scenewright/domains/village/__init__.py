@@ -35,6 +35,7 @@ DOMAIN = Domain(
         "locked": ".locks:lock_village",
         "features": ".features:measure_features",
         "sources": ".library:sources_of",
+        "plots": ".plots:plots_of_village",
     },
     tables={
         "presets": ".presets:PRESETS",

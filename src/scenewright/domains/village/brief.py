@@ -30,6 +30,7 @@ Stretch = Annotated[Number, Field(gt=0, le=BUILDING)]
 Portion = Annotated[Number, Field(ge=0, le=1)]
 RoofName = Literal["gabled", "hipped", "flat"]
 HouseClass = Literal["small", "medium", "large"]
+UseName = Literal["dwelling", "outbuilding", "farm", "shop", "works", "public"]
 
 
 class Lane(StrictModel):
@@ -47,7 +48,8 @@ class LibraryHouse(StrictModel):
     """A house to choose: the ``footprint`` it covers in metres, as drawn, with ``levels`` and a
     ``roof`` (built in the style of the brief), or a ``model`` of the brief's ``catalogs`` as large
     as it is. ``height`` in metres (left out: by its levels); ``share`` how often it is chosen
-    among houses about as large."""
+    among houses about as large; its ``use`` (left out: an outbuilding under 45 m², else a
+    dwelling): outbuildings belong to a house, stand behind it and have no plot of their own."""
 
     name: Annotated[str, Field(min_length=1, max_length=80)]
     footprint: FootprintOutline | None = None
@@ -56,6 +58,7 @@ class LibraryHouse(StrictModel):
     roof: RoofName = "gabled"
     height: Stretch | None = None
     share: Annotated[Number, Field(gt=0, le=1e6)] = 1.0
+    use: Annotated[UseName | None, Field(exclude_if=is_left_out)] = None
 
 
 class LockedHouse(StrictModel):

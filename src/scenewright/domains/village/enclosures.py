@@ -1,7 +1,8 @@
-"""What encloses gardens along the street, and what is grown in them: walls, hedges, beds.
+"""What encloses plots, and what is grown in them: walls, hedges, fences, beds.
 
 Hui villages stand behind white walls with tiled copings, those of the Riviera behind low walls of
-stone, others behind hedges. All are open where a walk leads through.
+stone, others behind hedges, with fences between neighbours. All are open where a walk leads
+through.
 """
 
 from __future__ import annotations
@@ -15,11 +16,12 @@ import shapely
 from scenewright.core.piece_outlines import outline_of, polygons_of
 from scenewright.core.scene import Piece
 from scenewright.domains.village.blocks import BlockPlan
+from scenewright.ground.plots import Plot, Shapes, fence_lines
 
 
 class Enclosure(NamedTuple):
-    """What stands along streets: the kind of surface, its height and thickness in metres, and the
-    height of a coping on it (0: none)."""
+    """What stands along the borders of plots: the kind of surface, its height and thickness in
+    metres, and the height of a coping on it (0: none)."""
 
     kind: str
     high: float
@@ -27,36 +29,57 @@ class Enclosure(NamedTuple):
     coping: float
 
 
+class Enclosures(NamedTuple):
+    """What stands along ways, and what between neighbours."""
+
+    street: Enclosure
+    between: Enclosure
+
+
+FENCE = Enclosure("fence", 1.0, 0.08, 0.0)
+STONE, WHITE = Enclosure("stone_wall", 0.9, 0.4, 0.0), Enclosure("white_wall", 1.8, 0.3, 0.14)
 LOOKS = {
-    "rural": Enclosure("hedge", 0.9, 0.6, 0.0),
-    "riviera": Enclosure("stone_wall", 0.9, 0.4, 0.0),
-    "hui": Enclosure("white_wall", 1.8, 0.3, 0.14),
+    "rural": Enclosures(Enclosure("hedge", 0.9, 0.6, 0.0), FENCE),
+    "riviera": Enclosures(STONE, STONE),
+    "hui": Enclosures(WHITE, WHITE),
 }
 SETBACK, SHORTEST = 0.25, 1.5
 """Metres from the street, and of the shortest piece."""
+FRONTING = 0.6
+"""Metres from a way within which the border of a plot lies along it."""
 BED, BEDS, BEHIND = (1.2, 4.5), 3, 2.6
 """Width and length of a bed, how many a house has, and metres behind it."""
 DWELLING = 50.0
 
 
-def enclose_block(
-    block: BlockPlan, look: str, blocked: shapely.Geometry
-) -> tuple[shapely.Geometry, shapely.Geometry]:
-    """The ground that a wall or hedge of a block takes, and its coping; neither on ``blocked``
-    ground (houses, walks with their gates, squares)."""
-    one = LOOKS[look]
-    lines = shapely.union_all(shapely.linestrings(block.streets))
-    inner = shapely.buffer(lines, SETBACK + one.thick, cap_style="flat", join_style="mitre")
-    strip = shapely.difference(inner, shapely.buffer(lines, SETBACK, join_style="mitre"))
-    strip = shapely.difference(shapely.intersection(strip, shapely.Polygon(block.outline)), blocked)
-    parts = [
-        part
-        for part in shapely.get_parts(strip)
-        if part.geom_type == "Polygon" and part.area > SHORTEST * one.thick
-    ]
-    wall = shapely.union_all(parts)
-    cap = shapely.buffer(wall, 0.07, join_style="mitre") if one.coping else shapely.Polygon()
-    return wall, shapely.difference(cap, blocked)
+def enclose_plots(
+    block: BlockPlan, plots: Sequence[Plot], shapes: Shapes, blocked: shapely.Geometry, look: str
+) -> Iterator[tuple[Enclosure, shapely.Geometry, shapely.Geometry]]:
+    """What encloses the plots of a block, with the ground it takes and that of its coping; none
+    where walls are near and on ``blocked`` ground (walks with their gates, squares)."""
+    kinds = LOOKS[look]
+    outer, inner = fence_lines(plots, shapes, blocked)
+    ways = shapely.union_all([shapely.boundary(block.lanes), *shapely.linestrings(block.streets)])
+    along = shapely.buffer(ways, FRONTING)
+    front, back = shapely.intersection(outer, along), shapely.difference(outer, along)
+    held = shapely.union_all([shapely.Polygon(plot.outline) for plot in plots], grid_size=1e-3)
+    street = _set_back(front, kinds.street.thick, shapely.difference(held, blocked))
+    half = kinds.between.thick / 2
+    lines = shapely.union(inner, back)
+    between = shapely.buffer(lines, half, cap_style="flat", join_style="mitre", mitre_limit=2.0)
+    between = shapely.difference(shapely.difference(between, street), blocked)
+    for kind, ground in ((kinds.street, street), (kinds.between, between)):
+        parts = [p for p in shapely.get_parts(ground) if p.geom_type == "Polygon"]
+        wall = shapely.union_all([p for p in parts if p.area > SHORTEST * kind.thick])
+        cap = shapely.buffer(wall, 0.07, join_style="mitre") if kind.coping else shapely.Polygon()
+        yield kind, wall, shapely.difference(cap, blocked)
+
+
+def _set_back(line: shapely.Geometry, thick: float, ground: shapely.Geometry) -> shapely.Geometry:
+    """A strip of some thickness behind a line, on some ground."""
+    inner = shapely.buffer(line, SETBACK + thick, cap_style="flat", join_style="mitre")
+    strip = shapely.difference(inner, shapely.buffer(line, SETBACK, join_style="mitre"))
+    return shapely.intersection(strip, ground)
 
 
 def lay_beds(

@@ -9,12 +9,12 @@ import numpy as np
 import shapely
 
 from scenewright.building.outlines import rings
-from scenewright.core.layout import corners
 from scenewright.core.piece_outlines import polygons_of
 from scenewright.core.scene import GroundSurface, Piece
 from scenewright.core.solution import Patch
 from scenewright.domains.village.blocks import BlockPlan, VillagePlan
-from scenewright.domains.village.enclosures import LOOKS, enclose_block, lay_beds
+from scenewright.domains.village.enclosures import enclose_plots, lay_beds
+from scenewright.domains.village.plots import houses_on, lay_block_plots, squares_on
 from scenewright.domains.village.walks import lay_block_walks
 from scenewright.ground.outlines import GRID
 
@@ -24,6 +24,8 @@ YARD, WALK = 1.6, 0.6
 """How far paving reaches around houses, and half the width of a walk, in metres."""
 GATE = 0.6
 """Metres beside a walk or a square that walls and hedges leave open."""
+VERGES = 7.0
+"""Metres of the widest verge that a walk leads over."""
 SPECK = 0.3
 """Areas smaller than this, in square metres, are left out."""
 
@@ -32,7 +34,7 @@ def lay_ground(
     plan: VillagePlan, pieces: Sequence[Piece], patches: Sequence[Patch]
 ) -> tuple[GroundSurface, ...]:
     """What lies on the ground of all blocks and between them."""
-    found = [row for b in plan.blocks for row in _of_block(b, plan.look, pieces, patches)]
+    found = [row for b in plan.blocks for row in _of_block(plan, b, pieces, patches)]
     return (*_lanes(plan), *found)
 
 
@@ -61,38 +63,61 @@ def _union(plan: VillagePlan, kind: str) -> shapely.Geometry:
 
 
 def _of_block(
-    block: BlockPlan, look: str, pieces: Sequence[Piece], patches: Sequence[Patch]
+    village: VillagePlan, block: BlockPlan, pieces: Sequence[Piece], patches: Sequence[Patch]
 ) -> Iterator[GroundSurface]:
-    here = [p for p in pieces if p.space == block.id and p.category == "building"]
-    here = [p for p in here if np.isfinite([*p.pose, *p.size]).all()]
+    here = houses_on(block, pieces)
     floor = shapely.Polygon(block.outline)
-    squares = shapely.union_all(
-        [shapely.Polygon(corners(np.array([p.box]))[0]) for p in patches if p.space == block.id]
+    squares = shapely.union_all(squares_on(block, patches))
+    shapes = polygons_of(here) if here else np.zeros(0, object)
+    houses = shapely.union_all(shapes)
+    trod = shapely.union_all(
+        [
+            walk.buffer(WALK, cap_style="flat", join_style="mitre")
+            for walk in lay_block_walks(block, here)
+        ]
     )
-    houses = shapely.union_all(polygons_of(here)) if here else shapely.Polygon()
-    trod = [
-        walk.buffer(WALK, cap_style="flat", join_style="mitre")
-        for walk in lay_block_walks(block, here)
-    ]
-    strips = _cut(_only_areas(shapely.intersection(shapely.union_all(trod), floor)), squares)
+    strips = _cut(_only_areas(shapely.intersection(trod, floor)), squares)
     around = shapely.buffer(houses, YARD, join_style="mitre", mitre_limit=2.0)
     yards = _only_areas(shapely.intersection(around, floor, grid_size=GRID))
     strips, yards = _cut(strips, block.lanes), _cut(yards, block.lanes)
     yards = _cut(_cut(yards, squares), strips)
-    for kind, shape in (("square", squares), ("walk", strips), ("yard", yards)):
+    over = _cut(cross_verges(block, strips), _only_areas(shapely.union(houses, squares)))
+    for kind, shape in (("square", squares), ("walk", over), ("yard", yards)):
         yield from _surface(f"{kind} of {block.id}", block.id, kind, shape)
     gates = shapely.buffer(
         shapely.union_all([squares, strips, block.lanes]), GATE, join_style="mitre"
     )
-    wall, cap = enclose_block(block, look, shapely.union_all([houses, gates]))
-    one = LOOKS[look]
-    yield from _surface(f"{one.kind} of {block.id}", block.id, one.kind, wall, one.high)
-    top = one.high + one.coping
-    yield from _surface(f"coping of {block.id}", block.id, "coping", cap, top, one.high)
-    free = shapely.difference(shapely.buffer(floor, -1.0), shapely.union_all([gates, wall, yards]))
+    plots = lay_block_plots(village, block, pieces, patches)
+    walls = []
+    for k, (one, wall, cap) in enumerate(
+        enclose_plots(block, plots, shapes, gates, village.look), 1
+    ):
+        walls.append(wall)
+        yield from _surface(f"{one.kind} {k} of {block.id}", block.id, one.kind, wall, one.high)
+        top = one.high + one.coping
+        yield from _surface(f"coping {k} of {block.id}", block.id, "coping", cap, top, one.high)
+    taken = shapely.union_all([gates, *walls, yards])
+    free = shapely.difference(shapely.buffer(floor, -1.0), taken)
     trees = [p for p in pieces if p.space == block.id and p.category == "tree"]
     beds = shapely.union_all(list(lay_beds(here, trees, free)))
     yield from _surface(f"beds of {block.id}", block.id, "bed", beds)
+
+
+def cross_verges(block: BlockPlan, strips: shapely.Geometry) -> shapely.Geometry:
+    """Walks, led on over the verge to the lane where they end on a street side."""
+    ways = [shapely.Polygon(a.outline, a.holes) for w in block.ground.roads for a in w.areas]
+    ends = shapely.intersection(strips, shapely.union_all(shapely.linestrings(block.streets)))
+    lines = [p for p in shapely.get_parts(ends) if p.geom_type == "LineString"]
+    lanes = shapely.union_all(ways)
+    if not ways or not lines:
+        return strips
+    middles = shapely.line_interpolate_point(np.array(lines, object), 0.5, normalized=True)
+    steps = shapely.shortest_line(middles, lanes)
+    steps = steps[shapely.length(steps) <= VERGES]
+    over = shapely.buffer(steps, WALK, cap_style="square")
+    floor = shapely.Polygon(block.outline)
+    across = shapely.difference(shapely.union_all(over), shapely.union(lanes, floor))
+    return _only_areas(shapely.union(strips, across, grid_size=GRID))
 
 
 def _surface(

@@ -16,6 +16,8 @@ import shapely
 from scenewright.core.space import Points
 
 SMALL, LARGE = 50.0, 100.0
+OUTBUILDING = 45.0
+"""Square metres below which a house is taken for an outbuilding."""
 CONCAVE = 1e-6
 
 
@@ -25,7 +27,7 @@ class House(NamedTuple):
     and of shape (0 convex, 1 concave), storeys, height in metres, the asset that draws it, how
     often it is chosen, whether its model has a front of its own (along +y of the model, which
     is ``front`` here, in radians), and, where real ones tell them, where its ``door`` is and the
-    class of its ``material``."""
+    class of its ``material``; its ``use`` (empty: by its area)."""
 
     name: str
     outline: Points
@@ -40,6 +42,16 @@ class House(NamedTuple):
     front: float | None = None
     door: tuple[float, float] | None = None
     material: int = 0
+    use: str = ""
+
+
+def is_outbuilding(use: str, area: float) -> bool:
+    """Whether a house serves another: by its use, else by its square metres.
+
+    >>> is_outbuilding("", 20.0), is_outbuilding("dwelling", 20.0), is_outbuilding("", 80.0)
+    (True, False, False)
+    """
+    return use == "outbuilding" or (not use and area < OUTBUILDING)
 
 
 def class_of_area(area: float) -> int:

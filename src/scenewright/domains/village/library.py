@@ -60,6 +60,10 @@ _OURS: tuple[tuple[str, float, float, float, float, int, str, float], ...] = (
 a long side), storeys, roof, share."""
 
 
+OUTBUILDINGS = ("Shed", "Garage", "Small barn", "Wash house", "Stable", "Barn", "Large barn")
+"""Those of ours that serve another."""
+
+
 def houses_of(rows: Sequence[LibraryHouse], look: str, catalog: Catalog) -> tuple[House, ...]:
     """The houses to choose from: those of the brief, else the models of its catalogues, else our
     own. InputError, with its place, for a row that is no house."""
@@ -111,7 +115,9 @@ def our_houses(look: str) -> tuple[House, ...]:
     (True, 'house_hui_gabled')
     """
     return tuple(
-        _house(name, _shape(w, d, cut_w, cut_d), levels, None, _asset(look, roof), look, share)
+        _house(
+            name, _shape(w, d, cut_w, cut_d), levels, None, _asset(look, roof), look, share
+        )._replace(use="outbuilding" if name in OUTBUILDINGS else "")
         for name, w, d, cut_w, cut_d, levels, roof, share in _OURS
     )
 
@@ -135,12 +141,13 @@ def _asset(look: str, roof: str) -> str:
 def _of_row(row: LibraryHouse, look: str, catalog: Catalog) -> House:
     if row.model:
         found = _of_model(row.name, find_asset(catalog, row.model), row.share, row.levels)
-        return found._replace(height=row.height or found.height)
+        return found._replace(height=row.height or found.height, use=row.use or "")
     if row.footprint is None:
         raise InputError("has neither footprint nor model", 'give "footprint" or "model"')
     outline = [(float(x), float(y)) for x, y in row.footprint]
     asset = _asset(look, row.roof)
-    return _house(row.name, outline, row.levels, row.height, asset, look, row.share)
+    found = _house(row.name, outline, row.levels, row.height, asset, look, row.share)
+    return found._replace(use=row.use or "")
 
 
 def _of_model(name: str, asset: Asset, share: float, levels: int) -> House:

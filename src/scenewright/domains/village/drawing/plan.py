@@ -20,6 +20,7 @@ from scenewright.core.solution import Solution
 from scenewright.domains.village.blocks import VillagePlan
 from scenewright.domains.village.drawing import marks as marks
 from scenewright.domains.village.gardens import lay_ground
+from scenewright.domains.village.plots import lay_block_plots
 from scenewright.drawing import sheet as sheets
 from scenewright.drawing.layers import PlanDrawing, PlanLayer, merge_layers
 from scenewright.drawing.legend import LegendRow, arrange, legend_mark
@@ -91,12 +92,18 @@ def _layers(
     paved = [row for row in surfaces if row.kind in ("yard", "walk", "square")]
     grown = [row for row in surfaces if row.kind in marks.ENCLOSING]
     trees = [p for p in solution.pieces if p.category == "tree"]
+    plots = [
+        plot
+        for block in village.blocks
+        for plot in lay_block_plots(village, block, solution.pieces, solution.patches)
+    ]
     blocks = village.blocks
     found = [*(PlanLayer("Ground", marks.ground_mark(view, block)) for block in blocks)]
     found += [
         PlanLayer("Yards and walks", marks.paving_mark(view, paved)),
         PlanLayer("Lanes", marks.paving_mark(view, lanes)),
         PlanLayer("Walls, hedges and beds", marks.paving_mark(view, grown)),
+        PlanLayer("Plots", marks.plots_mark(view, plots)),
         *(PlanLayer("Street sides", marks.streets_mark(view, block)) for block in blocks),
         PlanLayer("Names of lanes", marks.names_mark(view, village.lanes)),
         PlanLayer("Trees", marks.trees_mark(view, trees)),
@@ -117,6 +124,7 @@ def legend(
     if marks.KEPT in used:
         rows.append(LegendRow("swatch", "House that stays", value=marks.KEPT))
     rows.append(LegendRow("swatch", "Street side", value=marks.STREET))
+    rows.append(LegendRow("swatch", "Border of a plot", value=marks.BORDER))
     rows.append(LegendRow("entrance", "Door"))
     if report.findings:
         rows.append(LegendRow("swatch", "Violation", value=marks.FAULT))

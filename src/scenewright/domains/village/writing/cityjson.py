@@ -19,6 +19,7 @@ from scenewright.core.plan import Plan
 from scenewright.core.solution import Solution
 from scenewright.domains.village.blocks import VillagePlan
 from scenewright.domains.village.plan import plan_village
+from scenewright.domains.village.plots import plots_of_village
 from scenewright.ground.city_objects import (
     Vertices,
     city_document,
@@ -35,9 +36,13 @@ def write(solution: Solution, path: str | os.PathLike[str], plan: Plan | None = 
 
 def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
     """The CityJSON object of a village."""
-    plan: VillagePlan = (made or plan_village(solution.brief)).detail
+    plan = made or plan_village(solution.brief)
     vertices: Vertices = {}
-    objects = _grounds(solution, plan, vertices)
+    objects = _grounds(solution, plan.detail, vertices)
+    for plot in plots_of_village(solution, plan):
+        stated = {"name": plot.house, "class": "plot", "area": round(plot.area, 2)}
+        flat = flat_object("LandUse", [(plot.outline,)], stated, vertices)
+        objects[free_key(f"{plot.house}/plot", objects)] = flat
     for piece in solution.pieces:
         if piece.category == "building" and np.isfinite([*piece.pose, *piece.size]).all():
             attributes = {

@@ -22,6 +22,7 @@ from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
 from scenewright.domains.village.blocks import VillagePlan
 from scenewright.domains.village.plan import plan_village
+from scenewright.domains.village.plots import plots_of_village
 from scenewright.ground.map_writing import (
     bearing_of,
     projection_about,
@@ -30,6 +31,7 @@ from scenewright.ground.map_writing import (
     write_points,
     write_ring,
 )
+from scenewright.ground.plots import Plot
 
 STOREY = 2.7
 
@@ -42,7 +44,8 @@ def write(solution: Solution, path: str | os.PathLike[str], plan: Plan | None = 
 
 def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
     """The FeatureCollection of a solution of a village."""
-    village: VillagePlan = (made or plan_village(solution.brief)).detail
+    plan = made or plan_village(solution.brief)
+    village: VillagePlan = plan.detail
     map_ = projection_about(solution.brief.part.origin)
     features = []
     for block in village.blocks:
@@ -56,6 +59,7 @@ def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
         kind = "residential" if way.kind == "road" else "footway"
         tags_ = {"highway": kind, "name": way.name, "width": way.width}
         features.append(write_feature(way.id, "LineString", write_points(way.line, map_), tags_))
+    features += [_plot(plot, map_) for plot in plots_of_village(solution, plan)]
     features += [_house(p, map_) for p in solution.pieces if p.category == "building"]
     models = catalog_of(solution.brief.catalogs)
     stated = {"credits": authorship.document(authorship.credits_of_solution(solution, models))}
@@ -69,6 +73,12 @@ def check(brief: Brief) -> None:
             "GeoJSON is in degrees, and the brief does not say where its blocks lie",
             'give the brief an "origin": [longitude, latitude]',
         )
+
+
+def _plot(plot: Plot, map_: Projection) -> dict[str, Any]:
+    """The plot of a house, not read again: plots are laid anew."""
+    tags = {"plot": plot.house, "area": round(plot.area, 2), "outbuildings": len(plot.outbuildings)}
+    return write_feature(f"{plot.house}/plot", "Polygon", [write_ring(plot.outline, map_)], tags)
 
 
 def _house(piece: Piece, map_: Projection) -> dict[str, Any]:

@@ -1,0 +1,93 @@
+"""Plots of villages: whose ground is what, and what encloses it."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+import shapely
+
+import scenewright as sw
+from scenewright.core.piece_outlines import polygons_of
+from scenewright.ground.plots import fence_lines, lay_plots, share_ground
+
+BOX = shapely.box
+
+
+@pytest.fixture(scope="module")
+def dense() -> sw.Solution:
+    return sw.solve(sw.read("sample:village-dense"), preset="quick")
+
+
+def test_every_house_lies_on_one_plot_alone(dense: sw.Solution) -> None:
+    plots = sw.plots_of(dense)
+    houses = {p.id: s for p, s in zip(dense.pieces, polygons_of(dense.pieces), strict=True)}
+    named = [name for plot in plots for name in (plot.house, *plot.outbuildings)]
+    assert sorted(named) == sorted(p.id for p in dense.pieces if p.category == "building")
+    for plot in plots:
+        ground = shapely.Polygon(plot.outline)
+        assert ground.is_valid
+        assert ground.exterior.is_ccw
+        for name in (plot.house, *plot.outbuildings):
+            assert ground.intersection(houses[name]).area > 0.99 * houses[name].area
+
+
+def test_plots_do_not_overlap_nor_lie_on_squares(dense: sw.Solution) -> None:
+    shapes = [shapely.Polygon(plot.outline) for plot in sw.plots_of(dense)]
+    whole = shapely.union_all(shapes).area
+    assert sum(shape.area for shape in shapes) == pytest.approx(whole, rel=0.003)
+    (square,) = dense.patches
+    x, y, _, width, _ = square.box
+    assert shapely.union_all(shapes).intersection(shapely.Point(x, y).buffer(width / 3)).area < 0.1
+
+
+def test_ground_is_shared_in_the_middle_of_a_gap() -> None:
+    shapes = np.array([BOX(0, 0, 10, 10), BOX(14, 0, 24, 10)], object)
+    left, right = share_ground(BOX(-5, -5, 29, 15), shapes)
+    assert left.bounds[2] == pytest.approx(12.0, abs=0.2)
+    assert right.bounds[0] == pytest.approx(12.0, abs=0.2)
+
+
+def test_a_shed_belongs_to_the_nearest_dwelling() -> None:
+    shapes = np.array([BOX(0, 0, 10, 10), BOX(30, 0, 40, 10), BOX(24, 12, 27, 15)], object)
+    plots = lay_plots(BOX(-5, -5, 50, 30), "abc", shapes, np.array([False, False, True]))
+    assert [(plot.house, plot.outbuildings) for plot in plots] == [("a", ()), ("b", ("c",))]
+
+
+def test_no_fence_stands_in_a_passage_or_before_a_gate() -> None:
+    shapes = np.array([BOX(0, 0, 10, 10), BOX(12, 0, 22, 10), BOX(40, 0, 50, 10)], object)
+    plots = lay_plots(BOX(-5, -5, 60, 20), "abc", shapes, np.zeros(3, bool))
+    gate = BOX(30, -10, 33, 30)
+    outer, inner = fence_lines(plots, shapes, gate)
+    assert inner.length > 10
+    assert outer.length > 100
+    assert not shapely.dwithin(inner, shapely.union_all(shapes), 1.0)
+    assert inner.intersection(gate).length + outer.intersection(gate).length < 0.01
+
+
+def test_plots_are_written_and_drawn(dense: sw.Solution, tmp_path) -> None:
+    count = len(sw.plots_of(dense))
+    sw.write(dense, tmp_path / "a.city.json")
+    city = json.loads((tmp_path / "a.city.json").read_text())["CityObjects"]
+    assert sum(one["attributes"].get("class") == "plot" for one in city.values()) == count
+    sw.write(dense, tmp_path / "a.svg")
+    assert (tmp_path / "a.svg").read_text().count("plot of ") == count
+    kinds = {row.kind for row in sw.scene_of(dense).surfaces}
+    assert {"white_wall", "coping", "walk"} <= kinds
+
+
+def test_a_use_in_the_brief_decides_what_serves() -> None:
+    row = {"name": "Hut", "footprint": [[0, 0], [6, 0], [6, 5], [0, 5]], "levels": 1}
+    block = {"outline": [[0, 0], [60, 0], [60, 40], [0, 40]], "streets": [0], "count": 6}
+    number = {}
+    for use in ("dwelling", "outbuilding"):
+        brief = {"domain": "village", "blocks": [block], "houses": [row | {"use": use}]}
+        house = {"name": "House", "footprint": [[0, 0], [11, 0], [11, 9], [0, 9]]}
+        brief["houses"] = [row | {"use": use}, house]
+        brief["blocks"] = [block | {"classes": {"small": 0.7, "medium": 0.3}}]
+        solution = sw.solve(sw.Brief.model_validate(brief), preset="quick")
+        number[use] = len(sw.plots_of(solution)) / len(
+            [p for p in solution.pieces if p.category == "building"]
+        )
+    assert number["dwelling"] == 1.0 > number["outbuilding"]
