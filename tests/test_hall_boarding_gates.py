@@ -101,3 +101,15 @@ def test_gates_that_find_no_room_say_what_to_do() -> None:
     found = scenewright.solve(lounge(GATES | {"count": 9}, full, use="both"), seed=59, threads=1)
     told = [lost.reason for lost in found.left_out if "close the way in" in lost.reason]
     assert all("draw a zone at the entrance" in reason for reason in told)
+
+
+@pytest.mark.parametrize("seed", [3, 4])
+def test_cash_machines_stand_at_a_wall_beside_the_way_in(seed: int) -> None:
+    machines = {"category": "cash_machine", "count": 3}
+    desks = {"category": "counter", "count": 3}
+    found = scenewright.solve(lounge(machines, desks, use="both"), seed=seed, threads=1)
+    mine = [p for p in found.pieces if p.category == "cash_machine"]
+    assert len(mine) == 3
+    near = shapely.LineString([(12.5, 0.0), (15.5, 0.0)])  # the wider of the doors
+    assert all(0.5 <= shape.distance(near) < 4.0 for shape in polygons_of(mine))
+    assert scenewright.check(found).valid

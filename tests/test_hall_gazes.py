@@ -36,3 +36,11 @@ def test_such_a_row_is_turned_round_or_set_off_the_wall() -> None:
     seen = look_rows(("seats_look_at_wall",), problem)
     assert measure_rows(seen, layout.kept, layout.boxes) > 1.0
     assert measure_rows(seen, found.kept, found.boxes) < 0.2
+
+
+def test_seats_that_turn_their_backs_to_a_door_are_turned_from_it() -> None:
+    problem, layout = put_row(3.5, 0.5 * np.pi)
+    found = retouch_layout(problem, layout)
+    seen = look_rows(("seat_back",), problem)
+    assert measure_rows(seen, layout.kept, layout.boxes) > 1.0
+    assert measure_rows(seen, found.kept, found.boxes) == 0.0

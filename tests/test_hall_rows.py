@@ -11,7 +11,7 @@ import pytest
 from every import every
 from scenewright.arranging.degrees import THINGS, RoomParts
 from scenewright.arranging.row_arrays import compile_rows
-from scenewright.arranging.rows import COLUMNS, ENTRANCES, EXITS, WAY_IN, Place, Row, say
+from scenewright.arranging.rows import COLUMNS, DOORS, ENTRANCES, EXITS, WAY_IN, Place, Row, say
 from scenewright.arranging.verdict import Verdict, better
 from scenewright.arranging.weighing import weigh
 from scenewright.domains.hall.retouch.row_groups import GROUPS
@@ -22,6 +22,7 @@ PARTS = np.array(
     [
         [2.5, 0.0, 0.0, 0.0, 0.0, ENTRANCES],
         [2.5, 0.0, 0.0, 0.0, 0.0, EXITS],
+        [2.5, 0.0, 0.0, 0.0, 0.0, DOORS],
         [4.0, 2.0, 0.0, 0.5, 0.5, COLUMNS],
         [2.5, 1.0, radians(90.0), 1.0, 2.0, WAY_IN],
     ]

@@ -175,10 +175,11 @@ def near(full: float) -> Relation:
     return Relation("near", grade=WHOLE, full=full)
 
 
-def faces(away: float = 0.0, grade: int = WHOLE) -> Relation:
-    """A piece does not turn its back to the nearest of some parts of the room: the degree is the
-    cosine between its back and the way to that, where it is more than ``away``."""
-    return Relation("faces", grade=grade, unseen=away)
+def faces(away: float = 0.0, grade: int = WHOLE, within: float = inf) -> Relation:
+    """A piece does not turn its back to the nearest of some parts of the room, ``within`` so many
+    metres: the degree is the cosine between its back and the way to that, where it is more than
+    ``away``."""
+    return Relation("faces", grade=grade, unseen=away, start=within)
 
 
 def beside(ahead: float, alike: float) -> Relation:

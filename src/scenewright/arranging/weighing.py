@@ -202,7 +202,8 @@ def _measure(things: Floats, i: int, table: Arrays, r: int, room: RoomParts) -> 
         far = measure_distance(things, i, boxes, int(rows[r, PARTS])) - metres
         return min(max(far, 0.0) / (rows[r, FULL] - metres), 1.0)
     if relation == AWAY:
-        return measure_away(things, i, boxes, int(rows[r, PARTS]))
+        near = measure_distance(things, i, boxes, int(rows[r, PARTS])) <= rows[r, START]
+        return measure_away(things, i, boxes, int(rows[r, PARTS])) if near else 0.0
     if relation != ZONE:
         return _measure_alone(things, i, table, r)
     floor = _make_floor(read_thing(things, i), rows, r)

@@ -43,7 +43,7 @@ from scenewright.domains.hall.furnishing.assemble import Laid, assemble_solution
 from scenewright.domains.hall.furnishing.layout import furnish_guided
 from scenewright.domains.hall.furnishing.on_stage import put_on_stage
 from scenewright.domains.hall.furnishing.pieces import kept_groups
-from scenewright.domains.hall.gates.boarding import set_boarding_gates
+from scenewright.domains.hall.gates.boarding import set_at_doors
 from scenewright.domains.hall.gates.leaves import with_leaves
 from scenewright.domains.hall.hall_layout import HallLayout
 from scenewright.domains.hall.presets import PRESETS, HallPreset, count_steps
@@ -327,7 +327,7 @@ def _lay(
     asked = collect_demands(brief, task.number, find_locked(hall), catalog)
     asked = restrict_patterns(asked, task.lean)
     together = preset.settings.whole or task.solver != "anneal"
-    hall, asked, boarding = set_boarding_gates(hall, asked, catalog, together)
+    hall, asked, boarding = set_at_doors(hall, asked, catalog, together)
     locked, weights, seed = find_locked(hall), preset.weights, task.seed
     wishes, carried, small = split_demands(hall, asked, catalog, together)
     wishes, fitted = fit_with_staff(hall, wishes, weights, catalog, seed, cancel, small)

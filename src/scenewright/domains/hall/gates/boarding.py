@@ -1,11 +1,12 @@
-"""Gates asked for in a zone that people only leave by stand in one row before its exit, as boarding
-gates do, with barriers back to the wall beside them; where people sit and wait to board, so do the
-desks beside that door. They are set before all else."""
+"""What meets a door is set there before all else, once and for all: gates of a zone that people
+only leave by stand in one row before its exit, with barriers back to the wall beside them, and
+where people sit and wait to board, so do the desks beside it; cash machines stand beside the way
+in."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import product
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -22,100 +23,136 @@ from scenewright.domains.hall.demands.holdings import HallDemand
 from scenewright.domains.hall.furnishing.pieces import make_piece
 from scenewright.domains.hall.gates.barriers import make_barriers
 from scenewright.domains.hall.gates.rails import LANE, RowOfGates, WayIn, lay_rails, sides_of
-from scenewright.domains.hall.measures import DOOR_OUTSIDE
+from scenewright.domains.hall.measures import DOOR_OUTSIDE, QUEUE
 from scenewright.domains.hall.problem import Floats
 from scenewright.domains.hall.retouch.arrivals import box_round
+from scenewright.domains.hall.retouch.places import walk_edges
 from scenewright.domains.hall.visit.doors import visitor_exits, ways_in
 from scenewright.domains.hall.visit.roles import GATE
 
 BOARDING_OFF = (1.3, 1.9, 2.3)
 """Metres between gates and the exit they stand before, farther where its leaves open inwards."""
 BOARDING_LITTLE = 0.005
-DESK, DESK_OFF_WALL, DESK_BESIDE = "counter", 0.9, (0.5, 0.9, 1.5, 2.2, 3.0)
-"""What one is served at before boarding, metres for staff behind it, and how far beside the door it
-is tried."""
+BESIDE_LEAST, ALONG_STEP = 0.5, 0.3
+"""Metres between a door and what stands beside it at least, and between the places tried."""
 
 
-class SetGates(NamedTuple):
-    """A hall with boarding gates, the demands less those of them, and the gates."""
+class DoorRole(NamedTuple):
+    """What of a ``category`` stands at a door: one people only ``leave`` by, else the main
+    entrance; across the way to it, or ``beside`` it at walls within so many metres, ``off`` these,
+    with floor ``before`` it for those who come."""
+
+    category: str
+    leave: bool
+    beside: float = 0.0
+    off: float = 0.0
+    before: float = 0.0
+
+
+DOOR_ROLES = {
+    role.category: role
+    for role in (
+        DoorRole(GATE, leave=True),
+        DoorRole("counter", leave=True, beside=4.5, off=0.9, before=QUEUE),
+        DoorRole("cash_machine", leave=False, beside=5.0, off=0.02),
+    )
+}
+"""By category; gates come first."""
+
+
+class SetAtDoors(NamedTuple):
+    """A hall with what stands at its doors, the demands less that, and its pieces."""
 
     hall: HallContext
     asked: list[HallDemand]
     pieces: tuple[Piece, ...]
 
 
-def set_boarding_gates(
+def set_at_doors(
     hall: HallContext, asked: list[HallDemand], catalog: Catalog, together: bool = False
-) -> SetGates:
-    """Boarding gates before the exits of their zones, one row before each, where they and the route
-    on both sides of them find free floor; none where all are laid out ``together``."""
+) -> SetAtDoors:
+    """What meets doors in its place there, gates in one row before each exit, where they and the
+    route beside them find free floor; none where all are laid out ``together``."""
     used, rest, found = set[str](), list[HallDemand](), list[Piece]()
     seats = any(is_audience_seat(w.category, 0.0) and not w.facing for w in asked)
     boards = seats and any(wish.category == GATE for wish in asked)
     for wish in sorted(asked, key=lambda wish: wish.category != GATE):
-        doors = [] if together else _find_exits(hall, wish, boards)
-        exits = [door for door in doors if door.opening.id not in used or wish.category == DESK]
+        role = None if together or not wish.unstated else DOOR_ROLES.get(wish.category)
+        doors = _find_doors(hall, wish, role, boards) if role else []
+        free = [d for d in doors if d.opening.id not in used or wish.category != GATE]
         there = (*hall.fixed, *found)
-        rows = ((door, line) for door in exits for line in _line_up(wish, door))
-        fits = _is_served if wish.category == DESK else _is_free
+        rows = ((door, line) for door in free for line in _line_up(hall, wish, door))
+        ahead = max(role.before if role else 0.0, hall.route)
+        fits = _is_free if wish.category == GATE else partial(_is_served, ahead)
         row = next((row for row in rows if fits(hall, row[1], there)), None)
         if row is None:
             rest.append(wish)
             continue
         used.add(row[0].opening.id)
         found += _make_row(hall, wish, row[1], catalog)
-        if wish.category == DESK:
-            continue
-        name = f"{hall.space.id}/{wish.id}"
-        rails = _lay_rails(hall, row[0], row[1], there)
-        found += make_barriers(hall.space, name, wish.id, rails, catalog)
-    return SetGates(hall._replace(fixed=(*hall.fixed, *found)), rest, tuple(found))
+        if wish.category == GATE:
+            name = f"{hall.space.id}/{wish.id}"
+            rails = _lay_rails(hall, row[0], row[1], there)
+            found += make_barriers(hall.space, name, wish.id, rails, catalog)
+    return SetAtDoors(hall._replace(fixed=(*hall.fixed, *found)), rest, tuple(found))
 
 
-def _find_exits(hall: HallContext, wish: HallDemand, boards: bool) -> list[DoorApproach]:
-    """The doors visitors leave by in the zone of some gates, if none comes in there; of a hall
-    where one ``boards``, of gates and desks those that nobody comes in by."""
-    gate = wish.category == GATE
-    if not wish.unstated or not (gate or (boards and wish.category == DESK)):
-        return []
+def _find_doors(
+    hall: HallContext, wish: HallDemand, role: DoorRole, boards: bool
+) -> list[DoorApproach]:
+    """The doors a demand is set at: of what stands at the entrance, the main one, if it is in its
+    zone; of a hall where one ``boards``, those that nobody comes in by; else of gates those
+    visitors leave their zone by, if none comes in there."""
+    ways = [door.id for door in ways_in(hall.space)]
+    leave = [door.id for door in visitor_exits(hall.space)]
+    if len(wish.zones) == 1:
+        outline = hall.plan.zones[hall.names.index(wish.zones[0])].outline
+        low, high = outline.min(0) - DOOR_OUTSIDE, outline.max(0) + DOOR_OUTSIDE
+        near = {g.opening.id: g for g in gates(hall.space) if _lies_in(g.face, low, high)}
+    else:
+        near = {g.opening.id: g for g in gates(hall.space)}
+    if not role.leave:
+        return [near[name] for name in ways[:1] if name in near]
     if boards and len(wish.zones) != 1:
-        ways = {door.id for door in ways_in(hall.space)}
-        leave = [door.id for door in visitor_exits(hall.space) if door.id not in ways]
-        return [g for g in gates(hall.space) if g.opening.id in leave]
-    if not gate or len(wish.zones) != 1:
+        return [near[name] for name in leave if name not in ways]
+    if wish.category != GATE or len(wish.zones) != 1 or any(name in near for name in ways):
         return []
-    outline = hall.plan.zones[hall.names.index(wish.zones[0])].outline
-    low, high = outline.min(0) - DOOR_OUTSIDE, outline.max(0) + DOOR_OUTSIDE
-    near = {g.opening.id: g for g in gates(hall.space) if _lies_in(g.face, low, high)}
-    if any(door.id in near for door in ways_in(hall.space)):
-        return []
-    return [near[door.id] for door in visitor_exits(hall.space) if door.id in near]
+    return [near[name] for name in leave if name in near]
 
 
 def _lies_in(point: Floats, low: Floats, high: Floats) -> bool:
     return bool((low <= point).all() and (point <= high).all())
 
 
-def _line_up(wish: HallDemand, door: DoorApproach) -> Iterator[Floats]:
-    """Boxes (n, 5) of gates side by side across the way to a door, looking into the room; of desks
-    beside it on either side, with room for staff behind, some metres farther each time."""
-    long = sum(size.width for size in wish.sizes)
-    if wish.category == DESK:
-        for beside, side in product(DESK_BESIDE, (1.0, -1.0)):
-            at = side * (0.5 * (door.opening.width + long) + beside)
-            yield _stand_along(wish, door, at - 0.5 * long, max(DESK_OFF_WALL, wish.clearance[2]))
+def _line_up(hall: HallContext, wish: HallDemand, door: DoorApproach) -> Iterator[Floats]:
+    """Boxes (n, 5) of gates side by side across the way to a door, looking into the room; of what
+    stands beside it at walls, the nearest to it first."""
+    role, long = DOOR_ROLES[wish.category], sum(size.width for size in wish.sizes)
+    if not role.beside:
+        for off in BOARDING_OFF:
+            yield _stand_along(wish, door.face, door.inward, -0.5 * long, off)
         return
-    for off in BOARDING_OFF:
-        yield _stand_along(wish, door, -0.5 * long, off)
+    rows = list[tuple[float, Floats]]()
+    right = np.array([door.inward[1], -door.inward[0]])
+    half = 0.5 * door.opening.width * right
+    way = shapely.LineString([door.face - half, door.face + half])
+    walls = [(w.x0, w.y0, w.x1, w.y1) for one in hall.walls for w in one]
+    for start, along, left, length in walk_edges(np.array(walls).reshape(-1, 4)):
+        for at in np.arange(0.5 * long, length - 0.5 * long + 1e-9, ALONG_STEP):
+            off = max(role.off, wish.clearance[2] if role.before else 0.0)
+            row = _stand_along(wish, start + at * along, left, -0.5 * long, off)
+            far = float(shapely.polygons(corners(box_round(row)[None]))[0].distance(way))
+            rows += [(far, row)] if BESIDE_LEAST <= far <= role.beside else []
+    yield from (row for _, row in sorted(rows, key=lambda one: one[0]))
 
 
-def _stand_along(wish: HallDemand, door: DoorApproach, at: float, off: float) -> Floats:
-    """Boxes (n, 5) in a row along the wall of a door from ``at`` metres to its right on, ``off``
-    metres from the wall."""
-    heading, right = np.arctan2(*door.inward[::-1]), np.array([door.inward[1], -door.inward[0]])
+def _stand_along(wish: HallDemand, face: Floats, inward: Floats, at: float, off: float) -> Floats:
+    """Boxes (n, 5) in a row along a wall from ``at`` metres to the right of a point on it, ``off``
+    metres from the wall, and looking ``inward``."""
+    heading, right = np.arctan2(*inward[::-1]), np.array([inward[1], -inward[0]])
     found = list[list[float]]()
     for size in wish.sizes:
-        middle = door.face + (off + 0.5 * size.depth) * door.inward
+        middle = face + (off + 0.5 * size.depth) * inward
         x, y = middle + (at + 0.5 * size.width) * right
         found.append([float(x), float(y), float(heading), size.width, size.depth])
         at += size.width
@@ -127,13 +164,14 @@ def _is_free(hall: HallContext, row: Floats, there: tuple[Piece, ...]) -> bool:
     return _covers(hall, row + np.array([0.0, 0.0, 0.0, 2.0 * hall.route, 0.0]), there)
 
 
-def _is_served(hall: HallContext, row: Floats, there: tuple[Piece, ...]) -> bool:
-    """Whether boxes (n, 5), the route at one end of them and before them lie on free floor."""
+def _is_served(deep: float, hall: HallContext, row: Floats, there: tuple[Piece, ...]) -> bool:
+    """Whether boxes (n, 5), the route at one end of them and floor so ``deep`` before them are
+    free."""
     box, turn = box_round(row), float(row[0, 2])
     ahead = np.array([np.cos(turn), np.sin(turn)])
     aside = 0.5 * hall.route * np.array([ahead[1], -ahead[0]])
-    wider = np.append(box[:2] + 0.5 * hall.route * ahead, box[2:])
-    wider += np.array([0.0, 0.0, 0.0, hall.route, hall.route])
+    wider = np.append(box[:2] + 0.5 * deep * ahead, box[2:])
+    wider += np.array([0.0, 0.0, 0.0, hall.route, deep])
     ends = (np.append(wider[:2] + side * aside, wider[2:]) for side in (1.0, -1.0))
     return any(_covers(hall, end[None], there) for end in ends)
 

@@ -38,6 +38,7 @@ from scenewright.domains.hall.retouch.row_moves import (
     hold_rows,
     nudge_or_slide,
     set_among_columns,
+    turn_aside,
     turn_round,
 )
 from scenewright.domains.hall.retouch.runs import measure_runs, propose_runs
@@ -144,8 +145,8 @@ RETOUCHES: tuple[Pass[Retouch], ...] = (
     Pass(
         "gazes",
         "seating",
-        hold_rows("seats_look_at_wall", moves=(turn_round,)),
-        "lounge seats look into the hall, not at a wall close before",
+        hold_rows("seats_look_at_wall", "seat_back", moves=(turn_round, turn_aside)),
+        "lounge seats look into the hall, not at a wall close before, and turn no back to a door",
     ),
     Pass(
         "bare",

@@ -60,6 +60,15 @@ def turn_round(seen: HallRows, kept: Kept, boxes: Floats, unit: int) -> Iterator
     yield from turn_half_round(kept, unit, TURNS)
 
 
+def turn_aside(seen: HallRows, kept: Kept, boxes: Floats, unit: int) -> Iterator[Kept]:  # noqa: ARG001
+    """Layouts with a unit turned by quarters, where it stands and a little beside that."""
+    for quarters in (1, -1, 2):
+        turned = kept.pose.copy()
+        turned[unit, 2] += 0.5 * np.pi * quarters
+        yield kept._replace(pose=turned)
+        yield from nudge(kept._replace(pose=turned), unit)
+
+
 def set_among_columns(seen: HallRows, kept: Kept, boxes: Floats, unit: int) -> Iterator[Kept]:  # noqa: ARG001
     """Layouts with a unit in rows whose pitch divides that of the columns."""
     if seen.problem.units.choices[unit, [CHAIN, GRID]].any():

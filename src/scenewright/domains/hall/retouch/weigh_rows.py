@@ -9,7 +9,7 @@ import numpy as np
 
 from scenewright.arranging.degrees import IS_FLOOR, KIND, NUMBER, OF_GROUP, PART, THINGS, RoomParts
 from scenewright.arranging.row_arrays import Table, compile_rows
-from scenewright.arranging.rows import COLUMNS, ENTRANCES, EXITS, WAY_IN, Class, Row
+from scenewright.arranging.rows import COLUMNS, DOORS, ENTRANCES, EXITS, WAY_IN, Class, Row
 from scenewright.arranging.weighing import MOST, Broken, weigh, weigh_rows
 from scenewright.core.same import Same, once
 from scenewright.domains.hall.measures import WAY_LENGTH, WAY_WIDTH
@@ -47,12 +47,14 @@ def read_parts(problem: HallProblem) -> RoomParts:
 
 
 def _read_doors(problem: HallProblem) -> Floats:
-    """Boxes (k, 6) of the main entrance, the way in from it, and where visitors leave."""
+    """Boxes (k, 6) of the main entrance, the way in from it, all entrances, and where visitors
+    leave."""
     visitors, found = problem.visitors, list[list[float]]()
     for door, inward in zip(visitors.entrances[:1], visitors.inward, strict=False):
         ahead, middle = float(np.arctan2(inward[1], inward[0])), door + 0.5 * WAY_LENGTH * inward
         found.append([*door, ahead, 0.0, 0.0, ENTRANCES])
         found.append([*middle, ahead, WAY_WIDTH, WAY_LENGTH, WAY_IN])
+    found += [[*door, 0.0, 0.0, 0.0, DOORS] for door in visitors.entrances.tolist()]
     found += [[*door, ahead, 0.0, 0.0, EXITS] for *door, ahead in find_ways_out(problem).tolist()]
     return np.reshape(found, (-1, PART + 1)).astype(np.float64)
 

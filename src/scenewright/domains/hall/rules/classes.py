@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scenewright.arranging.rows import COLUMNS, ENTRANCES, EXITS, WALLS, WAY_IN, Class
+from scenewright.arranging.rows import COLUMNS, DOORS, ENTRANCES, EXITS, WALLS, WAY_IN, Class
 
 EXHIBIT = Class("an exhibit or table", frozenset(("exhibit",)))
 LOUNGE_SEAT = Class("a lounge seat", frozenset(("lounge seat",)))
@@ -11,6 +11,7 @@ STAND = Class("a stand", frozenset(("stand",)), floor=True)
 TWO_FACED = Class("a row with two faces", frozenset(("rows with two faces",)), floor=True)
 OTHERS = Class("something", but=frozenset(("low table",)))
 AT_COLUMNS = Class("a column", parts=COLUMNS)
+AT_DOORS = Class("a door one comes in by", parts=DOORS)
 AT_ENTRANCES = Class("the entrance", parts=ENTRANCES)
 BY_WALLS = Class("the wall", parts=WALLS)
 
