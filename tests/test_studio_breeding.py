@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import time
 from collections.abc import Iterator
 from pathlib import Path
@@ -21,6 +22,7 @@ from scenewright.workflow.evolution.population import BreedingPlan
 pytest.importorskip("starlette")
 from scenewright.studio import project
 from scenewright.studio.breeding import _name_log
+from scenewright.studio.drawable import Json
 from scenewright.studio.session import Session
 from scenewright.studio.verbs import do_verb
 
@@ -28,9 +30,7 @@ HOME = "sample:home-room"
 FEW = BreedingPlan(first=4, each=2, rounds=1, brood=4)
 
 
-def ask(session: Session, **keys: object) -> dict[str, object]:
-    import json
-
+def ask(session: Session, **keys: object) -> Json:
     return do_verb(session, json.dumps(keys).encode())
 
 
@@ -84,8 +84,6 @@ def test_what_is_said_leads_the_next_sheet_and_is_there_again(bred: Session) -> 
 
 
 def test_a_layout_is_a_few_kilobytes_and_can_be_taken(bred: Session) -> None:
-    import json
-
     numbers = bred.breeding.state()["sheets"][0]
     told = bred.breeding.draw(numbers)
     assert len(told["shells"]) == 1

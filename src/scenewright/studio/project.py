@@ -132,6 +132,13 @@ def list_versions(db: sqlite3.Connection) -> list[Version]:
     return [Version(*row) for row in db.execute("SELECT id, parent, what FROM version ORDER BY id")]
 
 
+def trace(db: sqlite3.Connection, number: int) -> Iterator[int]:
+    """The versions that one was made from, the last first."""
+    parents = {row.id: row.parent for row in list_versions(db)}
+    while number := parents.get(number, 0):
+        yield number
+
+
 def solution_text(db: sqlite3.Connection, number: int) -> str:
     """The JSON text of a version's solution."""
     row = db.execute("SELECT solution FROM version WHERE id = ?", (number,)).fetchone()

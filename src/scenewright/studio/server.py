@@ -29,6 +29,7 @@ PAGES = {
     "studio.js": SCRIPT,
     "breed.js": SCRIPT,
     "draw.js": SCRIPT,
+    "draft.js": SCRIPT,
     "wire.js": SCRIPT,
     "walk.js": SCRIPT,
     "three.js": SCRIPT,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 import sqlite3
 import tempfile
@@ -23,6 +24,8 @@ from scenewright.core.solution import Solution, unfurnished
 from scenewright.formats import read_planned, solution_json, write
 from scenewright.studio import project
 from scenewright.studio.breeding import Breeding
+from scenewright.studio.draft_faults import DraftFault, read_draft
+from scenewright.studio.drafting import FORMAT, draw_act, new_draft
 from scenewright.studio.drawable import Json, describe_finding, draw
 
 Tell = Callable[[Json], None]
@@ -40,6 +43,13 @@ class Shown(NamedTuple):
     report: Report
 
 
+class Drawn(NamedTuple):
+    """The drawing that the version on the page is, or was furnished from, with its faults."""
+
+    draft: Json
+    faults: list[DraftFault]
+
+
 class Session:
     """One project, the version it shows, and the search that runs, if any. Verbs come from any
     thread and are done one at a time; ``tell`` hears what happens meanwhile."""
@@ -50,26 +60,45 @@ class Session:
         self.running = False
         self.breeding = Breeding(project.path_of(db), tell)
         self.shown: Shown | None = None
+        self.drawn: Drawn | None = None
         version = project.shown_version(db)
         if version is not None:
-            self.shown = _load(db, version.id, None)
+            self._load(version.id)
 
     def state(self) -> Json:
         """All that the page shows."""
         with self.lock:
-            version, shown = project.shown_version(self.db), self.shown
-            if shown is None or version is None:
+            version, shown, drawn = project.shown_version(self.db), self.shown, self.drawn
+            if version is None:
                 return {"running": self.running, "version": 0, "history": []}
             steps = [row._asdict() for row in project.list_versions(self.db)]
             redo = project.next_version(self.db, version.id)
         where = {"version": version.id, "history": steps, "undo": version.parent, "redo": redo}
-        return {"running": self.running, **where, **draw(*shown[1:])}
+        scene = draw(*shown[1:]) if shown else {"name": "", "levels": [], "pieces": []}
+        if drawn:
+            scene["name"], scene["draft"] = drawn.draft["name"], drawn.draft
+            scene["faults"] = [one._asdict() for one in drawn.faults]
+        return {"running": self.running, **where, **scene}
 
     def open(self, source: str) -> None:
         """Begin with a file or a sample: its plan, with what is fixed in it."""
         with self._turn():
             brief, plan = read_planned(source)
             self._keep(0, f"opened {Path(source).name}", unfurnished(brief), plan)
+
+    def begin(self) -> None:
+        """Begin a plan to be drawn."""
+        with self._turn():
+            self._keep_draft(0, "began a plan", new_draft())
+
+    def sketch(self, asked: Json) -> None:
+        """Change the drawn plan (:mod:`.drafting`); what was furnished in it is arranged anew."""
+        with self._turn():
+            version = project.shown_version(self.db)
+            if version is None or self.drawn is None:
+                raise InputError("this plan was not drawn here", "begin a new one")
+            draft, done = draw_act(self.drawn.draft, asked)
+            self._keep_draft(version.id, done, draft)
 
     def arrange(self, seed: int = 0) -> None:
         """Furnish the plan anew in a thread of its own; locked pieces stay."""
@@ -139,8 +168,7 @@ class Session:
     def go(self, version: int) -> None:
         """Show another version: one further back, or one that was undone."""
         with self._turn():
-            plan = self.shown and (self.shown.solution.brief, self.shown.plan)
-            self.shown = _load(self.db, version, plan)
+            self._load(version)
             project.show_version(self.db, version)
         self.tell({"changed": True})
 
@@ -196,21 +224,47 @@ class Session:
 
     def _must_show(self) -> Shown:
         if self.shown is None:
-            raise InputError("nothing is open", "open a plan first")
+            faults = [one.message for one in self.drawn.faults] if self.drawn else []
+            fault = f"the plan is not ready: {faults[0]}" if faults else "nothing is drawn or open"
+            raise InputError(fault, "mend it first" if faults else "open or draw a plan first")
         return self.shown
 
     def _keep(self, parent: int, what: str, solution: Solution, plan: Plan) -> None:
         report = domains.check(solution, plan=plan)
         number = project.add_version(self.db, parent, what, solution_json.dumps(solution))
         self.shown = Shown(number, solution, plan, report)
+        self.drawn = self.drawn if parent else None
         self.tell({"changed": True})
 
+    def _keep_draft(self, parent: int, what: str, draft: Json) -> None:
+        number = project.add_version(self.db, parent, what, json.dumps(draft))
+        self._show_draft(number, draft)
+        self.tell({"changed": True})
 
-def _load(db: sqlite3.Connection, version: int, known: tuple[Brief, Plan] | None) -> Shown:
-    solution = solution_json.loads(project.solution_text(db, version))
-    same = known is not None and known[0] == solution.brief
-    plan = known[1] if known is not None and same else domains.plan_of(solution.brief)
-    return Shown(version, solution, plan, domains.check(solution, plan=plan))
+    def _show_draft(self, number: int, draft: Json) -> None:
+        brief, plan, faults = read_draft(draft)
+        self.drawn, self.shown = Drawn(draft, faults), None
+        if brief is not None and plan is not None:
+            empty = unfurnished(brief)
+            self.shown = Shown(number, empty, plan, domains.check(empty, plan=plan))
+
+    def _load(self, version: int) -> None:
+        """Show a version: a drawn plan, or a scene with the drawing it was made from, if any."""
+        text, known = project.solution_text(self.db, version), self.shown
+        if _is_draft(text):
+            self._show_draft(version, json.loads(text))
+            return
+        solution = solution_json.loads(text)
+        same = known is not None and known.solution.brief == solution.brief
+        plan = known.plan if known is not None and same else domains.plan_of(solution.brief)
+        self.shown = Shown(version, solution, plan, domains.check(solution, plan=plan))
+        parents = (project.solution_text(self.db, one) for one in project.trace(self.db, version))
+        text = next(filter(_is_draft, parents), "")
+        self.drawn = Drawn(json.loads(text), []) if text else None
+
+
+def _is_draft(text: str) -> bool:
+    return text.startswith(f'{{"format": "{FORMAT}"')
 
 
 def _keep_locked(solution: Solution) -> Brief:

@@ -39,6 +39,10 @@ def do_verb(session: Session, body: bytes) -> Json:
             space, seed = str(asked.get("space", "")), _whole(asked, "seed")
             done = f"arranged {space} again, seed {seed}"
             return {"changes": session.change(done, again=[space], seed=seed)}
+        case "begin":
+            session.begin()
+        case "draw":
+            session.sketch(asked)
         case "breed":
             session.breed()
         case "next":

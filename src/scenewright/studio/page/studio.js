@@ -3,6 +3,7 @@
 import { drawFloor, drawShell, element, extent, line, placed } from "/draw.js";
 import { $, fill, read, say, send } from "/wire.js";
 import { hideBreeding, showBreeding, refreshBreeding, noteShare } from "/breed.js";
+import { hideDrawing, refreshDrawing, showDrawing } from "/draft.js";
 
 const NUDGE = 0.05, QUARTER = Math.PI / 2;
 
@@ -20,7 +21,7 @@ async function refresh() {
   const turn = ++asked;
   const fresh = await read("/state");
   if (turn !== asked) return;
-  if (fresh.name !== doc.name) { view = null; touched = false; picked = ""; }
+  if (fresh.name !== doc.name || !view !== !(fresh.levels ?? []).length) { view = null; touched = false; picked = ""; }
   doc = fresh;
   if (!(doc.levels ?? []).some((one) => one.id === level)) level = doc.levels?.[0]?.id ?? "";
   show();
@@ -29,7 +30,8 @@ async function refresh() {
 function show() {
   $("name").textContent = doc.name || "Scenewright";
   $("undo").disabled = !doc.undo; $("redo").disabled = !doc.redo;
-  $("arrange").disabled = $("breed").disabled = !doc.version || doc.running;
+  $("arrange").disabled = $("breed").disabled = !(doc.levels ?? []).length || doc.running;
+  for (const id of ["solid", "walk", "picture"]) $(id).disabled = !(doc.levels ?? []).length;
   $("stop").hidden = !doc.running; $("share").hidden = !doc.running;
   $("levels").replaceChildren(...((doc.levels ?? []).length > 1 ? doc.levels : []).map((one) => {
     const tab = document.createElement("button");
@@ -37,7 +39,7 @@ function show() {
     tab.onclick = () => { level = one.id; view = null; show(); };
     return tab;
   }));
-  drawPlan(); showSelected(); showLists();
+  drawPlan(); showSelected(); showLists(); refreshDrawing(doc);
   if (!$("space").hidden && spaceOf !== doc.version && !doc.running) showSpace($("walk").ariaPressed === "true");
 }
 
@@ -46,7 +48,7 @@ function drawPlan() {
   plan.replaceChildren();
   if (!here) {
     plan.setAttribute("viewBox", "0 0 600 300");
-    element("text", { class: "empty", x: 300, y: 150 }, plan, "Bring a plan, or choose a sample.");
+    element("text", { class: "empty", x: 300, y: 150 }, plan, "Draw a plan, bring one, or choose a sample.");
     return;
   }
   if (!view) view = extent(here);
@@ -183,11 +185,12 @@ $("plan").addEventListener("wheel", (event) => {
 }, { passive: false });
 
 document.addEventListener("keydown", (event) => {
-  if (event.target.matches("input, select") || $("plan").hasAttribute("hidden") && $("space").hidden || $("walk").ariaPressed === "true") return;
+  if (event.target.matches("input, select") || $("plan").hasAttribute("hidden") && $("space").hidden && $("drawing").hidden || $("walk").ariaPressed === "true") return;
   const piece = chosen(), key = event.key.toLowerCase(), command = event.ctrlKey || event.metaKey;
   const way = { arrowleft: [-1, 0], arrowright: [1, 0], arrowup: [0, 1], arrowdown: [0, -1] }[key];
   if (command && key === "z" && !event.shiftKey) change("undo");
   else if (command && (key === "y" || key === "z")) change("redo");
+  else if (!$("drawing").hidden) return;
   else if (key === "escape") { picked = ""; show(); }
   else if (piece && way) nudge(piece, way[0] * NUDGE, way[1] * NUDGE, 0);
   else if (piece && key === "r") nudge(piece, 0, 0, event.shiftKey ? -QUARTER : QUARTER);
@@ -218,7 +221,7 @@ let space = null, spaceOf = 0;
 
 async function showSpace(walking) {
   if (!doc.version) return;
-  hideBreeding();
+  hideBreeding(); hideDrawing();
   for (const [id, on] of [["space", true], ["pad", walking]]) $(id).hidden = !on;
   $("plan").setAttribute("hidden", "");
   $("solid").ariaPressed = !walking; $("walk").ariaPressed = walking;
@@ -246,7 +249,7 @@ function roomToStandIn() {
 
 function showPlan() {
   for (const id of ["space", "pad"]) $(id).hidden = true;
-  hideBreeding();
+  hideBreeding(); hideDrawing();
   $("plan").removeAttribute("hidden");
   $("solid").ariaPressed = $("walk").ariaPressed = false;
 }
@@ -258,6 +261,16 @@ for (const button of $("pad").children) {
     button.addEventListener(kind, () => space?.press(button.dataset.key, on));
   }
 }
+
+$("draw").onclick = async () => {
+  if ($("draw").ariaPressed === "true") { showPlan(); return; }
+  if (!doc.draft) await change("begin");
+  if (!doc.draft) return;
+  showPlan();
+  $("plan").setAttribute("hidden", "");
+  showDrawing(doc, change);
+};
+$("furnish").onclick = () => { showPlan(); $("arrange").click(); };
 
 $("breed").onclick = async () => {
   if ($("breed").ariaPressed === "true") { showPlan(); return; }
