@@ -10,28 +10,22 @@ size: their triangles, and which of their meshes are open.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import replace
 from statistics import mean, median
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
-from benchmarks.generated_plans import asked_of
+from benchmarks.generated_scenes import Progress, Record, measure_scenes
 from scenewright.catalog.assets import shipped
 from scenewright.catalog.loading import catalog_of
 from scenewright.check.solids import is_closed
 from scenewright.clutter.stability import measure_standing
-from scenewright.core.brief import Brief
 from scenewright.core.scene import CLUTTER
 from scenewright.core.solution import Solution
-from scenewright.domains import scene_of, solve
-from scenewright.workflow.generate import generate
+from scenewright.domains import scene_of
 from scenewright.workflow.meshes import MeshReport, check_meshes
 
-Record = dict[str, Any]
-Progress = Callable[[float, str], None]
 STEPS = 300
-HOMES, HALLS = 100, 20
-QUICK_HOMES, QUICK_HALLS = 3, 1
 GROUNDS = ("building", "house")
 """Kinds that are no furniture."""
 LEAST = 3
@@ -53,25 +47,8 @@ def records(
     quick: bool = False, progress: Progress | None = None, count: int | None = None
 ) -> Iterator[Record]:
     """Records of the models, of homes and of halls; ``count`` homes and a fifth as many halls."""
-    homes, halls = (QUICK_HOMES, QUICK_HALLS) if quick else (HOMES, HALLS)
-    if count is not None:
-        homes, halls = count, max(count // 5, 1)
     yield from _models()
-    done = 0
-    for kind, number in (("home", homes), ("hall", halls)):
-        judged: list[JudgedScene] = []
-        for brief in _briefs(kind, number):
-            if progress is not None:
-                progress(done / (homes + halls), f"{kind} {len(judged) + 1} of {number}")
-            judged.append(judge(solve(brief, steps=STEPS)))
-            done += 1
-        yield from _tally(f"{kind}s", judged)
-
-
-def _briefs(kind: str, number: int) -> Iterator[Brief]:
-    """Generated plans by seed."""
-    for seed in range(number):
-        yield generate(kind, seed=seed, **(asked_of(seed) if kind == "home" else {}))
+    yield from measure_scenes(judge, _tally, STEPS, quick, progress, count)
 
 
 def judge(solution: Solution) -> JudgedScene:

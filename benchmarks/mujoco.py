@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import statistics
 import tempfile
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 from time import process_time
 from typing import Any, NamedTuple
@@ -19,19 +19,12 @@ from typing import Any, NamedTuple
 import numpy as np
 
 import mujoco
-from benchmarks.generated_plans import asked_of
-from scenewright.core.brief import Brief
+from benchmarks.generated_scenes import Progress, Record, measure_scenes
 from scenewright.core.solution import Solution
-from scenewright.domains import solve
 from scenewright.formats import write
-from scenewright.workflow.generate import generate
 
-Record = dict[str, Any]
-Progress = Callable[[float, str], None]
 STEPS = 200
 """Steps of the search for a layout."""
-HOMES, HALLS = 100, 20
-QUICK_HOMES, QUICK_HALLS = 3, 1
 STAND, PUSH = 1250, 500
 """Steps of the simulation that a scene stands for, and that one joint is pushed for at most."""
 FAR, TURNED = 0.02, np.deg2rad(3.0)
@@ -60,24 +53,7 @@ def records(
     quick: bool = False, progress: Progress | None = None, count: int | None = None
 ) -> Iterator[Record]:
     """Records of homes and of halls; ``count`` homes and a fifth as many halls."""
-    homes, halls = (QUICK_HOMES, QUICK_HALLS) if quick else (HOMES, HALLS)
-    if count is not None:
-        homes, halls = count, max(count // 5, 1)
-    done = 0
-    for kind, number in (("home", homes), ("hall", halls)):
-        found = list[SimulatedScene]()
-        for brief in _briefs(kind, number):
-            if progress is not None:
-                progress(done / (homes + halls), f"{kind} {len(found) + 1} of {number}")
-            found.append(simulate(solve(brief, steps=STEPS)))
-            done += 1
-        yield from _tally(f"{kind}s", found)
-
-
-def _briefs(kind: str, number: int) -> Iterator[Brief]:
-    """Generated plans by seed."""
-    for seed in range(number):
-        yield generate(kind, seed=seed, **(asked_of(seed) if kind == "home" else {}))
+    return measure_scenes(simulate, _tally, STEPS, quick, progress, count)
 
 
 def simulate(solution: Solution) -> SimulatedScene:
@@ -157,22 +133,19 @@ def _tally(case: str, found: list[SimulatedScene]) -> Iterator[Record]:
     stuck_leaves = sum(len(one.stuck_leaves) for one in found)
     stuck_fronts = sum(len(one.stuck_fronts) for one in found)
     yield _row(case, "loaded", "", runs, runs, runs)
-    yield _row(case, "free bodies", "", free, None, runs)
-    yield _row(case, "of them moved", "%", _share(moved, free), 1.0, runs)
-    yield _row(
-        case, "leaves opened to 80 degrees", "%", _share(leaves - stuck_leaves, leaves), 99.0, runs
+    shares = (
+        ("free bodies", "moved", moved, free, 1.0),
+        ("leaves", "opened to 80 degrees", leaves - stuck_leaves, leaves, 99.0),
+        ("fronts", "opened to 80 %", fronts - stuck_fronts, fronts, 99.0),
     )
-    yield _row(
-        case, "fronts opened to 80 %", "%", _share(fronts - stuck_fronts, fronts), 99.0, runs
-    )
+    for what, share, part, whole, aim in shares:
+        yield _row(case, what, "", whole, None, runs)
+        if whole:
+            yield _row(case, f"{what}: {share}", "%", round(100 * part / whole, 2), aim, runs)
     speed = round(statistics.median(one.speed for one in found), 1)
     yield _row(case, "simulated in a second, median", "s", speed, None, runs)
     writing = round(statistics.median(one.writing for one in found), 2)
     yield _row(case, "writing, median", "s of processor", writing, 2.0, runs)
-
-
-def _share(part: int, whole: int) -> float:
-    return round(100 * part / max(whole, 1), 2)
 
 
 def _row(

@@ -10,33 +10,27 @@ from __future__ import annotations
 import statistics
 import tempfile
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 from time import process_time
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from pxr import Usd, UsdLux, UsdPhysics, UsdShade, UsdValidation
 
-from benchmarks.generated_plans import asked_of
+from benchmarks.generated_scenes import Progress, Record, measure_scenes
 from scenewright.catalog.loading import catalog_of
-from scenewright.core.brief import Brief
 from scenewright.core.solution import Solution
-from scenewright.domains import scene_of, solve
+from scenewright.domains import scene_of
 from scenewright.formats import write
 from scenewright.formats.simulation.masses import is_free
 from scenewright.render.bodies import split_bodies
 from scenewright.render.items import things
 from scenewright.render.lamps import lamps_of
 from scenewright.render.observations.ceilings import ceilings
-from scenewright.workflow.generate import generate
 
-Record = dict[str, Any]
-Progress = Callable[[float, str], None]
 STEPS = 200
-HOMES, HALLS = 100, 20
-QUICK_HOMES, QUICK_HALLS = 3, 1
 COUNTED = ("bodies", "joints", "lamps", "materials")
-AIM = {"home": 3.0, "hall": None}
+AIM = {"homes": 3.0, "halls": None}
 """Seconds that writing a home may take."""
 
 
@@ -55,24 +49,7 @@ def records(
     quick: bool = False, progress: Progress | None = None, count: int | None = None
 ) -> Iterator[Record]:
     """Records of homes and of halls; ``count`` homes and a fifth as many halls."""
-    homes, halls = (QUICK_HOMES, QUICK_HALLS) if quick else (HOMES, HALLS)
-    if count is not None:
-        homes, halls = count, max(count // 5, 1)
-    done = 0
-    for kind, number in (("home", homes), ("hall", halls)):
-        written: list[WrittenScene] = []
-        for brief in _briefs(kind, number):
-            if progress is not None:
-                progress(done / (homes + halls), f"{kind} {len(written) + 1} of {number}")
-            written.append(measure(solve(brief, steps=STEPS)))
-            done += 1
-        yield from _tally(f"{kind}s", written, AIM[kind])
-
-
-def _briefs(kind: str, number: int) -> Iterator[Brief]:
-    """Generated plans by seed."""
-    for seed in range(number):
-        yield generate(kind, seed=seed, **(asked_of(seed) if kind == "home" else {}))
+    return measure_scenes(measure, _tally, STEPS, quick, progress, count)
 
 
 def measure(solution: Solution) -> WrittenScene:
@@ -115,8 +92,8 @@ def count_stage(stage: Usd.Stage) -> Counter[str]:
     )
 
 
-def _tally(case: str, written: list[WrittenScene], aim: float | None) -> Iterator[Record]:
-    runs = len(written)
+def _tally(case: str, written: list[WrittenScene]) -> Iterator[Record]:
+    runs, aim = len(written), AIM[case]
     seconds = [one.seconds for one in written]
     yield _row(case, "validators' errors", "", sum(one.faults for one in written), 0, runs)
     for name in COUNTED:

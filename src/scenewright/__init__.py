@@ -49,6 +49,7 @@ if TYPE_CHECKING:
     from scenewright.workflow.arrange import arrange
     from scenewright.workflow.evolve import evolve
     from scenewright.workflow.generate import generate
+    from scenewright.workflow.meshes import check_meshes
     from scenewright.workflow.observe import observe
     from scenewright.workflow.photograph import photograph
 if TYPE_CHECKING:
@@ -78,6 +79,7 @@ __all__ = [
     "arrange",
     "batch",
     "check",
+    "check_meshes",
     "evolve",
     "explain",
     "generate",
@@ -111,6 +113,7 @@ _HOMES = {
     "solve": "domains:solve",
     "resolve": "domains:resolve",
     "check": "domains:check",
+    "check_meshes": "workflow.meshes:check_meshes",
     "explain": "domains:explain",
     "generate": "workflow.generate:generate",
     "Report": "core.report:Report",

@@ -9,14 +9,13 @@ from typing import NamedTuple
 import numpy as np
 
 from scenewright import domains
+from scenewright.catalog.classes import TABLE_SEATS
 from scenewright.core.plan import Plan
 from scenewright.core.report import Report
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
 
-LOOSE = frozenset(
-    ("dining_chair", "office_chair", "stool", "bar_stool", "pouf", "reading_chair", "cafe_chair")
-)
+LOOSE = TABLE_SEATS | {"office_chair", "bar_stool", "pouf", "reading_chair"}
 """What stands free on the floor and is moved with one hand."""
 PUSHED, TURNED = 0.06, 0.2
 """How far loose things are moved, in metres, and turned, in radians, at most."""

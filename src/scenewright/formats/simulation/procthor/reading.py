@@ -226,8 +226,8 @@ def _every(
 
 
 def _item(one: HouseObject, bearer: HouseObject | None, floor: float) -> Row:
-    """An object as a fixed item. Theirs have no size: it is the usual one of their kind, and of
-    objects on the floor are twice as high as their middle."""
+    """An object as a fixed item. Theirs have no size: it is the usual one of their kind;
+    on the floor they are twice as high as their middle."""
     own = one.own or OwnWords()
     category = own.category or category_of_type(one.id.partition("|")[0])
     kind = KINDS.get(category)
