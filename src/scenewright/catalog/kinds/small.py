@@ -7,7 +7,8 @@ from scenewright.core.kind import Kind, size_range
 
 def _small(category: str, drawn_by: str, width: str, depth: str, height: str) -> Kind:
     sizes = size_range(width, depth, height)
-    return Kind(category, support="top", sizes=sizes, drawn_by=(drawn_by,))
+    cloth = category == "throw"
+    return Kind(category, support="top", sizes=sizes, drawn_by=(drawn_by,), flat=cloth)
 
 
 _TABLE = (
