@@ -7,6 +7,7 @@ as things of its material have.
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import lru_cache
 from math import inf
 from typing import NamedTuple
 
@@ -67,6 +68,7 @@ def is_free(item: RenderItem, catalog: Catalog) -> bool:
     return bool(hard) and not screwed and mass_of(hard) <= HEAVY
 
 
+@lru_cache(maxsize=4096)
 def is_soft(name: str) -> bool:
     """Whether what a material of a name is on gives way.
 
@@ -76,6 +78,7 @@ def is_soft(name: str) -> bool:
     return not SOFT.isdisjoint(name.partition(",")[0].split())
 
 
+@lru_cache(maxsize=4096)
 def substance_of(name: str) -> Substance:
     """What a material of a name is made of.
 

@@ -47,7 +47,7 @@ def write_numbers(values: Iterable[float], digits: int = 5) -> str:
         rows = values.round(digits).tolist()
     else:
         rows = [round(float(value), digits) for value in values]
-    return ("%.10g " * len(rows))[:-1] % tuple(row + 0.0 for row in rows)  # no zero is negative
+    return ("%.10g " * len(rows))[:-1] % tuple([row + 0.0 for row in rows])  # no zero is negative
 
 
 def name_material(assets: Assets, material: Material) -> str:
