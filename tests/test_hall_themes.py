@@ -53,6 +53,23 @@ def test_goods_without_a_number_fill_walls_and_floor() -> None:
     assert not solution.left_out
 
 
+@pytest.mark.parametrize("goods", ["gondola", "clothes_rail", "showcase"])
+def test_goods_line_the_walls_where_shelves_are_counted(goods: str) -> None:
+    brief = hall({"category": goods}, {"category": "wall_shelving", "count": 4})
+    solution = solve(brief, steps=800, threads=1)
+    backs = [
+        (p.pose.x - c * p.size.depth / 2, p.pose.y - s * p.size.depth / 2, p)
+        for p in solution.pieces
+        for c, s in [(np.cos(p.pose.heading), np.sin(p.pose.heading))]
+        if p.category in (goods, "wall_shelving")
+    ]
+    at_walls = [p for x, y, p in backs if min(x, y, 12 - x, 10 - y) < 0.2]
+    assert sum(p.size.width for p in at_walls) > 0.6 * 42
+    assert any(p.category == goods for *_, p in backs if p not in at_walls)
+    assert sum(p.category == "wall_shelving" for p in solution.pieces) == 4
+    assert not check(solution).findings
+
+
 @pytest.mark.parametrize(
     ("demand", "room"),
     [({"fill": "none"}, {}), ({}, {"fill": "none"}), ({"count": 1}, {}), ({"length": 1.3}, {})],

@@ -6,8 +6,11 @@ what its programme holds and the brief does not name. ``"fill": "none"`` refuses
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
+from scenewright.catalog.kinds import name_of
 from scenewright.core.brief import Brief, Room
 from scenewright.core.brief.zones import AisleBrief, Demand
 from scenewright.domains.hall.build_problem import HallContext, wall_lengths, zone_areas
@@ -19,16 +22,22 @@ from scenewright.domains.hall.demands.checked import (
 )
 from scenewright.domains.hall.demands.holdings import fill_defaults
 from scenewright.domains.hall.demands.programme import (
+    AT_WALLS,
     CROSS_AISLE,
     LONGEST_RUN,
     PROGRAMMES,
     RUNS,
     WALL_BETWEEN,
+    WALL_FREE,
     WALLS_OF_FILL,
     shop_programme,
 )
-from scenewright.domains.hall.demands.themes import THEMES, guess_theme, read_theme
+from scenewright.domains.hall.demands.themes import LINED, THEMES, guess_theme, read_theme
 from scenewright.domains.hall.problem import Floats
+
+FEWEST_LINING, FULL_WALLS = 3, 0.95
+"""How many more stand at walls at least where such things stand free else, and what share of walls
+all there take with what lies between them."""
 
 
 def is_open(demand: Demand) -> bool:
@@ -59,10 +68,15 @@ def open_numbers(brief: Brief, room: Room, hall: HallContext) -> Room:
     opened = [k for k, d in enumerate(demands) if is_open(d) and d.category in goods]
     if not opened and len(demands) == len(room.demands):
         return room
-    at_wall = [k for k in opened if fill_defaults(demands[k], "").at_wall]
-    for k in at_wall:
-        demands[k] = _line_walls(demands[k], demands, at_wall, hall, theme)
     share = THEMES[theme].fill if room.fill is None else room.fill
+    at_wall = [k for k in opened if fill_defaults(demands[k], "").at_wall]
+    free = [] if at_wall or theme not in LINED else opened
+    lining = [d for k in free for d in _stand_at_wall(demands[k])][:1]
+    demands, at_wall = [*demands, *lining], at_wall or [len(demands)] * len(lining)
+    for k in at_wall:
+        demands[k] = _line_walls(demands[k], demands, at_wall, hall, THEMES[theme].walls, share)
+    if lining and (demands[-1].most or 0) < FEWEST_LINING:
+        demands.pop()
     by_floor = {row.category: row.each for row in PROGRAMMES[theme] if row.each}
     for k in (k for k in opened if k not in at_wall):
         each = by_floor.get(demands[k].category)
@@ -89,17 +103,38 @@ def _missing(room: Room, hall: HallContext, theme: str) -> list[Demand]:
     ]
 
 
+def _stand_at_wall(demand: Demand) -> Iterator[Demand]:
+    """More of a demand with their backs at walls, where these are good to stand there and the brief
+    does not say how they stand: what is used from both sides is half as deep there."""
+    deepest = AT_WALLS.get(demand.category)
+    if deepest is None or demand.place or demand.patterns or demand.facing or demand.used_from:
+        return
+    width, depth, height = usual_size(demand)
+    stands = {"place": "wall", "size": (width, min(depth, deepest), height), "clearance": WALL_FREE}
+    name = demand.name or name_of(demand.category)
+    yield demand.model_copy(
+        update=stands | {"id": "", "name": f"{name} at walls", "required": False}
+    )
+
+
 def _line_walls(
-    demand: Demand, every: list[Demand], alike: list[int], hall: HallContext, theme: str
+    demand: Demand,
+    every: list[Demand],
+    alike: list[int],
+    hall: HallContext,
+    walls: float,
+    share: float,
 ) -> Demand:
-    """A demand at walls with its part of the usual share of those of its zones that others leave,
+    """A demand at walls with its part of the share of the ``walls`` of its zones that others leave,
     and of the floor."""
-    mine, row = zones_of(demand, hall), THEMES[theme]
+    mine = zones_of(demand, hall)
     others = [d for k, d in enumerate(every) if k not in alike and fill_defaults(d, "").at_wall]
     sharing = [every[k] for k in alike if (zones_of(every[k], hall) * mine).any()]
-    taken = sum(len(sizes_of(d)) * _front(d) for d in others)
-    wall = row.walls * float((wall_lengths(hall) * mine).sum()) - taken
-    floor = WALLS_OF_FILL * row.fill * float((zone_areas(hall) * mine).sum())
+    every_wall = float((wall_lengths(hall) * mine).sum())
+    taken = sum(size[0] for d in others for size in sizes_of(d))
+    left = FULL_WALLS * every_wall - sum(len(sizes_of(d)) * _front(d) for d in others)
+    wall = min(walls * every_wall - taken, left)
+    floor = WALLS_OF_FILL * share * float((zone_areas(hall) * mine).sum())
     each = floor_needed(demand) / len(sizes_of(demand))
     most = int(min(wall / _front(demand), floor / each) / len(sharing))
     return demand.model_copy(update={"count": 1, "most": max(most, 1)})

@@ -24,7 +24,12 @@ SMALLEST_SHOP = 30.0
 LARGEST_SHOP = 15_000.0
 """Square metres of floor beyond which amounts no longer grow: some 10,000 seats."""
 
-_FRONT: Sides = (0.6, 0.0, 0.0, 0.0)
+AT_WALLS = {"gondola": 0.45, "book_stack": 0.35, "clothes_rail": 0.6, "showcase": 0.6}
+"""How deep goods that stand free else are at a wall, in metres: what is used from both sides about
+half as deep (Neufert 2012, shops)."""
+WALL_FREE: Sides = (0.6, 0.0, 0.0, 0.0)
+"""Free depths round goods at walls."""
+_FRONT = WALL_FREE
 _BOTH: Sides = (0.6, 0.0, 0.6, 0.0)
 _SERVED: Sides = (0.9, 0.3, 0.9, 0.3)
 

@@ -59,18 +59,18 @@ THEMES: dict[str, Theme] = {
         0.55, 0.6, ("book_stack", "bookcase", "reading_table", "carrel", "shelf_unit"), "library"
     ),
     "clothes": Theme(
-        *(0.52, 0.75, RETAIL),
+        *(0.58, 0.75, RETAIL),
         "clothes shoes shoe boutique fashion fashion_accessories bag leather outdoor sports sport "
         "tailor underwear lingerie baby_goods second_hand charity department_store",
     ),
     "grocery": Theme(
-        *(0.55, 0.8, RETAIL),
+        *(0.6, 0.8, RETAIL),
         "supermarket convenience grocery groceries greengrocer deli frozen_food organic "
         "health_food general wholesale kiosk drugstore",
     ),
-    "books": Theme(0.52, 0.8, RETAIL, "books bookshop newsagent stationery comics music"),
+    "books": Theme(0.58, 0.8, RETAIL, "books bookshop newsagent stationery comics music"),
     "showcases": Theme(
-        *(0.52, 0.75, RETAIL),
+        *(0.58, 0.75, RETAIL),
         "jewelry jewellery jeweller watches optician mobile_phone perfumery cosmetics beauty "
         "chemist pharmacy sante hearing_aids electronics computer camera tobacco e-cigarette "
         "chocolate confectionery",
@@ -80,16 +80,18 @@ THEMES: dict[str, Theme] = {
         "restaurant fast_food cafe bar pub ice_cream biergarten bakery coffee pastry tea juice_bar",
     ),
     "service": Theme(
-        *(0.4, 0.5, ("lounge_seat", "desk")),
+        *(0.45, 0.65, ("lounge_seat", "desk")),
         "bank travel_agency car_rental bureau_de_change post_office ticket tickets post_pickup "
         "money_transfer money_lender hairdresser laundry dry_cleaning copyshop estate_agent "
         "insurance employment_agency locksmith",
     ),
     "waiting": Theme(0.52, 0.5, ("lounge_seat", "bench"), "waiting waiting_room lounge"),
     "lockers": Theme(0.52, 0.7, ("lockers",), "left_luggage luggage_locker lockers"),
-    "generic": Theme(0.52, 0.75, RETAIL, "shop store retail"),
+    "generic": Theme(0.58, 0.75, RETAIL, "shop store retail"),
 }
 """By name, which is the kind of its programme too."""
+LINED = frozenset(name for name, theme in THEMES.items() if "book_stack" in theme.goods)
+"""Those whose goods line the walls before they stand free: shops and libraries."""
 THEME_OF = {word: name for name, theme in THEMES.items() for word in theme.words.split()} | {
     name: name for name in THEMES
 }
