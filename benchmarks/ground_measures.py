@@ -101,11 +101,12 @@ def counts_of(ground: Ground) -> dict[str, tuple[float, float]]:
 
 
 def _fronts(ground: Ground, home: Any) -> tuple[float, float]:
-    """Houses by a way whose front looks at it within 45°."""
+    """Houses by a way or square whose front looks at it within 45°."""
     if ground.ways.is_empty or not home.any():
         return 0.0, 0.0
-    by = home & (shapely.distance(ground.shapes, ground.ways) <= BY_WAY)
-    step = _steps(shapely.points(ground.doors), ground.ways)
+    ways = shapely.union_all([ground.ways, *ground.squares])
+    by = home & (shapely.distance(ground.shapes, ways) <= BY_WAY)
+    step = _steps(shapely.points(ground.doors), ways)
     looks = (step * ground.ahead).sum(1) >= ASIDE * np.hypot(*step.T)
     return float((by & looks).sum()), float(by.sum())
 

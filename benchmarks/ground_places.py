@@ -39,7 +39,6 @@ FILES = (
     "professional_files/gis/luneray_shp.zip",
     "professional_files/cityjson/denhaag_01_v08.city.json",
     "professional_files/cityjson/montreal_energy_ext.city.json",
-    "professional_files/cityjson/munich_v01_compressed.city.json",
 )
 
 

@@ -79,13 +79,13 @@ def test_plots_are_written_and_drawn(dense: sw.Solution, tmp_path) -> None:
 
 def test_a_use_in_the_brief_decides_what_serves() -> None:
     row = {"name": "Hut", "footprint": [[0, 0], [6, 0], [6, 5], [0, 5]], "levels": 1}
-    block = {"outline": [[0, 0], [60, 0], [60, 40], [0, 40]], "streets": [0], "count": 6}
+    block = {"outline": [[0, 0], [60, 0], [60, 40], [0, 40]], "streets": [0], "count": 9}
     number = {}
     for use in ("dwelling", "outbuilding"):
         brief = {"domain": "village", "blocks": [block], "houses": [row | {"use": use}]}
         house = {"name": "House", "footprint": [[0, 0], [11, 0], [11, 9], [0, 9]]}
         brief["houses"] = [row | {"use": use}, house]
-        brief["blocks"] = [block | {"classes": {"small": 0.7, "medium": 0.3}}]
+        brief["blocks"] = [block | {"classes": {"small": 0.4, "medium": 0.6}}]
         solution = sw.solve(sw.Brief.model_validate(brief), preset="quick")
         number[use] = len(sw.plots_of(solution)) / len(
             [p for p in solution.pieces if p.category == "building"]

@@ -11,6 +11,7 @@ DOMAIN = Domain(
     about="blocks of a village filled with houses",
     package=__name__,
     part=".brief:VillagePart",
+    detail=".record:VillageRecord",
     rooms=False,
     lacks=("rooms", "levels", "walls", "stairs", "accessible", "residents"),
     defaults={"name": "village"},
@@ -35,6 +36,8 @@ DOMAIN = Domain(
         "locked": ".locks:lock_village",
         "features": ".features:measure_features",
         "sources": ".library:sources_of",
+        "detail_document": ".record:detail_document",
+        "detail_of": ".record:detail_of",
         "plots": ".plots:plots_of_village",
     },
     tables={

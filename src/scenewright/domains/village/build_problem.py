@@ -8,6 +8,7 @@ import shapely
 from scenewright.core.space import Points
 from scenewright.domains.village.blocks import BlockPlan, VillagePlan
 from scenewright.domains.village.brief import HouseClass, VillageBlock
+from scenewright.domains.village.composing import rim_of
 from scenewright.domains.village.house import class_of_area
 from scenewright.domains.village.problem import VillageProblem
 from scenewright.domains.village.settings import VillageSettings
@@ -46,6 +47,7 @@ def build_problem(
         style,
         shapely.union(shapely.Polygon(square), plan.lanes) if square is not None else plan.lanes,
         village.nets,
+        rim_of(square, plan.streets) if settings.composed else np.zeros((0, 2, 2)),
     )
 
 

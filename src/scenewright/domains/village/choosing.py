@@ -14,6 +14,8 @@ MOST = 500
 """Most houses of a block."""
 TYPICAL = (25.0, 75.0, 150.0)
 """Square metres of a house of each class, where no real one is known."""
+DRAWN = 12
+"""Real blocks of which the most usual one is taken."""
 JITTER = 0.12
 """How far chance may change the order of houses by area."""
 
@@ -49,7 +51,7 @@ def _choose_count(
     """So many houses (None: as many as such blocks have) less those that stand: of the sizes of a
     real block like it, the classes asked for kept."""
     mix, standing = problem.style.mix, len(problem.fixed.shapes)
-    sizes = draw_sizes(mix, problem.floor.area, problem.street_share, count, rng)
+    sizes = _draw_typical(problem, count, rng)
     sizes = sizes[: max(min(len(sizes), MOST) - standing, 0)]
     library = np.array([(h.area, h.extent[0] / h.extent[1]) for h in problem.houses])
     share = np.array([house.share for house in problem.houses])
@@ -63,6 +65,17 @@ def _choose_count(
             wanted = _sizes_of_class(sizes, mix.houses, size, number, rng)
             found += those[fetch_houses(wanted, library[those], share[those], rng)].tolist()
     return found
+
+
+def _draw_typical(problem: VillageProblem, count: int | None, rng: np.random.Generator) -> Floats:
+    """Sizes of a real block like one; where a village is composed, of several drawn that whose
+    houses cover most nearly what all do on average: places are like their region, blocks vary."""
+    drawn = [
+        draw_sizes(problem.style.mix, problem.floor.area, problem.street_share, count, rng)
+        for _ in range(DRAWN if problem.settings.composed else 1)
+    ]
+    built = np.array([rows[:, 0].sum() for rows in drawn])
+    return drawn[int(np.argmin(np.abs(built - built.mean())))]
 
 
 def _draw_classes(

@@ -17,6 +17,7 @@ from scenewright.core.space import Points
 from scenewright.domains.village.blocks import BlockPlan
 from scenewright.domains.village.gardens import lay_ground
 from scenewright.domains.village.house import House
+from scenewright.domains.village.lanes import opened
 from scenewright.domains.village.library import sources_of
 from scenewright.domains.village.problem import VillageLayout
 from scenewright.domains.village.standing import place
@@ -106,7 +107,7 @@ def square_patch(plan: BlockPlan, corners: Points) -> Patch:
 
 def scene_of_village(solution: Solution, plan: Plan) -> Scene:
     """The scene of a solution: lanes, squares, walks and yards, and houses."""
-    ground = lay_ground(plan.detail, solution.pieces, solution.patches)
+    ground = lay_ground(opened(plan, solution).detail, solution.pieces, solution.patches)
     sources = sources_of(solution.brief)
     return Scene(
         solution.brief.name,

@@ -15,7 +15,7 @@ from scenewright.core.solution import Patch
 from scenewright.domains.village.blocks import BlockPlan, VillagePlan
 from scenewright.domains.village.enclosures import enclose_plots, lay_beds
 from scenewright.domains.village.plots import houses_on, lay_block_plots, squares_on
-from scenewright.domains.village.walks import lay_block_walks
+from scenewright.domains.village.walks import Walk, lay_block_walks, lay_long_walks
 from scenewright.ground.outlines import GRID
 
 HEIGHTS = {"asphalt": 0.03, "path": 0.035, "yard": 0.02, "square": 0.04, "walk": 0.045, "bed": 0.14}
@@ -70,18 +70,17 @@ def _of_block(
     squares = shapely.union_all(squares_on(block, patches))
     shapes = polygons_of(here) if here else np.zeros(0, object)
     houses = shapely.union_all(shapes)
+    lines = lay_block_walks(block, here)
+    lines = (*lines, *lay_long_walks(block, here, lines))
     trod = shapely.union_all(
-        [
-            walk.buffer(WALK, cap_style="flat", join_style="mitre")
-            for walk in lay_block_walks(block, here)
-        ]
+        [walk.buffer(WALK, cap_style="flat", join_style="mitre") for walk in lines]
     )
     strips = _cut(_only_areas(shapely.intersection(trod, floor)), squares)
     around = shapely.buffer(houses, YARD, join_style="mitre", mitre_limit=2.0)
     yards = _only_areas(shapely.intersection(around, floor, grid_size=GRID))
     strips, yards = _cut(strips, block.lanes), _cut(yards, block.lanes)
     yards = _cut(_cut(yards, squares), strips)
-    over = _cut(cross_verges(block, strips), _only_areas(shapely.union(houses, squares)))
+    over = _cut(cross_verges(block, lines, strips), _only_areas(shapely.union(houses, squares)))
     for kind, shape in (("square", squares), ("walk", over), ("yard", yards)):
         yield from _surface(f"{kind} of {block.id}", block.id, kind, shape)
     gates = shapely.buffer(
@@ -103,21 +102,22 @@ def _of_block(
     yield from _surface(f"beds of {block.id}", block.id, "bed", beds)
 
 
-def cross_verges(block: BlockPlan, strips: shapely.Geometry) -> shapely.Geometry:
-    """Walks, led on over the verge to the lane where they end on a street side."""
+def cross_verges(
+    block: BlockPlan, lines: Sequence[Walk], strips: shapely.Geometry
+) -> shapely.Geometry:
+    """The ground of walks, led on over the verge to the lane where they end on a street side."""
     ways = [shapely.Polygon(a.outline, a.holes) for w in block.ground.roads for a in w.areas]
-    ends = shapely.intersection(strips, shapely.union_all(shapely.linestrings(block.streets)))
-    lines = [p for p in shapely.get_parts(ends) if p.geom_type == "LineString"]
-    lanes = shapely.union_all(ways)
     if not ways or not lines:
         return strips
-    middles = shapely.line_interpolate_point(np.array(lines, object), 0.5, normalized=True)
-    steps = shapely.shortest_line(middles, lanes)
-    steps = steps[shapely.length(steps) <= VERGES]
+    sides, lanes = shapely.union_all(shapely.linestrings(block.streets)), shapely.union_all(ways)
+    ends = shapely.get_point(np.array(lines, object), -1)
+    steps = shapely.shortest_line(ends[shapely.dwithin(ends, sides, 0.3)], lanes)
+    steps = steps[(shapely.length(steps) <= VERGES) & (shapely.length(steps) > 0.01)]
     over = shapely.buffer(steps, WALK, cap_style="square")
     floor = shapely.Polygon(block.outline)
     across = shapely.difference(shapely.union_all(over), shapely.union(lanes, floor))
-    return _only_areas(shapely.union(strips, across, grid_size=GRID))
+    parts = [p for p in shapely.get_parts(across) if p.geom_type == "Polygon"]
+    return _only_areas(shapely.union_all([strips, *parts], grid_size=GRID))
 
 
 def _surface(

@@ -14,8 +14,16 @@ import numpy as np
 import shapely
 
 from scenewright.core.space import Points
+from scenewright.domains.village.composing import (
+    compose_weights,
+    is_enough,
+    rim_poses,
+    serves,
+    stand_ins,
+    ways_of,
+)
 from scenewright.domains.village.doors import assign_doors
-from scenewright.domains.village.house import House
+from scenewright.domains.village.house import OUTBUILDING, House
 from scenewright.domains.village.learned.pose_net import score_poses
 from scenewright.domains.village.learned.surroundings import (
     Surroundings,
@@ -64,12 +72,44 @@ def grow(
     weighing = weighing or weigh_by_net
     growth = Growth(survey_problem(problem, len(chosen)), (), ())
     goes_on = partial(_goes_on, problem, len(chosen), on_growth)
-    grown = _add_all(problem, growth, chosen, rng, weighing, goes_on)
+    growth, rest = _front_square(problem, growth, chosen)
+    grown = _add_all(problem, growth, rest, rng, weighing, goes_on)
     grown, doors, lost = _keep_reached(problem, grown)
     if lost:
         grown = _add_all(problem, grown, lost, rng, weighing, goes_on)
         grown, doors, _ = _keep_reached(problem, grown)
-    return _layout(grown, doors, len(chosen))
+    spared = sum(serves(problem.houses[k]) for k in chosen) if problem.settings.composed else 0
+    asked = len(chosen) if problem.asked is not None else max(len(chosen) - spared, 0)
+    return _layout(grown, doors, max(asked, len(grown.houses)))
+
+
+def _front_square(
+    problem: VillageProblem, growth: Growth, chosen: list[int]
+) -> tuple[Growth, list[int]]:
+    """Houses before each side of the square, their fronts to it, and those that are left."""
+    rest = list(chosen)
+    for side in problem.rim:
+        for number in [k for k in dict.fromkeys(rest) if not serves(problem.houses[k])]:
+            house = problem.houses[number]
+            poses = rim_poses(side, house)
+            good = _legal(problem, growth.standing, house, poses)
+            if len(good):
+                growth = _with(growth, house, number, poses[good[0]])
+                rest.remove(number)
+                break
+    return growth, rest
+
+
+def _legal(
+    problem: VillageProblem, standing: StandingHouses, house: House, poses: Floats
+) -> np.ndarray:
+    """The numbers of legal poses."""
+    if not len(poses):
+        return np.zeros(0, np.int64)
+    shapes, rings = shapes_at(house, poses)
+    blocked = [*standing.shapes, problem.kept_free]
+    good = np.flatnonzero(is_legal(problem.floor, shrink(np.array(blocked, object)), shapes, rings))
+    return good[~is_slit(standing, shapes[good])]
 
 
 def layout_of(
@@ -141,12 +181,25 @@ def _add_all(
     for number in chosen:
         if not goes_on(growth):
             break
-        for candidate in [number] * problem.settings.grow.retries + _smaller(problem, number):
+        for candidate in _candidates(problem, growth, number):
             pose = draw_pose(problem, growth.seen, problem.houses[candidate], rng, weighing)
             if pose is not None:
                 growth = _with(growth, problem.houses[candidate], candidate, pose)
                 break
     return growth
+
+
+def _candidates(problem: VillageProblem, growth: Growth, number: int) -> list[int]:
+    """The houses tried for one of the library, one after the other."""
+    again = problem.settings.grow.retries
+    if not problem.settings.composed:
+        return [number] * again + _smaller(problem, number)
+    house = problem.houses[number]
+    if serves(house) and is_enough(problem, growth.houses):
+        wanted = problem.asked is not None or house.area > OUTBUILDING
+        return stand_ins(problem, number) if wanted else []
+    more = [] if serves(house) else stand_ins(problem, number)
+    return [number] * again + _smaller(problem, number) + more
 
 
 def _smaller(problem: VillageProblem, number: int) -> list[int]:
@@ -170,15 +223,14 @@ def draw_pose(
     """A legal pose (3,) of a house, drawn by its weight; None if none of those proposed is."""
     settings, standing = problem.settings.grow, seen.standing
     poses = propose(problem, standing, house, rng)
-    shapes, rings = shapes_at(house, poses)
-    blocked = [*standing.shapes, problem.kept_free]
-    good = np.flatnonzero(is_legal(problem.floor, shrink(np.array(blocked, object)), shapes, rings))
+    shapes, _ = shapes_at(house, poses)
+    good = _legal(problem, standing, house, poses)
     if not len(good):
         return None
-    good = rng.permutation(good[~is_slit(standing, shapes[good])])[: settings.judged]
-    if not len(good):
-        return None
+    good = rng.permutation(good)[: settings.judged]
     weight = weighing(problem, seen, house, shapes[good], poses[good])
+    if problem.settings.composed:
+        weight = weight + compose_weights(problem, seen, house, shapes[good], poses[good, 2])
     if settings.temperature <= 0:
         return np.asarray(poses[good[int(np.argmax(weight))]])
     odds = np.exp((weight - weight.max()) / settings.temperature)
@@ -211,7 +263,7 @@ def _keep_reached(problem: VillageProblem, growth: Growth) -> tuple[Growth, np.n
     lost: list[int] = []
     while True:
         doors = assign_doors(
-            problem.walkable, problem.streets, _rings(growth.standing), fronts_of(problem, growth)
+            problem.walkable, ways_of(problem), _rings(growth.standing), fronts_of(problem, growth)
         )
         own = np.flatnonzero(~doors.reached[fixed:])
         if not len(own):

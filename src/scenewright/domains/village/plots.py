@@ -14,12 +14,13 @@ from scenewright.core.scene import Piece
 from scenewright.core.solution import Patch, Solution
 from scenewright.domains.village.blocks import BlockPlan, VillagePlan
 from scenewright.domains.village.house import is_outbuilding
+from scenewright.domains.village.lanes import opened
 from scenewright.ground.plots import Plot, lay_plots
 
 
 def plots_of_village(solution: Solution, plan: Plan) -> tuple[Plot, ...]:
     """The plots of all blocks of a solution."""
-    village: VillagePlan = plan.detail
+    village: VillagePlan = opened(plan, solution).detail
     return tuple(
         plot
         for block in village.blocks

@@ -8,10 +8,12 @@ from scenewright.engine.rows import Preset
 VillagePreset = Preset[VillageSettings]
 """Its steps are layouts grown of each block; the best is taken."""
 
+COMPOSED = VillageSettings(composed=True)
+
 PRESETS: dict[str, VillagePreset] = {
-    "default": Preset("three layouts of each block", "grow", 3, {}, VillageSettings()),
-    "quick": Preset("one layout of each block", "grow", 1, {}, VillageSettings()),
-    "fine": Preset("twelve layouts of each block", "grow", 12, {}, VillageSettings()),
+    "default": Preset("three layouts of each block", "grow", 3, {}, COMPOSED),
+    "quick": Preset("one layout of each block", "grow", 1, {}, COMPOSED),
+    "fine": Preset("twelve layouts of each block", "grow", 12, {}, COMPOSED),
     "paper": Preset(
         "the loop of Zhu, Jiang and Li (2022), its networks in their small form",
         "paper",
@@ -24,6 +26,6 @@ PRESETS: dict[str, VillagePreset] = {
         "grow",
         3,
         {},
-        VillageSettings(grow=GrowSettings(temperature=0.4)),
+        COMPOSED._replace(grow=GrowSettings(temperature=0.4)),
     ),
 }

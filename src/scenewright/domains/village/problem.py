@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+import numpy as np
 import shapely
 
 from scenewright.core.space import Points
@@ -21,7 +22,7 @@ class VillageProblem(NamedTuple):
     (``asked``, or the share ``coverage`` of the ground, or neither), shares of classes of area
     (3,; None: as real blocks like it have), settings, the style its houses stand in,
     what is to stay free: squares and lanes; and networks for the paper's solver (None: those that
-    ship)."""
+    ship); ``rim``: the sides (r, 2, 2) of a square that fronts are to stand about."""
 
     name: str
     floor: shapely.Polygon
@@ -37,6 +38,7 @@ class VillageProblem(NamedTuple):
     style: VillageStyle
     kept_free: shapely.Geometry
     nets: PaperNets | None = None
+    rim: Points = np.zeros((0, 2, 2))
 
 
 class VillageLayout(NamedTuple):

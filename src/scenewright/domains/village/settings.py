@@ -143,6 +143,8 @@ class GrowSettings(NamedTuple):
 
 
 class VillageSettings(NamedTuple):
-    """How blocks are filled."""
+    """How blocks are filled; ``composed``: lanes first where ground is deep, dwellings by ways,
+    fronts about the square, outbuildings behind them (else by what was learned alone)."""
 
     grow: GrowSettings = GrowSettings()
+    composed: bool = False

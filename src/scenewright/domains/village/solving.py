@@ -27,6 +27,7 @@ from scenewright.domains.village.build_problem import build_problem, find_square
 from scenewright.domains.village.furnish import pieces_of, square_patch
 from scenewright.domains.village.given import standing_pieces
 from scenewright.domains.village.house import House
+from scenewright.domains.village.lanes import VillageLane, lay_village_lanes, with_lanes
 from scenewright.domains.village.plan import plan_village
 from scenewright.domains.village.planting import plant
 from scenewright.domains.village.presets import PRESETS
@@ -77,6 +78,8 @@ def solve(
     """
     started = time.perf_counter()
     chosen, village = preset_named(PRESETS, preset), (plan or plan_village(brief)).detail
+    lanes = lay_village_lanes(village) if chosen.settings.composed else ()
+    village = with_lanes(village, lanes)
     named = solver or chosen.solver
     given = chosen.steps if steps is None and seconds is None else steps
     found = []
@@ -101,7 +104,8 @@ def solve(
                 stopped=cancel is not None and cancel(),
             )
         )
-    return assemble_solution(brief, found, preset, named, seed, time.perf_counter() - started)
+    spent = time.perf_counter() - started
+    return assemble_solution(brief, found, preset, named, seed, spent, lanes)
 
 
 def _boxes(plan: BlockPlan, houses: Sequence[House], layout: VillageLayout) -> tuple[NamedBox, ...]:
@@ -118,6 +122,7 @@ def problems(
     """The problem of each block as solvers take it."""
     village = (plan or plan_village(brief)).detail
     settings = preset_named(PRESETS, preset).settings
+    village = with_lanes(village, lay_village_lanes(village) if settings.composed else ())
     return tuple(
         build_problem(block, one, village, settings)
         for block, one in zip(brief.part.blocks, village.blocks, strict=True)
@@ -153,9 +158,15 @@ def furnish_block(
 
 
 def assemble_solution(
-    brief: Brief, found: list[FilledBlock], preset: str, solver: str, seed: int, seconds: float
+    brief: Brief,
+    found: list[FilledBlock],
+    preset: str,
+    solver: str,
+    seed: int,
+    seconds: float,
+    lanes: tuple[VillageLane, ...] = (),
 ) -> Solution:
-    """The solution of all blocks of a brief."""
+    """The solution of all blocks of a brief, with the lanes that were laid into them."""
     return Solution(
         brief=brief,
         pieces=tuple(piece for one in found for piece in one.pieces),
@@ -170,6 +181,7 @@ def assemble_solution(
         brief_hash=hashlib.sha256(brief.model_dump_json().encode()).hexdigest(),
         seconds=seconds,
         evaluations=sum(one.evaluations for one in found),
+        detail=lanes or None,
     )
 
 

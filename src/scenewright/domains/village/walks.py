@@ -14,11 +14,15 @@ from scenewright.core.piece_outlines import outline_of, polygons_of
 from scenewright.core.scene import Piece
 from scenewright.core.space import Points
 from scenewright.domains.village.blocks import BlockPlan
+from scenewright.geometry.wavefront import find_quickest
+from scenewright.ground.path_tree import straighten, trace
 
 Walk: TypeAlias = shapely.LineString
 
 AHEAD = (2.0, 1.2, 3.5, 5.0)
 """Metres from a door at which a walk may bend; the first that gets through is taken."""
+CELL = 0.7
+"""Metres of the raster on which long walks are found."""
 CLEAR, LONGEST, NEIGHBOURS = 0.6, 80.0, 12
 """Metres kept from houses and of a walk at most; how many neighbours are tried."""
 
@@ -39,6 +43,43 @@ def lay_block_walks(plan: BlockPlan, houses: Sequence[Piece]) -> tuple[Walk, ...
     for ahead in AHEAD:
         _lay(doors, doors + ahead * ways, streets, taken, floor, found)
     return tuple(found[i] for i in sorted(found))
+
+
+def lay_long_walks(
+    plan: BlockPlan, houses: Sequence[Piece], laid: Sequence[Walk]
+) -> tuple[Walk, ...]:
+    """Walks to the doors that none of those ``laid`` begins at: round the corners of houses, to a
+    street or to a walk."""
+    standing = [p for p in houses if np.isfinite([*p.pose, *p.size]).all()]
+    doors, ways = _doors(standing)
+    begun = {tuple(np.round(walk.coords[0], 3).tolist()) for walk in laid}
+    left = [k for k, at in enumerate(doors) if tuple(np.round(at, 3).tolist()) not in begun]
+    if not left:
+        return ()
+    shapes = polygons_of(standing)
+    low, high = plan.outline.min(0), plan.outline.max(0)
+    columns, rows = (np.ceil((high - low) / CELL).astype(int) + 1).tolist()
+    x, y = (low[k] + CELL * np.arange(n) for k, n in ((0, columns), (1, rows)))
+    cells = np.stack(np.meshgrid(x, y), -1).reshape(-1, 2)
+    floor = shapely.buffer(shapely.Polygon(plan.outline), 0.2)
+    open_ = shapely.contains_xy(floor, *cells.T)
+    spots = shapely.points(cells)
+    tree = shapely.STRtree(shapes)
+    open_[np.unique(tree.query(spots, predicate="dwithin", distance=CLEAR)[0])] = False
+    goals = shapely.union_all([*shapely.linestrings(plan.streets), plan.lanes, *laid])
+    starts = np.flatnonzero(open_ & shapely.dwithin(spots, goals, CELL))
+    slow = np.where(open_, 1.0, np.inf).reshape(rows, columns)
+    times, before = find_quickest(slow, CELL, starts.astype(np.int32))
+    found = []
+    for k in left:
+        knee = doors[k] + ways[k]
+        near = np.hypot(*(cells - knee).T) + np.where(np.isfinite(times), 0.0, np.inf)
+        cell = int(np.argmin(near))
+        if near[cell] <= 2 * CELL:
+            path = straighten(trace(before, cell, ()), slow, CELL)
+            end = shapely.get_coordinates(shapely.shortest_line(spots[path[-1]], goals))[1:]
+            found.append(Walk(np.vstack([doors[k], cells[path], end])))
+    return tuple(found)
 
 
 def _doors(houses: Sequence[Piece]) -> tuple[Points, Points]:

@@ -33,7 +33,12 @@ from scenewright.core.solution import Patch, Solution
 from scenewright.domains.village.blocks import BlockPlan
 from scenewright.domains.village.brief import Lane
 from scenewright.domains.village.check.demands import list_owed
-from scenewright.domains.village.check.lanes import find_on_lanes
+from scenewright.domains.village.check.lanes import (
+    LaidLane,
+    cover_laid_lanes,
+    find_on_laid_lanes,
+    find_on_lanes,
+)
 
 DOOR, COURT = 0.9, 1.0
 """Width of a door, and how deep the ground before it must be free, in metres."""
@@ -45,7 +50,8 @@ START = 1.2
 
 class JudgedBlock(NamedTuple):
     """A block with its ground, where people may walk, its free square, the sound houses on it with
-    their footprints, and the middle (n, 2) and direction out (n, 2) of each door."""
+    their footprints, and the middle (n, 2) and direction out (n, 2) of each door, and the
+    ground of lanes that were laid."""
 
     plan: BlockPlan
     floor: Shape
@@ -55,6 +61,7 @@ class JudgedBlock(NamedTuple):
     shapes: Shapes
     doors: Floats
     out: Floats
+    laid: Shape
 
 
 def check(solution: Solution, plan: Plan, kinds: Catalog) -> Report:
@@ -63,7 +70,7 @@ def check(solution: Solution, plan: Plan, kinds: Catalog) -> Report:
     del kinds
     part = solution.brief.part
     findings, figures = judge_blocks(
-        solution.pieces, solution.patches, plan.detail.blocks, part.lanes
+        solution.pieces, solution.patches, plan.detail.blocks, part.lanes, solution.detail or ()
     )
     owed = [*list_owed(part.blocks, plan.detail, solution.pieces, solution.patches)]
     findings += find_owed(owed, solution.left_out)
@@ -76,19 +83,23 @@ def judge_blocks(
     patches: Sequence[Patch],
     blocks: Sequence[BlockPlan],
     lanes: Sequence[Lane] = (),
+    laid: Sequence[LaidLane] = (),
 ) -> tuple[list[Finding], dict[str, dict[str, Any]]]:
-    """Every violation on some blocks and the ``lanes`` of their brief, and their figures. Broken
-    pieces become findings."""
+    """Every violation on some blocks and the ``lanes`` of their brief and those ``laid`` for
+    them, and their figures. Broken pieces become findings."""
     known = {block.id for block in blocks}
     findings, sound = split_sound(pieces, known, "a block")
     figures = {}
     for block in blocks:
-        judged = _make_judged(block, [p for p in sound if p.space == block.id], patches)
+        here = [p for p in sound if p.space == block.id]
+        own = [lane for lane in laid if lane.block == block.id]
+        judged = _make_judged(block, here, patches, own)
         reached = find_reached(judged)
         findings += [
             *find_overlaps(judged),
             *find_outside(judged),
             *find_on_lanes(judged.houses, judged.shapes, lanes),
+            *find_on_laid_lanes(judged.houses, judged.shapes, judged.laid),
             *find_blocked_doors(judged),
             *_unreachable(judged, reached),
         ]
@@ -96,7 +107,9 @@ def judge_blocks(
     return findings, figures
 
 
-def _make_judged(block: BlockPlan, houses: list[Piece], patches: Sequence[Patch]) -> JudgedBlock:
+def _make_judged(
+    block: BlockPlan, houses: list[Piece], patches: Sequence[Patch], laid: Sequence[LaidLane]
+) -> JudgedBlock:
     squares = [p.box for p in patches if p.space == block.id and np.isfinite(p.box).all()]
     square = shapely.union_all(shapely.polygons(corners(np.array(squares).reshape(-1, 5))))
     doors, out = np.zeros((len(houses), 2)), np.zeros((len(houses), 2))
@@ -111,6 +124,7 @@ def _make_judged(block: BlockPlan, houses: list[Piece], patches: Sequence[Patch]
         polygons_of(houses),
         doors,
         out,
+        cover_laid_lanes(laid),
     )
 
 
@@ -188,6 +202,7 @@ def find_reached(judged: JudgedBlock) -> Flags:
     around = shapely.union_all(shapely.buffer(judged.shapes, WAY - TOLERANCE))
     free = shapely.get_parts(shapely.difference(judged.walkable, around))
     streets = shapely.union_all(shapely.linestrings(judged.plan.streets)).buffer(START)
+    streets = shapely.union(streets, judged.laid)
     ways = shapely.union_all(free[shapely.intersects(streets, free)])
     spots = shapely.points(judged.doors + judged.out * WAY)
     return np.asarray(shapely.dwithin(ways, spots, 0.1))

@@ -3,15 +3,45 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any, Protocol
 
 import numpy as np
 import shapely
 
-from scenewright.check.bodies import TOLERANCE, Shapes
+from scenewright.check.bodies import TOLERANCE, Shape, Shapes
 from scenewright.check.buildings import measure_shared, state_fault
 from scenewright.core.report import Finding
 from scenewright.core.scene import Piece
 from scenewright.domains.village.brief import Lane
+
+
+class LaidLane(Protocol):
+    """A lane of a solution: its block, middle line (n, 2), width, radius of its turning head."""
+
+    block: str
+    line: Any
+    width: float
+    head: float
+
+
+def cover_laid_lanes(lanes: Sequence[LaidLane]) -> Shape:
+    """The ground of lanes of a solution, with their turning heads."""
+    parts = [
+        shapely.LineString(lane.line).buffer(lane.width / 2, cap_style="flat") for lane in lanes
+    ]
+    heads = [shapely.Point(lane.line[-1]).buffer(lane.head - 0.1) for lane in lanes if lane.head]
+    return shapely.union_all(np.array([*parts, *heads], object))
+
+
+def find_on_laid_lanes(houses: Sequence[Piece], shapes: Shapes, ground: Shape) -> list[Finding]:
+    """Houses more than 1 cm on a lane that was laid."""
+    found = []
+    for piece, shape in zip(houses, shapes, strict=True):
+        depth, area = measure_shared(shapely.intersection(shape, ground))
+        if depth > TOLERANCE:
+            message = f"{piece.id} stands on a lane by {depth:.2f} m ({area:.2f} m²)"
+            found.append(state_fault("blocked_path", piece, message, depth, area, "lane"))
+    return found
 
 
 def find_on_lanes(houses: Sequence[Piece], shapes: Shapes, lanes: Sequence[Lane]) -> list[Finding]:

@@ -20,6 +20,7 @@ from scenewright.core.solution import Solution
 from scenewright.domains.village.blocks import VillagePlan
 from scenewright.domains.village.drawing import marks as marks
 from scenewright.domains.village.gardens import lay_ground
+from scenewright.domains.village.lanes import opened
 from scenewright.domains.village.plots import lay_block_plots
 from scenewright.drawing import sheet as sheets
 from scenewright.drawing.layers import PlanDrawing, PlanLayer, merge_layers
@@ -33,7 +34,7 @@ listed."""
 
 def draw(solution: Solution, made: Plan, judge: Callable[[], Report]) -> PlanDrawing:
     """The plan of a solution's blocks; ``judge`` gives the referee's report."""
-    village: VillagePlan = made.detail
+    village: VillagePlan = opened(made, solution).detail
     report = judge()
     houses = [p for p in solution.pieces if _is_house(p)]
     west, south, east, north = _bounds(village, houses)

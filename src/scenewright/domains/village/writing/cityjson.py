@@ -18,6 +18,7 @@ from scenewright.core.piece_outlines import outline_of
 from scenewright.core.plan import Plan
 from scenewright.core.solution import Solution
 from scenewright.domains.village.blocks import VillagePlan
+from scenewright.domains.village.lanes import opened
 from scenewright.domains.village.plan import plan_village
 from scenewright.domains.village.plots import plots_of_village
 from scenewright.ground.city_objects import (
@@ -38,7 +39,7 @@ def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
     """The CityJSON object of a village."""
     plan = made or plan_village(solution.brief)
     vertices: Vertices = {}
-    objects = _grounds(solution, plan.detail, vertices)
+    objects = _grounds(solution, opened(plan, solution).detail, vertices)
     for plot in plots_of_village(solution, plan):
         stated = {"name": plot.house, "class": "plot", "area": round(plot.area, 2)}
         flat = flat_object("LandUse", [(plot.outline,)], stated, vertices)

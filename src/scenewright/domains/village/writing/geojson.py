@@ -21,6 +21,7 @@ from scenewright.core.projection import Projection
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
 from scenewright.domains.village.blocks import VillagePlan
+from scenewright.domains.village.lanes import opened
 from scenewright.domains.village.plan import plan_village
 from scenewright.domains.village.plots import plots_of_village
 from scenewright.ground.map_writing import (
@@ -45,7 +46,7 @@ def write(solution: Solution, path: str | os.PathLike[str], plan: Plan | None = 
 def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
     """The FeatureCollection of a solution of a village."""
     plan = made or plan_village(solution.brief)
-    village: VillagePlan = plan.detail
+    village: VillagePlan = opened(plan, solution).detail
     map_ = projection_about(solution.brief.part.origin)
     features = []
     for block in village.blocks:

@@ -9,6 +9,7 @@ from scenewright.core.atomic_file import atomic_write
 from scenewright.core.plan import Plan
 from scenewright.core.solution import Solution
 from scenewright.domains import plan_of, scene_of
+from scenewright.domains.village.lanes import opened
 from scenewright.render.street import render_street
 
 
@@ -17,7 +18,7 @@ def write(solution: Solution, path: str | os.PathLike[str], plan: Plan | None = 
     from PIL import Image
 
     catalog, made = catalog_of(solution.brief.catalogs), plan or plan_of(solution.brief)
-    grounds = [block.ground for block in made.detail.blocks]
+    grounds = [block.ground for block in opened(made, solution).detail.blocks]
     pixels = render_street(scene_of(solution, made), grounds, catalog)
     with atomic_write(path) as partial:
         Image.fromarray(pixels).save(partial, format="png", compress_level=6)
