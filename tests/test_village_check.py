@@ -38,7 +38,7 @@ def judged(*pieces: Piece, patches: tuple[Patch, ...] = (), given: bool = False)
     library = {p.function: of_library(p) for p in pieces}
     houses = [*library.values()]
     brief = Brief.model_validate({"domain": "village", "blocks": [block], "houses": houses})
-    return sw.check(replace(solved, brief=brief, pieces=pieces, patches=patches))
+    return sw.check(replace(solved, brief=brief, pieces=pieces, patches=patches, detail=None))
 
 
 def of_library(piece: Piece) -> dict[str, object]:

@@ -15,11 +15,12 @@ from scenewright.catalog.loading import catalog_of, find_asset
 from scenewright.core.brief import Brief
 from scenewright.domains import problems, solvers
 from scenewright.domains.village.choosing import choose_houses
-from scenewright.domains.village.enclosures import LOOKS, enclose_block
+from scenewright.domains.village.enclosures import LOOKS, enclose_plots
 from scenewright.domains.village.learned.mix import HouseMix, draw_sizes, fetch_houses
 from scenewright.domains.village.plan import plan_village
 from scenewright.domains.village.problem import VillageProblem
 from scenewright.engine.solve import Budget
+from scenewright.ground.plots import Plot
 
 MIX = HouseMix(
     np.array([[9.0, 0.3, 3.0], [9.0, 0.3, 12.0], [11.0, 0.3, 6.0]]),
@@ -81,7 +82,8 @@ def test_coverage_asked_for_is_reached_by_less_than_a_house() -> None:
 def test_walls_stand_along_streets_and_leave_walks_open(look: str) -> None:
     (block,) = plan_village(brief()).detail.blocks
     walk = shapely.box(30, -1, 32, 20)
-    wall, _ = enclose_block(block, look, walk)
+    plot = Plot("b/house", block.outline, block.area)
+    (_, wall, _), *_ = enclose_plots(block, [plot], np.zeros(0, object), walk, look)
     assert shapely.Polygon(block.outline).covers(wall)
     assert wall.distance(shapely.LineString([(0, 0), (80, 0)])) > 0.2
     assert wall.bounds[3] < 1.0
