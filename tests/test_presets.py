@@ -106,10 +106,9 @@ def test_another_value_finds_another_layout(
 @pytest.mark.parametrize(
     ("group", "name", "value", "solver", "steps"),
     [
-        ("aims", "rays", 1, "fill", 40),
         ("aims", "minutes", 480.0, "fill", 40),
         ("aims", "lit", 1, "fill", 40),
-        ("fill", "halvings", 0, "fill", 8),
+        ("fill", "steps", 0, "fill", 8),
         ("exchange", "rays", 2, "fill", 8),
         ("exchange", "paces", 30, "fill", 8),
         ("exchange", "shade", 1.0, "fill", 8),
@@ -203,7 +202,7 @@ def test_every_setting_is_listed() -> None:
             assert isinstance(preset, Preset)
             assert set(listed[domain.name, name]) == set(getattr(preset.settings, "_fields", ()))
     assert listed["home", "default"]["chains"]["hot"] == 0.07
-    assert listed["site", "default"]["fill"]["loosest"] == (3.0, 1.5, *(1.0,) * 6)
+    assert listed["site", "default"]["fill"]["loosest"] == (8.0, 2.0, *(1.0,) * 6)
 
 
 def test_an_unknown_preset_is_refused_with_those_there_are() -> None:

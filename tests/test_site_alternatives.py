@@ -10,13 +10,13 @@ from scenewright.domains import alternatives, check, plan_of
 from scenewright.domains.site.alternatives import FORMS, compare, describe, list_variants
 
 
-def test_alternatives_of_the_courtyards_differ_where_seeds_do_not():
+def test_alternatives_and_seeds_of_the_courtyards_differ():
     brief = sw.read("sample:site-courtyards")
     plan = plan_of(brief)
-    same = compare(sw.solve(brief, seed=0), sw.solve(brief, seed=1), plan)
+    assert compare(sw.solve(brief, seed=0), sw.solve(brief, seed=1), plan) >= 0.3
     found = alternatives(brief, 3)
     apart = [compare(a, b, plan) for k, a in enumerate(found) for b in found[:k]]
-    assert min(apart) > max(0.25, 2 * same)
+    assert min(apart) > 0.25
     assert len({describe(one, plan) for one in found}) == 3
     assert all(check(one).valid and not one.left_out for one in found)
 

@@ -54,7 +54,7 @@ def test_determinant_forms():
 
 
 def test_courts_close_and_half_closed_ones_are_open_to_the_front():
-    closed, half = headings_of(asked("peripheral", 12)), headings_of(asked("half-closed", 10))
+    closed, half = headings_of(asked("peripheral", 16)), headings_of(asked("half-closed", 10))
     for rows, open_ in ((closed, False), (half, True)):
         north = rows[rows[:, 1] > 50]
         east, west = north[:, 0].max(), north[:, 0].min()

@@ -13,18 +13,22 @@ class FillSettings(NamedTuple):
     may be, filling by filling; how much chance has a say among forms about as good; what half a
     turn off the preferred heading costs, in shares of a block's buildings, and what a court that is
     to close and does not; how many times e the farthest block's share is where buildings are
-    ``drawn`` to its side; shares of a run done after the first filling and after all; halvings by
-    which gaps are widened; how many heights towers of the form ``point`` stand apart."""
+    ``drawn`` to its side; shares of a run done after the first filling and after all; steps by
+    which gaps are widened less; how many heights towers of the form ``point`` stand apart."""
 
     tried: int = 8
-    loosest: tuple[float, ...] = (3.0, 1.5, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0)
+    loosest: tuple[float, ...] = (8.0, 2.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0)
     variety: float = 0.05
     askew: float = 0.5
+    other: float = 3.0
+    void: float = 12.0
+    widest: float = 60.0
+    parts: tuple[float, ...] = (1.0, 0.75, 0.5)
     unclosed: float = 20.0
     drawn: float = 0.8
     filled: float = 0.5
     most: float = 0.8
-    halvings: int = 5
+    steps: int = 6
     apart: float = 0.6
 
 

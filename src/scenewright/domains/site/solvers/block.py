@@ -14,7 +14,7 @@ from scenewright.domains.site.problem import Floats, SiteProblem
 from scenewright.domains.site.solvers.closed_court import close_court
 from scenewright.domains.site.solvers.distances import list_reserved_edges, mark_shaded, noon
 from scenewright.domains.site.solvers.front import list_front_margins, turned_in
-from scenewright.domains.site.solvers.perimeter_block import rim
+from scenewright.domains.site.solvers.perimeter_block import list_front_lines, rim
 from scenewright.domains.site.solvers.rows import StripRule, rows
 from scenewright.domains.site.solvers.strips import back, rotate_block
 
@@ -30,7 +30,7 @@ FORMS = (
 )
 USUAL = FORMS[:4]
 """Forms tried where none is asked for."""
-COURTS = {"peripheral": 1.0, "half-closed": 1.0, "mixed": 0.5}
+COURTS = {"peripheral": 1.0, "half-closed": 1.0, "mixed": 0.65}
 """Forms with buildings along the rim, and what share of the buildings."""
 TURNED = math.pi / 6
 """How far each building of the form ``rotated`` is turned in its row, in radians."""
@@ -72,26 +72,81 @@ def headings(problem: SiteProblem, edges: Floats) -> list[float]:
     return found
 
 
+class BlockBorder(NamedTuple):
+    """How the border of a block is followed: along which ``lines`` (m, 4), by what ``part`` of the
+    buildings that its form has there, and how many metres gaps may widen where there is room."""
+
+    lines: Floats
+    part: float = 1.0
+    widest: float = 12.0
+
+
+class BlockFront(NamedTuple):
+    """Buildings along the edges of a block: their numbers and boxes (k, 5), the ``ring`` (4, 2) of
+    the court they close (``None``: none), and whether that is open though it is to be closed."""
+
+    numbers: list[int]
+    boxes: Floats
+    ring: Floats | None = None
+    open: bool = False
+
+
 def loosen_layout(
-    problem: SiteProblem, edges: Floats, queue: list[int], heading: float, form: str, loosest: float
+    problem: SiteProblem,
+    edges: Floats,
+    queue: list[int],
+    heading: float,
+    form: str,
+    loosest: float,
+    border: BlockBorder | None = None,
 ) -> BlockLayout:
     """A layout of a block with gaps as wide as still hold all that the least gaps hold.
 
-    ``edges`` (e, 4) of the block in metres, ``heading`` in radians.
+    ``edges`` (e, 4) of the block in metres, ``heading`` in radians; ``border`` is how
+    its border is followed (all of its edges unless given).
     """
     margins = list_front_margins(problem, edges, heading)
-    tight = lay_out_block(problem, edges, queue, heading, form, 1.0, margins)
-    if form == "peripheral" and problem.court_gap > 0.0:
+    front = lay_front(problem, edges, queue, heading, form, loosest > 1.0, border)
+    tight = lay_out_block(problem, edges, queue, heading, form, 1.0, margins, front)
+    if front.ring is not None or front.open:
         return tight
-    low, high, best = 1.0, loosest, tight
-    for _ in range(problem.settings.fill.halvings if loosest > 1.0 else 0):
-        loose = 0.5 * (low + high)
-        found = lay_out_block(problem, edges, queue, heading, form, loose, margins)
-        if len(found.numbers) >= len(tight.numbers) and found.around >= tight.around:
-            low, best = loose, found
+    steps = problem.settings.fill.steps if loosest > 1.0 else 0
+    gaps, best, closer = np.geomspace(loosest, 1.0, steps + 1)[:steps].tolist(), tight, 1.0
+    while gaps:
+        loose = gaps.pop(0)
+        found = lay_out_block(problem, edges, queue, heading, form, loose, margins, front)
+        if len(found.numbers) >= len(tight.numbers):
+            best, gaps = found, [loose * closer**0.5] if closer > 1.0 else []
+            closer = 1.0
         else:
-            high = loose
+            closer = loose / gaps[0] if gaps else 1.0
     return best
+
+
+def lay_front(
+    problem: SiteProblem,
+    edges: Floats,
+    queue: list[int],
+    heading: float,
+    form: str,
+    widen: bool = False,
+    border: BlockBorder | None = None,
+) -> BlockFront:
+    """The buildings along the edges of a block, none unless its ``form`` is one with a rim; spread
+    over all of it where gaps may ``widen``."""
+    wanted = form == "peripheral" and problem.court_gap > 0.0
+    closed = close_court(problem, edges, queue, problem.spacing) if wanted else None
+    if closed is not None:
+        return BlockFront(closed.numbers, turned_in(problem, closed.boxes), closed.ring)
+    if form not in COURTS:
+        return BlockFront([], np.zeros((0, 5)))
+    border = BlockBorder(list_front_lines(edges)) if border is None else border
+    gap, widest = max(problem.spacing, problem.fire_access), border.widest if widen else 0.0
+    open_to = heading if form == "half-closed" else None
+    sizes = problem.buildings.sizes
+    share = border.part * COURTS[form]
+    numbers, boxes = rim(edges, sizes, queue, gap, share, open_to, border.lines, widest)
+    return BlockFront(numbers, turned_in(problem, boxes), None, wanted)
 
 
 def lay_out_block(
@@ -102,36 +157,27 @@ def lay_out_block(
     form: str,
     loose: float,
     margins: Floats | None = None,
+    front: BlockFront | None = None,
 ) -> BlockLayout:
     """One layout of a block.
 
     ``edges`` (e, 4) of the block in metres, ``heading`` in radians; ``margins`` (m, 4) are those of
-    :func:`list_front_margins` (found unless given).
+    :func:`list_front_margins`, ``front`` that of :func:`lay_front` (both found unless given).
     """
     margins = list_front_margins(problem, edges, heading) if margins is None else margins
-    sizes, way = problem.buildings.sizes, problem.fire_access
-    spacing = problem.spacing
+    front = lay_front(problem, edges, queue, heading, form) if front is None else front
+    sizes, spacing = problem.buildings.sizes, problem.spacing
     if form == "point" and loose > 1.0 and queue:
         tall = float(np.median(sizes[queue, 2]))
         spacing = max(spacing, problem.settings.fill.apart * tall)
-    rule = StripRule(spacing, way, problem.sun_spacing, loose, form == "staggered", True)
-    numbers: list[int] = []
-    boxes = np.zeros((0, 5))
-    closed, wanted = None, form == "peripheral" and problem.court_gap > 0.0
-    if wanted:
-        closed = close_court(problem, edges, queue, rule.beside())
-    if closed is not None:
-        numbers, boxes = closed.numbers, turned_in(problem, closed.boxes)
-    elif form in COURTS:
-        open_to = heading if form == "half-closed" else None
-        gap = max(rule.beside(), way)
-        numbers, boxes = rim(edges, sizes, queue, gap, COURTS[form], open_to)
-        boxes = turned_in(problem, boxes)
-    around = len(numbers)
+    rule = StripRule(
+        spacing, problem.fire_access, problem.sun_spacing, loose, form == "staggered", True
+    )
+    numbers, boxes = front.numbers, front.boxes
     left = [i for i in queue if i not in set(numbers)]
     edges = _reserve(problem, edges, numbers, boxes, left)
-    if closed is not None:
-        ring = closed.ring[::-1]
+    if front.ring is not None:
+        ring = front.ring[::-1]
         edges = np.concatenate([edges, np.hstack([ring, np.roll(ring, -1, axis=0)])])
     parts = [(edges, left, heading)]
     if form == "spliced":
@@ -142,8 +188,8 @@ def lay_out_block(
             problem, np.concatenate([ground, kept]), waiting, ahead, rule, form
         )
         numbers, boxes = numbers + placed, np.concatenate([boxes, found])
-    open_ = wanted and closed is None
-    return _in_sun(problem, BlockLayout(tuple(numbers), boxes, form, around, open_))
+    around = len(front.numbers)
+    return _in_sun(problem, BlockLayout(tuple(numbers), boxes, form, around, front.open))
 
 
 def _reserve(

@@ -8,15 +8,13 @@ fall back to: who fills one site often remembers both (:func:`remember_fillings`
 from __future__ import annotations
 
 import math
-from collections import defaultdict
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from functools import lru_cache, partial
-from itertools import chain, zip_longest
 from typing import NamedTuple
 
 import numpy as np
 
-from scenewright.domains.site.problem import Flags, Floats, SiteProblem, sides_of
+from scenewright.domains.site.problem import Flags, Floats, SiteProblem
 from scenewright.domains.site.solvers.block import (
     FORMS,
     BlockLayout,
@@ -26,6 +24,7 @@ from scenewright.domains.site.solvers.block import (
 )
 from scenewright.domains.site.solvers.fill import list_edges, list_ground, order_blocks, share_out
 from scenewright.domains.site.solvers.outcome import SiteFound, SiteLayout
+from scenewright.domains.site.solvers.schemes import QUEUES, order_queue
 from scenewright.engine.solve import Found
 
 TURNS = (0.0, math.pi / 2, -math.pi / 2)
@@ -39,8 +38,6 @@ ORDERS = 8
 """Orders in which models are taken."""
 REMEMBERED = 8192
 """Fillings of a site that are remembered, and as many of its blocks."""
-QUEUES = ("as ranked", "backwards", "alternating", "handsome first")
-"""Orders in which the buildings of a block are placed."""
 
 
 class BlockChoice(NamedTuple):
@@ -180,21 +177,3 @@ def rank_buildings(problem: SiteProblem, ranks: int) -> list[int]:
         drawn = np.random.default_rng(ranks).permutation(len(names)).tolist()
         tall = dict(zip(names, drawn, strict=True))
     return sorted(range(len(sizes)), key=lambda i: (tall[int(models[i])], int(models[i]), i))
-
-
-def order_queue(problem: SiteProblem, share: Sequence[int], queue: str) -> list[int]:
-    """The buildings of a block in the order they are placed.
-
-    ``alternating`` takes one of each model in turn.
-    """
-    if queue == "backwards":
-        return list(reversed(share))
-    if queue == "handsome first":
-        looks = sides_of(problem.buildings.sides, problem.buildings.quality)[:, :4].mean(1)
-        return sorted(share, key=lambda i: (-float(looks[i]), i))
-    if queue == "alternating":
-        same: dict[int, list[int]] = defaultdict(list)
-        for i in share:
-            same[int(problem.buildings.models[i])].append(i)
-        return [i for i in chain(*zip_longest(*same.values())) if i is not None]
-    return list(share)

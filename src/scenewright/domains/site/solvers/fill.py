@@ -16,9 +16,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from scenewright.domains.site.problem import Flags, Floats, SiteProblem, sides_of
+from scenewright.domains.site.problem import Flags, Floats, SiteProblem
 from scenewright.domains.site.solvers.aims import Around, around, lacking
 from scenewright.domains.site.solvers.block import (
+    USUAL,
+    BlockBorder,
     BlockLayout,
     headings,
     lay_out_block,
@@ -29,7 +31,21 @@ from scenewright.domains.site.solvers.distances import list_reserved_edges
 from scenewright.domains.site.solvers.improve import improve_layout
 from scenewright.domains.site.solvers.interlock import interlock
 from scenewright.domains.site.solvers.outcome import SiteFound, SiteLayout
+from scenewright.domains.site.solvers.perimeter_block import list_front_lines
+from scenewright.domains.site.solvers.schemes import (
+    QUEUES,
+    Scheme,
+    choose_scheme,
+    find_void,
+    list_open_edges,
+    order_queue,
+    spread_points,
+)
 from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Found, Progress
+
+FALLBACK, MISSING = 4, 40.0
+"""Every how many layouts of a block one is in a usual form instead of the scheme's; what a block
+costs that holds nothing of its share."""
 
 
 def fill_site(
@@ -50,7 +66,7 @@ def fill_site(
     done, rng = 0, np.random.default_rng(seed)
     for loosest, until in zip(rule.loosest, ends, strict=True):
         filling = Filling(watch, begun, until, best)
-        found, more = _fill_blocks(problem, loosest, tried, rng, filling)
+        found, more = _fill_blocks(problem, loosest, tried, choose_scheme(seed), rng, filling)
         done, begun = done + more, until
         if best is None or found.present.sum() > best.present.sum():
             best = found
@@ -83,7 +99,12 @@ class Filling(NamedTuple):
 
 
 def _fill_blocks(
-    problem: SiteProblem, loosest: float, tried: int, rng: np.random.Generator, filling: Filling
+    problem: SiteProblem,
+    loosest: float,
+    tried: int,
+    scheme: Scheme,
+    rng: np.random.Generator,
+    filling: Filling,
 ) -> tuple[SiteLayout, int]:
     """One filling of all blocks, gaps at most ``loosest`` times the least, and the layouts tried;
     at 1 each block takes all it can, not its share."""
@@ -97,7 +118,7 @@ def _fill_blocks(
         share = left if loosest == 1.0 else share_out(problem, left, order[count:])
         ground = list_ground(problem, b, boxes, present, share)
         about = around(problem, list_edges(problem, b), boxes, present)
-        effort = (tried if loosest > 1.0 else 4 * tried, loosest)
+        effort = Effort(tried if loosest > 1.0 else 4 * tried, loosest, scheme)
         over = partial(_over_in_block, filling, count, len(order), boxes, present, forms)
         found = _best(problem, about, b, ground, share, effort, rng, over)
         done += tried
@@ -137,10 +158,12 @@ def _record_block(
 
 
 def order_blocks(problem: SiteProblem) -> list[int]:
-    """Blocks from the side the fronts look to."""
+    """Blocks from the side the fronts look to; first those whose courts are to close."""
     front = np.array([math.cos(problem.facing), math.sin(problem.facing)])
     middles = [list_edges(problem, b)[:, :2].mean(0) @ front for b in range(len(_areas(problem)))]
-    return np.argsort(-np.array(middles), kind="stable").tolist()
+    closing = [problem.court_gap > 0.0 and form == "peripheral" for form in problem.block_forms]
+    closing += [False] * (len(middles) - len(closing))
+    return sorted(range(len(middles)), key=lambda b: (not closing[b], -middles[b]))
 
 
 def _low_first(problem: SiteProblem) -> list[int]:
@@ -208,33 +231,52 @@ def list_ground(
     )
 
 
+class Effort(NamedTuple):
+    """How a block is looked at: layouts ``tried``, how many times the least gaps may be, and the
+    scheme of the site."""
+
+    tried: int
+    loosest: float
+    scheme: Scheme
+
+
 def _best(
     problem: SiteProblem,
     about: Around,
     block: int,
     edges: Floats,
     share: list[int],
-    effort: tuple[int, float],
+    effort: Effort,
     rng: np.random.Generator,
     over: Callable[[float], bool],
 ) -> BlockLayout:
     """The best of several layouts of one block: most floor placed, then what it lacks in the aims
     and how far fronts are turned away. Aims are looked at only where they may decide."""
-    ways, allowed = headings(problem, edges), list_forms(problem, share, block)
+    lines = list_edges(problem, block)
+    ways, allowed = headings(problem, lines), list_forms(problem, share, block)
+    points, rule = spread_points(lines), problem.settings.fill
+    scheme, free = effort.scheme, allowed == list(USUAL)
+    park = list_open_edges(lines, problem.ground.block_areas[block], ways[scheme.axis], scheme)
+    lines = np.roll(list_front_lines(lines), scheme.order, axis=0)
     best, least = BlockLayout((), np.zeros((0, 5)), "parallel"), math.inf
-    looks = sides_of(problem.buildings.sides, problem.buildings.quality)[:, :4].mean(1)
-    handsome = sorted(share, key=lambda i: (-float(looks[i]), i))
-    for k in range(effort[0] if share else 0):
-        if k and over(k / effort[0]):
+    for k in range(effort.tried if share else 0):
+        if k and over(k / effort.tried):
             break
-        heading = ways[0] if k < 4 else ways[int(rng.integers(len(ways)))]
-        form, queue = allowed[k % len(allowed)], list(share)
-        if k and effort[1] == 1.0:
+        composed = free and effort.loosest > 1.0 and k % FALLBACK < FALLBACK - 1
+        form = scheme.form if composed else allowed[k % len(allowed)]
+        heading = ways[scheme.axis] if composed else ways[k // len(allowed) % len(ways)]
+        queue = order_queue(problem, share, QUEUES[(k + scheme.order) % len(QUEUES)])
+        opened = effort.loosest > 1.0 and k % 3 < 2
+        if k and effort.loosest == 1.0:
             queue = _shuffle_buildings(problem, share, rng)
-        elif k % 8 >= 4:
-            queue = handsome
-        found = loosen_layout(problem, edges, queue, heading, form, effort[1])
-        cost = _cost(problem, found, share) + problem.settings.fill.variety * float(rng.random())
+        ground = np.concatenate([edges, park]) if opened else edges
+        border = BlockBorder(lines)
+        if composed:
+            border = BlockBorder(lines, rule.parts[k % len(rule.parts)], rule.widest)
+        found = loosen_layout(problem, ground, queue, heading, form, effort.loosest, border)
+        cost = _cost(problem, found, share) + rule.variety * float(rng.random())
+        cost += rule.void * find_void(points, found.boxes) if effort.loosest > 1.0 else 0.0
+        cost += rule.other * (float(free and not composed) + 0.5 * (not opened))
         cost += lacking(problem, about, found, least - cost) if cost < least else 0.0
         if cost < least:
             best, least = found, cost
@@ -257,4 +299,4 @@ def _cost(problem: SiteProblem, found: BlockLayout, share: list[int]) -> float:
     turns = np.abs((found.boxes[:, 2] - problem.facing + math.pi) % (2 * math.pi) - math.pi)
     turned = float(turns.mean() if len(turns) else 0.0) / math.pi
     rule = problem.settings.fill
-    return float(missing) * 10.0 + rule.askew * turned + (rule.unclosed if found.open else 0.0)
+    return float(missing) * MISSING + rule.askew * turned + (rule.unclosed if found.open else 0.0)

@@ -73,9 +73,13 @@ def lies_inside(edges: Floats, x: float, y: float) -> bool:
 
 def turned_in(problem: SiteProblem, boxes: Floats) -> Floats:
     """Boxes (k, 5) with those that look out where no way is turned round, to the court behind;
-    fronts to the sun stay, if the border is as far from them as doors need."""
+    fronts to the sun stay, if the border is as far from them as doors need. On sites without ways
+    all look to the side nearer to the preferred heading."""
     off = np.abs((boxes[:, 2] - problem.facing + math.pi) % (2.0 * math.pi) - math.pi)
     turned = boxes.copy()
+    if not len(problem.ground.roads):
+        turned[off > 0.5 * math.pi + 1e-6, 2] += math.pi
+        return turned
     near = blind(problem, boxes, problem.door_distance)
     turned[near | blind(problem, boxes) & (off > NEARLY), 2] += math.pi
     return turned

@@ -65,6 +65,9 @@ def improve_layout(
     moves = np.concatenate(
         [exchanges(problem, made, who, found.forms, rng), turns(problem, found.boxes[here])]
     )
+    if problem.court_gap > 0.0:  # what closes a court stays
+        closing = np.array([found.forms[i] == "peripheral" for i in here])
+        moves = np.ascontiguousarray(moves[~closing[moves[:, :2]].any(1)])
 
     def best() -> SiteLayout:
         return _read_slots(found, here, who, made)
