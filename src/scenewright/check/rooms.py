@@ -45,15 +45,20 @@ class Walked(NamedTuple):
 
 
 def walk_rooms(
-    brief: Brief, pieces: Sequence[Piece], spaces: tuple[Space, ...], kinds: Catalog
+    brief: Brief,
+    pieces: Sequence[Piece],
+    spaces: tuple[Space, ...],
+    kinds: Catalog,
+    narrow: bool = True,
 ) -> Walked:
-    """Build the shapes and walk the routes once, for every rule."""
+    """Build the shapes and walk the routes once, for every rule; those of a ``narrow`` body only
+    if asked for."""
     rooms = rooms_of(spaces)
     bodies, malformed = bodies_of(tuple(pieces), rooms, kinds)
     grounds = grounds_of(rooms, brief.route_width)
     walks = [walk_in(bodies, ground, brief.route_width / 2) for ground in grounds]
-    narrow = [walk_in(bodies, ground, ROBOT_RADIUS) for ground in grounds]
-    return Walked(rooms, bodies, malformed, grounds, walks, narrow)
+    slim = [walk_in(bodies, ground, ROBOT_RADIUS) for ground in grounds if narrow]
+    return Walked(rooms, bodies, malformed, grounds, walks, slim)
 
 
 class Verdict(NamedTuple):
@@ -64,8 +69,9 @@ class Verdict(NamedTuple):
     figures: dict[str, Any]
 
 
-def judge_rooms(walked: Walked, groups: Sequence[Members] = ()) -> Verdict:
-    """The rules and figures all scenes of rooms share; ``groups`` are reached as a whole."""
+def judge_rooms(walked: Walked, groups: Sequence[Members] = (), figures: bool = True) -> Verdict:
+    """The rules and, if asked for, the figures all scenes of rooms share; ``groups`` are reached
+    as a whole."""
     rooms, bodies = walked.rooms, walked.bodies
     unserved, unreached, connected = connections_told(connections_of(bodies, rooms), bodies, rooms)
     findings = [
@@ -80,13 +86,15 @@ def judge_rooms(walked: Walked, groups: Sequence[Members] = ()) -> Verdict:
         *find_unreachable(bodies, rooms, walked.grounds, walked.walks, groups),
         *find_unsupported(bodies, rooms),
     ]
-    figures = {
+    if not figures:
+        return Verdict(findings, unreached, {})
+    told = {
         "navigable_share": navigable_share(bodies, rooms, walked.grounds),
         "reachable_share": reachable_share(bodies, rooms, walked.grounds, walked.narrow),
         "usability": measure_usability(bodies, rooms, walked.grounds, findings),
         "rooms": room_figures(bodies, rooms),
     }
-    return Verdict(findings, unreached, figures | ({"outlets": connected} if connected else {}))
+    return Verdict(findings, unreached, told | ({"outlets": connected} if connected else {}))
 
 
 def count_findings(pieces: Sequence[Piece], findings: Sequence[Finding]) -> dict[str, Any]:

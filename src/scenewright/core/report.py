@@ -51,6 +51,12 @@ KINDS = (
 )
 
 
+Place = tuple[float, float]
+"""(x, y) in the plan, metres."""
+Ring = tuple[Place, ...]
+"""Corners of a polygon in order, the first not repeated."""
+
+
 @dataclass(frozen=True, slots=True)
 class Finding:
     """One violation.
@@ -62,7 +68,8 @@ class Finding:
     ``area`` in square metres. ``given`` findings concern only pieces fixed by the brief: they are
     reported, but the answer is not to blame for them; nor for those ``accepted`` by the user, for
     the reason stated there (empty: not accepted). ``locked`` findings concern something that a
-    person locked: that is said, and excuses nothing.
+    person locked: that is said, and excuses nothing. ``polygons`` and ``points`` say where in the
+    plan of its level it lies (:mod:`scenewright.check.locating`).
     """
 
     kind: str
@@ -76,6 +83,8 @@ class Finding:
     given: bool = False
     accepted: str = ""
     locked: bool = False
+    polygons: tuple[Ring, ...] = ()
+    points: tuple[Place, ...] = ()
 
     @property
     def is_blamed(self) -> bool:

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 from scenewright.catalog.loading import catalog_of
 from scenewright.check.given import locked_ids, mark_locked, restore_footprints, restore_given
+from scenewright.check.locating import locate_findings
 from scenewright.core.acceptance import accept_findings
 from scenewright.core.breeding import Breeder, Gene, MatrixBreeder
 from scenewright.core.brief import Brief
@@ -181,13 +182,16 @@ def check(
     plan: Plan | None = None,
     spaces: tuple[Space, ...] | None = None,
     catalog: Catalog | None = None,
+    figures: bool = True,
 ) -> Report:
-    """Judge a solution: every violation, what is missing, and figures.
+    """Judge a solution: every violation and where it lies, what is missing, and figures.
 
     ``plan`` is that of the solution's brief (made unless given), ``spaces`` take the place of its
     spaces; ``catalog`` tells how each category is used (that of the brief unless given). Nothing
     the pieces hold, however broken, raises an error: it becomes a finding. What is given, and what
     is asked for, follows from the brief alone. Findings that the brief has ``accepted`` say why.
+    Without ``figures`` those of rooms are left out, which are most of the work: for whoever asks
+    again and again, while a piece is dragged.
     """
     from scenewright.catalog.loading import catalog_of
 
@@ -198,8 +202,11 @@ def check(
     restored = restore_given(pieces, given, locked_ids(brief))
     judged = replace(solution, pieces=restored.pieces)
     made = made if spaces is None else made._replace(spaces=spaces)
-    report: Report = domain.verb("check")(judged, made, kinds)
+    quick = not figures and domain.has("findings")
+    judge = domain.verb("findings") if quick else domain.verb("check")
+    report: Report = judge(judged, made, kinds)
     found = mark_locked((*restored.findings, *report.findings), restored.locked)
+    found = locate_findings(found, judged.pieces, made.spaces)
     unplaced = sum(out.required for out in solution.left_out)
     report = replace(report, findings=found, unplaced=unplaced)
     return accept_findings(report, brief.accepted, solution.pieces)

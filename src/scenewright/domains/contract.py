@@ -35,6 +35,7 @@ Verb = Literal[
     "solution",
     "given",
     "check",
+    "findings",
     "scene",
     "draw",
     "draw_levels",

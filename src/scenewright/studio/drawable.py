@@ -78,6 +78,9 @@ def describe_finding(found: Finding) -> Json:
         "pieces": [name for name in (found.piece, *found.other.split(",")) if name],
         "message": found.message,
         "blamed": found.is_blamed,
+        "level": found.level,
+        "polygons": found.polygons,
+        "points": found.points,
     }
 
 

@@ -74,7 +74,7 @@ class Session:
             steps = [row._asdict() for row in project.list_versions(self.db)]
             redo = project.next_version(self.db, version.id)
         where = {"version": version.id, "history": steps, "undo": version.parent, "redo": redo}
-        scene = draw(*shown[1:]) if shown else {"name": "", "levels": [], "pieces": []}
+        scene: Json = draw(*shown[1:]) if shown else {"name": "", "levels": [], "pieces": []}
         if drawn:
             scene["name"], scene["draft"] = drawn.draft["name"], drawn.draft
             scene["faults"] = [one._asdict() for one in drawn.faults]
@@ -160,7 +160,7 @@ class Session:
         """What the referee would say if a piece, with all that lies on it, were put there."""
         shown = self._must_show()
         moved = put(shown.solution, piece, pose)
-        report = domains.check(moved, plan=shown.plan)
+        report = domains.check(moved, plan=shown.plan, figures=False)
         before = {(f.kind, f.piece, f.other) for f in shown.report.findings}
         new = (f for f in report.findings if (f.kind, f.piece, f.other) not in before)
         return [describe_finding(found) for found in new]
@@ -230,7 +230,7 @@ class Session:
         return self.shown
 
     def _keep(self, parent: int, what: str, solution: Solution, plan: Plan) -> None:
-        report = domains.check(solution, plan=plan)
+        report = domains.check(solution, plan=plan, figures=False)
         number = project.add_version(self.db, parent, what, solution_json.dumps(solution))
         self.shown = Shown(number, solution, plan, report)
         self.drawn = self.drawn if parent else None
@@ -246,7 +246,7 @@ class Session:
         self.drawn, self.shown = Drawn(draft, faults), None
         if brief is not None and plan is not None:
             empty = unfurnished(brief)
-            self.shown = Shown(number, empty, plan, domains.check(empty, plan=plan))
+            self.shown = Shown(number, empty, plan, domains.check(empty, plan=plan, figures=False))
 
     def _load(self, version: int) -> None:
         """Show a version: a drawn plan, or a scene with the drawing it was made from, if any."""
@@ -257,7 +257,9 @@ class Session:
         solution = solution_json.loads(text)
         same = known is not None and known.solution.brief == solution.brief
         plan = known.plan if known is not None and same else domains.plan_of(solution.brief)
-        self.shown = Shown(version, solution, plan, domains.check(solution, plan=plan))
+        self.shown = Shown(
+            version, solution, plan, domains.check(solution, plan=plan, figures=False)
+        )
         parents = (project.solution_text(self.db, one) for one in project.trace(self.db, version))
         text = next(filter(_is_draft, parents), "")
         self.drawn = Drawn(json.loads(text), []) if text else None

@@ -20,6 +20,7 @@ DOMAIN = Domain(
         "solution": ".solution:solution_of",
         "given": "scenewright.building.standing:given_pieces",
         "check": ".check.judge:check",
+        "findings": ".check.judge:check_rules",
         "scene": ".furnishing.islands:scene_of_hall",
         "draw": ".drawing.overlay:draw",
         "draw_levels": ".drawing.overlay:draw_levels",

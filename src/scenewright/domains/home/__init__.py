@@ -17,6 +17,7 @@ DOMAIN = Domain(
         "solution": ".solution:solution_of",
         "given": "scenewright.building.standing:given_pieces",
         "check": ".check.judge:check",
+        "findings": ".check.judge:check_rules",
         "scene": ".furnishing.look:scene_of_home",
         "draw": ".drawing.plan:draw",
         "draw_levels": ".drawing.plan:draw_levels",

@@ -1,6 +1,6 @@
 // The page: shows the server's document, sends verbs, listens to events. Lengths are metres, the
 // plan's y points up, the screen's down.
-import { drawFloor, drawShell, element, extent, line, placed } from "/draw.js";
+import { drawFloor, drawShell, element, extent, line, outline, placed } from "/draw.js";
 import { $, fill, read, say, send } from "/wire.js";
 import { hideBreeding, showBreeding, refreshBreeding, noteShare } from "/breed.js";
 import { hideDrawing, refreshDrawing, showDrawing } from "/draft.js";
@@ -10,7 +10,7 @@ const NUDGE = 0.05, QUARTER = Math.PI / 2;
 let doc = { version: 0 }, level = "", picked = "", view = null, drag = null, touched = false, changes = [];
 
 async function change(verb, keys = {}) {
-  const said = await send(verb, keys);
+  const said = await send(verb, keys, inWords);
   changes = said.changes ?? [];
   await refresh();
   return said;
@@ -61,6 +61,30 @@ function drawPlan() {
     const [x, y] = one.label;
     element("text", { class: "room", x, y: -y, "font-size": view[2] / 55 }, plan, one.name);
   }
+  drawFindings(doc.findings ?? []);
+}
+
+// Where findings lie: the part that is at fault, and what is looked at after a click.
+function drawFindings(findings) {
+  const plan = $("plan"), first = doc.levels[0]?.id;
+  plan.querySelector("#faults-layer")?.remove();
+  const layer = element("g", { id: "faults-layer" }, plan);
+  for (const found of findings) {
+    if ((found.level || first) !== level) continue;
+    for (const ring of found.polygons) element("path", { class: found.blamed ? "wrong" : "wrong warns", d: outline([ring]) }, layer);
+    if (!found.polygons.length) for (const [x, y] of found.points) element("circle", { class: "wrong", cx: x, cy: -y, r: view[2] / 90 }, layer);
+  }
+  return layer;
+}
+
+function lookAt(found) {
+  if (!found.points.length) return;
+  level = found.level || level;
+  const [x, y] = found.points[0], size = Math.min(view[2], 5), tall = size * view[3] / view[2];
+  view = [x - size / 2, -y - tall / 2, size, tall];
+  show();
+  const layer = $("faults-layer") ?? $("plan");
+  for (const [px, py] of found.points) element("circle", { class: "look", cx: px, cy: -py, r: size / 14 }, layer);
 }
 
 function drawPiece(piece, bad, plan) {
@@ -95,11 +119,23 @@ function item(text, pieces = [], bad = false) {
   return row;
 }
 
+// Words for a person: pieces by what they are, not by their ids.
+function inWords(text) {
+  const named = (doc.pieces ?? []).filter((piece) => text.includes(piece.id)).sort((a, b) => b.id.length - a.id.length);
+  return named.reduce((told, piece) => told.replaceAll(`'${piece.id}'`, `the ${piece.name}`).replaceAll(piece.id, `the ${piece.name}`), text);
+}
+
+function listFinding(found) {
+  const row = item(inWords(found.message), found.pieces, found.blamed), select = row.firstChild.onclick;
+  row.firstChild.onclick = () => { select(); lookAt(found); };
+  return row;
+}
+
 function showLists() {
   $("verdict").textContent = doc.verdict ?? "";
-  fill("findings", doc.findings ?? [], (found) => item(found.message, found.pieces, found.blamed));
+  fill("findings", doc.findings ?? [], listFinding);
   fill("left-out", doc.left_out ?? [], (out) => item(`${out.what.replaceAll("_", " ")}: ${out.reason}`, [], out.required));
-  fill("changes", changes, (one) => item(`${one.piece.replaceAll("_", " ")} ${one.change}: ${one.reason}`, [one.piece]));
+  fill("changes", changes, (one) => item(inWords(`${one.piece} ${one.change}: ${one.reason}`).replaceAll("_", " "), [one.piece]));
   fill("history", doc.history ?? [], (step) => {
     const row = item(step.what);
     row.ariaCurrent = step.id === doc.version;
@@ -158,7 +194,7 @@ async function ask() {
     const said = await send("judge", { piece: piece.id, pose: [x, y, heading] });
     const found = said.findings ?? [];
     document.querySelector(`[data-id="${CSS.escape(piece.id)}"]`)?.classList.toggle("bad", found.length > 0);
-    if (drag) fill("findings", found, (one) => item(one.message, one.pieces, true));
+    if (drag) { fill("findings", found, listFinding); drawFindings(found); }
   }
   asking = false;
 }

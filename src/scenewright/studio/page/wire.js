@@ -7,10 +7,10 @@ export function say(text) {
   if (text) say.timer = setTimeout(() => { $("note").textContent = ""; }, 7000);
 }
 
-export async function send(verb, keys = {}) {
+export async function send(verb, keys = {}, words = (text) => text) {
   const reply = await fetch("/do", { method: "POST", body: JSON.stringify({ verb, ...keys }) });
   const said = await reply.json().catch(() => ({ fault: `the studio answered ${reply.status}` }));
-  if (said.fault) say(said.fault);
+  if (said.fault) say(words(said.fault));
   return said;
 }
 

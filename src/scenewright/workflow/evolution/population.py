@@ -75,7 +75,7 @@ def measure_solution(solution: Solution, plan: Plan, genome: Genome = ()) -> Bre
     """A solution as a candidate."""
     values = np.array(list(domains.features_of(solution, plan).values()), np.float64)
     lacking = sum(out.required for out in solution.left_out)
-    valid = domains.check(solution, plan=plan).valid
+    valid = domains.check(solution, plan=plan, figures=False).valid
     return BredLayout(genome, np.nan_to_num(values), lacking, valid)
 
 

@@ -23,7 +23,7 @@ from scenewright.domains.hall.check.halls import JudgedHall, halls_of
 from scenewright.domains.hall.check.zones import note_zone_sizes
 
 
-def check(solution: Solution, plan: Plan, kinds: Catalog) -> Report:
+def check(solution: Solution, plan: Plan, kinds: Catalog, figures: bool = True) -> Report:
     """Judge a hall as laid out; see :func:`scenewright.domains.check`."""
     brief, detail = solution.brief, solution.detail
     walked = walk_rooms(brief, solution.pieces, plan.spaces, kinds)
@@ -34,7 +34,7 @@ def check(solution: Solution, plan: Plan, kinds: Catalog) -> Report:
         halls, faults = halls_of(
             detail.layout, detail.tours, asked, brief.passage_width, walked.bodies, walked.rooms
         )
-    shared = judge_rooms(walked, [group for hall in halls for group in hall.groups])
+    shared = judge_rooms(walked, [group for hall in halls for group in hall.groups], figures)
     verdict = HallVerdict([], [], {})
     if halls:
         verdict = judge_halls(
@@ -56,10 +56,15 @@ def check(solution: Solution, plan: Plan, kinds: Catalog) -> Report:
     )
     sized = [note for hall in halls for note in note_zone_sizes(hall, asked)]
     notes = (*read, *doorless, *turned, *sized, *shared.notes, *verdict.notes)
-    figures = {**count_findings(solution.pieces, findings), **shared.figures}
+    told = {**count_findings(solution.pieces, findings), **shared.figures}
     if halls:
-        figures["halls"] = _add_energies(solution, verdict.figures)
-    return Report(findings, notes, figures)
+        told["halls"] = _add_energies(solution, verdict.figures)
+    return Report(findings, notes, told)
+
+
+def check_rules(solution: Solution, plan: Plan, kinds: Catalog) -> Report:
+    """The same without the figures all rooms share."""
+    return check(solution, plan, kinds, figures=False)
 
 
 def _find_visited(asked: Mapping[str, Room]) -> list[str]:

@@ -32,12 +32,12 @@ from scenewright.domains.home.check.wishes import wishes_told
 from scenewright.domains.home.furnishing.style_words import note_colours, note_styles
 
 
-def check(solution: Solution, plan: Plan, kinds: Catalog) -> Report:
+def check(solution: Solution, plan: Plan, kinds: Catalog, figures: bool = True) -> Report:
     """Judge a furnished home; see :func:`scenewright.domains.check`."""
     brief = solution.brief
-    walked = walk_rooms(brief, solution.pieces, plan.spaces, kinds)
+    walked = walk_rooms(brief, solution.pieces, plan.spaces, kinds, narrow=figures)
     rooms, bodies = walked.rooms, walked.bodies
-    shared = judge_rooms(walked)
+    shared = judge_rooms(walked, figures=figures)
     barriers = _barriers(solution, walked, kinds) if brief.accessible else Barriers([], [], {})
     asked = dict(zip(room_ids(brief), brief.rooms, strict=True))
     lacking = [
@@ -64,10 +64,15 @@ def check(solution: Solution, plan: Plan, kinds: Catalog) -> Report:
         *shared.notes,
         *barriers.notes,
     )
-    figures = {**count_findings(solution.pieces, findings), **shared.figures, **barriers.figures}
+    told = {**count_findings(solution.pieces, findings), **shared.figures, **barriers.figures}
     if any(room.wishes for room in brief.rooms):
-        figures["wishes"] = wishes_told(bodies, rooms, brief.rooms)
-    return Report(findings, notes, figures)
+        told["wishes"] = wishes_told(bodies, rooms, brief.rooms)
+    return Report(findings, notes, told)
+
+
+def check_rules(solution: Solution, plan: Plan, kinds: Catalog) -> Report:
+    """The same without the figures all rooms share."""
+    return check(solution, plan, kinds, figures=False)
 
 
 def _barriers(solution: Solution, walked: Walked, kinds: Catalog) -> Barriers:
