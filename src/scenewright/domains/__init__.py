@@ -170,9 +170,8 @@ def solution_of(
     and explained like one of :func:`solve`; ``check`` judges it. Raises :class:`InputError` for a
     space, name or size there is not.
     """
-    solution: Solution = domain_of(brief.domain).verb("solution")(
-        brief, layouts, plan=plan, seed=seed
-    )
+    verb = domain_of(brief.domain).verb("solution")
+    solution: Solution = verb(brief, layouts, plan=plan, seed=seed)
     return solution
 
 
@@ -190,11 +189,8 @@ def check(
     spaces; ``catalog`` tells how each category is used (that of the brief unless given). Nothing
     the pieces hold, however broken, raises an error: it becomes a finding. What is given, and what
     is asked for, follows from the brief alone. Findings that the brief has ``accepted`` say why.
-    Without ``figures`` those of rooms are left out, which are most of the work: for whoever asks
-    again and again, while a piece is dragged.
+    Without ``figures`` those of rooms, most of the work, are left out.
     """
-    from scenewright.catalog.loading import catalog_of
-
     brief, made = solution.brief, plan or plan_of(solution.brief)
     kinds, domain = catalog or catalog_of(brief.catalogs), domain_of(brief.domain)
     given = domain.verb("given")(brief, made, kinds) if domain.has("given") else ()
@@ -206,9 +202,9 @@ def check(
     judge = domain.verb("findings") if quick else domain.verb("check")
     report: Report = judge(judged, made, kinds)
     found = mark_locked((*restored.findings, *report.findings), restored.locked)
-    found = locate_findings(found, judged.pieces, made.spaces)
+    placed = locate_findings(found, judged.pieces, made.spaces)
     unplaced = sum(out.required for out in solution.left_out)
-    report = replace(report, findings=found, unplaced=unplaced)
+    report = replace(report, findings=placed, unplaced=unplaced)
     return accept_findings(report, brief.accepted, solution.pieces)
 
 
@@ -237,9 +233,8 @@ def scene_of(solution: Solution, plan: Plan | None = None) -> Scene:
 
 def draw_plan(solution: Solution, plan: Plan | None = None) -> PlanDrawing:
     """The plan of a solution to print."""
-    made = plan or plan_of(solution.brief)
-    judge = partial(check, solution, plan=made)
-    drawing: PlanDrawing = domain_of(solution.brief.domain).verb("draw")(solution, made, judge)
+    made, draw = plan or plan_of(solution.brief), domain_of(solution.brief.domain).verb("draw")
+    drawing: PlanDrawing = draw(solution, made, partial(check, solution, plan=made))
     return drawing
 
 
@@ -288,8 +283,7 @@ def alternatives(
 def resolve(solution: Solution, **edits: Any) -> Solution:
     """Change a furnished home by hand and solve again only what that touches; the arguments are
     those of :func:`adjust`."""
-    changed: Solution = adjust(solution, **edits).solution
-    return changed
+    return adjust(solution, **edits).solution
 
 
 def adjust(
@@ -319,16 +313,15 @@ def adjust(
     adjusted: Adjusted = domain_of(solution.brief.domain).verb("adjust")(
         solution, edits, plan=plan or plan_of(solution.brief), steps=steps, seed=seed
     )
-    changed = replace(adjusted.solution, clutter=solution.clutter)
-    return adjusted._replace(solution=changed)
+    return adjusted._replace(solution=replace(adjusted.solution, clutter=solution.clutter))
 
 
 def learn_groups(homes: Mapping[str, Brief], output: Path) -> LearnedGroups:
     """Learn how people group furniture from furnished scenes of one domain, read with all that
     stands in them as fixed (by file), and write the file of groups that briefs name. A domain
     that cannot learn is refused."""
-    domain: Domain = domain_of(next(iter(homes.values())).domain)
-    found: LearnedGroups = domain.verb("learn")(homes, output)
+    learn = domain_of(next(iter(homes.values())).domain).verb("learn")
+    found: LearnedGroups = learn(homes, output)
     return found
 
 
