@@ -91,7 +91,7 @@ def ground_of(solution: sw.Solution) -> Ground:
         squares,
         lanes_of(solution),
         plots_of(solution),
-        _area(solution.brief),
+        _floors(solution.brief),
     )
 
 
@@ -106,9 +106,9 @@ def plots_of(solution: sw.Solution) -> dict[str, shapely.Polygon]:
     return {row.house: shapely.Polygon(row.outline) for row in sw.plots_of(solution)}
 
 
-def _area(brief: Brief) -> float:
+def _floors(brief: Brief) -> list[shapely.Polygon]:
     rows = brief.part.blocks if brief.domain == "village" else brief.part.areas
-    return float(sum(shapely.Polygon(row.outline).area for row in rows))
+    return [shapely.Polygon(row.outline) for row in rows]
 
 
 def _record(case: str, metric: str, value: float, real: float | None, runs: int) -> Record:

@@ -42,6 +42,7 @@ class Ground(NamedTuple):
     squares: tuple[shapely.Polygon, ...]
     lanes: tuple[tuple[shapely.LineString, float], ...]
     plots: dict[str, shapely.Polygon]
+    border: shapely.Geometry
     area: float
 
 
@@ -51,7 +52,7 @@ def read_ground(
     squares: Sequence[shapely.Polygon],
     lanes: Sequence[tuple[shapely.LineString, float]],
     plots: dict[str, shapely.Polygon],
-    area: float,
+    floors: Sequence[shapely.Polygon],
 ) -> Ground:
     """The ground of some houses of a scene."""
     rings = [outline_of(one) for one in houses]
@@ -61,9 +62,10 @@ def read_ground(
     shapes = np.array([shapely.Polygon(ring) for ring in rings], object)
     ways, walks = _joined(surfaces, WAYS), _joined(surfaces, WALKS)
     spots = np.array(doors).reshape(-1, 2)
-    return Ground(
-        tuple(houses), shapes, spots, ahead, ways, walks, tuple(squares), tuple(lanes), plots, area
-    )
+    border = shapely.union_all([floor.exterior for floor in floors])
+    area = float(sum(floor.area for floor in floors))
+    paths = (ways, walks, tuple(squares), tuple(lanes))
+    return Ground(tuple(houses), shapes, spots, ahead, *paths, plots, border, area)
 
 
 def _door(ring: Any, out: Any) -> Any:
@@ -122,7 +124,8 @@ def _near_doors(ground: Ground, home: Any) -> tuple[float, float]:
 
 
 def _dead_ends(ground: Ground) -> dict[str, tuple[float, float]]:
-    """Lanes with an end that meets no other way, and of those over 30 m such without a head."""
+    """Lanes with an end that meets no other way, and of those over 30 m such without a head; a
+    street that leaves the ground over its border goes on beyond it."""
     dead, bare = 0, 0
     given = ground.ways
     for k, (line, width) in enumerate(ground.lanes):
@@ -131,6 +134,7 @@ def _dead_ends(ground: Ground) -> dict[str, tuple[float, float]]:
         rest = shapely.union_all([shapely.difference(given, own.buffer(0.3)), *others])
         ends = [shapely.Point(line.coords[i]) for i in (0, -1)]
         lost = [end for end in ends if end.distance(rest) > width / 2 + JOINED]
+        lost = [end for end in lost if end.distance(ground.border) > 1.5]
         heads = [end.buffer(HEAD).intersection(given).area > 0.8 * np.pi * HEAD**2 for end in lost]
         dead += bool(lost)
         bare += bool(lost) and line.length > LONG and not all(heads)
@@ -145,7 +149,7 @@ def _walks(ground: Ground) -> tuple[float, float]:
     paved = shapely.union_all([ground.ways, ground.walks]).buffer(0.05)
     joined = [part for part in shapely.get_parts(paved) if part.intersects(ground.ways)]
     reach = shapely.union_all(joined)
-    if not len(ground.doors):
+    if not len(ground.doors) or ground.ways.is_empty:
         return 0.0, 0.0
     there = shapely.distance(shapely.points(ground.doors), reach) <= JOINED
     return float(there.sum()), float(len(there))

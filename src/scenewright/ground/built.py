@@ -17,6 +17,8 @@ from scenewright.core.space import Points
 
 Floats = NDArray[np.float64]
 QUARTER = np.pi / 2
+SCATTERED = 12.0
+"""Times the ground of its parts that the hull of a scene is where these are places apart."""
 
 
 class BuiltBuilding(NamedTuple):
@@ -105,6 +107,15 @@ def _box(one: BuiltBuilding, shape: shapely.Polygon, streets: shapely.Geometry) 
     return np.array([*middle, (heading + np.pi) % (2 * np.pi) - np.pi, width, depth])
 
 
+def wrap_angles(angles: Floats) -> Floats:
+    """Angles (n,) in [-π, π).
+
+    >>> wrap_angles(np.array([4.0, 0.5])).round(3).tolist()
+    [-2.283, 0.5]
+    """
+    return np.asarray((angles + np.pi) % (2 * np.pi) - np.pi)
+
+
 def to_frames(points: Floats, boxes: Floats) -> Floats:
     """Points (..., 2) in the frames of boxes (..., 5): x along the width to the right of the
     front, y ahead.
@@ -149,4 +160,8 @@ def ground_of(scene: BuiltScene) -> shapely.Polygon:
     back = grown.buffer(-0.6 * reach, join_style="mitre")
     parts = [part for part in shapely.get_parts(back) if part.geom_type == "Polygon"]
     whole = shapely.union_all([shapely.Polygon(part.exterior) for part in parts])
-    return whole if whole.geom_type == "Polygon" else shapely.convex_hull(whole)
+    if whole.geom_type == "Polygon":
+        return whole
+    hull = shapely.convex_hull(whole)
+    scattered = hull.area > SCATTERED * whole.area
+    return max(shapely.get_parts(whole), key=lambda p: p.area) if scattered else hull

@@ -32,6 +32,8 @@ JOINED = 0.5
 """Metres within which the ground of an outbuilding adjoins that of its dwelling."""
 NARROW, SHORT = 1.6, 1.5
 """Metres from a wall within which no fence stands (a passage stays open), and of the shortest."""
+OUTBUILDING = 45.0
+"""Square metres below which a building is taken for an outbuilding."""
 LEAST = 4.0
 """Square metres of the least plot."""
 

@@ -34,6 +34,7 @@ DOMAIN = Domain(
         "features": ".features:measure_features",
         "breeder": ".breeding:make_breeder",
         "matrix_breeder": ".matrix_breeding:make_matrix_breeder",
+        "plots": ".works:plots_of_extension",
         "detail_document": ".record:detail_document",
         "detail_of": ".record:detail_of",
     },

@@ -13,7 +13,7 @@ from scenewright.domains.extend.given import footprint_within, source_pieces, wr
 from scenewright.domains.extend.models import model_of
 from scenewright.domains.extend.pattern import STOREY, SourcePattern
 from scenewright.domains.extend.problem import GrownLayout
-from scenewright.domains.extend.works import lay_walks
+from scenewright.domains.extend.works import fence_plots, lay_walks
 from scenewright.ground.surfaces import surfaces
 
 
@@ -67,9 +67,10 @@ def old_pieces(plan: ExtendPlan, style: str, catalog: Catalog) -> tuple[Piece, .
 
 
 def scene_of_extension(solution: Solution, plan: Plan) -> Scene:
-    """The scene of a solution: streets and walks, and buildings, old and new."""
+    """The scene of a solution: streets, walks and fences, and buildings, old and new."""
     works = lay_walks(plan.detail, solution.pieces)
     ground = surfaces((plan.detail.ground,), (works,))
     known = plan.spaces[0].id
-    ground = tuple(row._replace(space=known) for row in ground)
+    fences = fence_plots(solution, plan, works, known)
+    ground = (*(row._replace(space=known) for row in ground), *fences)
     return Scene(solution.brief.name, plan.levels, plan.spaces, (), (), solution.pieces, ground, ())

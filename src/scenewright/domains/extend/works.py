@@ -1,52 +1,98 @@
-"""Walks from the doors of buildings to the street before them."""
+"""Walks from the doors of buildings to the streets, and plots, of what stands and what is new."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 import shapely
 
-from scenewright.core.piece_outlines import outline_of, polygons_of
-from scenewright.core.scene import Piece
-from scenewright.domains.extend.areas import ExtendPlan
+from scenewright.building.outlines import rings
+from scenewright.core.piece_outlines import polygons_of
+from scenewright.core.plan import Plan
+from scenewright.core.scene import GroundSurface, Piece
+from scenewright.core.solution import Solution
+from scenewright.domains.extend.areas import OLD, ExtendPlan
+from scenewright.ground.door_walks import WalkGround, lay_long_walks, lay_walks_to_doors
+from scenewright.ground.lanes import corners_of_line
+from scenewright.ground.outlines import GRID, polygons
+from scenewright.ground.plots import OUTBUILDING, Plot, fence_lines, lay_plots
 from scenewright.ground.works import GroundWorks, Pathway
 
-LONGEST, WIDE, CLEAR = 25.0, 1.4, 0.5
-"""Metres: the longest walk, its width, what it keeps from other buildings."""
+WIDE, GATE, ALONG = 1.4, 1.2, 1.5
+"""Metres: the width of a walk, what a fence leaves open about it, and from a street within which
+one stands along it."""
+HIGH, THICK = 1.0, 0.08
+"""Height and thickness of a fence in metres."""
+GARDENS, LOW = 260.0, 11.0
+"""Square metres and metres of height of the median building of a place whose plots are fenced:
+larger or higher ones stand on common ground."""
 
 
 def lay_walks(plan: ExtendPlan, pieces: Sequence[Piece]) -> GroundWorks:
-    """A straight walk from the middle of each front to the street, where one lies ahead."""
-    houses = [p for p in pieces if p.category == "building"]
-    houses = [p for p in houses if np.isfinite([*p.pose, *p.size]).all()]
-    areas = [shapely.Polygon(a.outline, a.holes) for way in plan.ground.roads for a in way.areas]
-    if not houses or not areas:
+    """A walk from the middle of each front to a street."""
+    houses = sound_buildings(pieces)
+    streets = _streets(plan)
+    if not houses or streets.is_empty:
         return GroundWorks("ground")
-    streets = shapely.union_all(areas)
-    shapes = polygons_of(houses)
-    tree = shapely.STRtree(shapes)
-    found = []
-    for number, piece in enumerate(houses):
-        line = _walk(piece, streets)
-        if line is None:
-            continue
-        near = tree.query(line, predicate="dwithin", distance=CLEAR)
-        if not len(np.setdiff1d(near, [number])):
-            (x, y), (u, v) = shapely.get_coordinates(line).tolist()
-            found.append(Pathway("walk", WIDE, ((x, y), (u, v))))
-    return GroundWorks("ground", tuple(found))
+    floor = shapely.Polygon(plan.ground.outline, plan.ground.holes)
+    ground = WalkGround(floor, streets)
+    lines = lay_walks_to_doors(ground, houses)
+    lines = (*lines, *lay_long_walks(ground, houses, lines))
+    corners = (corners_of_line(line) for line in lines)
+    return GroundWorks("ground", tuple(Pathway("walk", WIDE, c) for c in corners if len(c) > 1))
 
 
-def _walk(piece: Piece, streets: shapely.Geometry) -> shapely.LineString | None:
-    """The line from the front straight ahead to the street; ``None`` if none lies there."""
-    ring = outline_of(piece)
-    out = np.array([np.cos(piece.pose.heading), np.sin(piece.pose.heading)])
-    middle = (ring + np.roll(ring, -1, axis=0)) / 2
-    door = middle[int(np.argmax(np.round(middle @ out, 3)))]
-    ahead = shapely.LineString([door, door + LONGEST * out])
-    met = shapely.intersection(ahead, streets)
-    if met.is_empty:
-        return None
-    length = float(shapely.distance(met, shapely.Point(door)))
-    return shapely.LineString([door, door + (length + 0.1) * out]) if length > 0.3 else None
+def sound_buildings(pieces: Sequence[Piece]) -> list[Piece]:
+    """The buildings among some pieces that stand somewhere."""
+    houses = [p for p in pieces if p.category == "building"]
+    return [p for p in houses if np.isfinite([*p.pose, *p.size]).all()]
+
+
+def plots_of_extension(solution: Solution, plan: Plan) -> tuple[Plot, ...]:
+    """The plots of the buildings in all areas, shared with what stands beside them; none of it is
+    street."""
+    new = {piece.id for piece in solution.pieces if piece.space != OLD}
+    return tuple(row for row in _lay_all_plots(solution, plan) if row.house in new)
+
+
+def _lay_all_plots(solution: Solution, plan: Plan) -> tuple[Plot, ...]:
+    """The plots of all buildings, old and new."""
+    detail: ExtendPlan = plan.detail
+    found: list[Plot] = []
+    areas = [area.outline for area in detail.areas]
+    old = shapely.Polygon(detail.ground.outline, detail.ground.holes)
+    rest = shapely.difference(shapely.difference(old, shapely.union_all(areas)), _streets(detail))
+    for name, ground in ((OLD, rest), *((area.id, area.floor) for area in detail.areas)):
+        houses = [p for p in sound_buildings(solution.pieces) if p.space == name]
+        if houses:
+            shapes = polygons_of(houses)
+            serving = np.asarray(shapely.area(shapes) < OUTBUILDING)
+            found += lay_plots(ground, [piece.id for piece in houses], shapes, serving)
+    return tuple(found)
+
+
+def _streets(plan: ExtendPlan) -> shapely.Geometry:
+    parts = [shapely.Polygon(a.outline, a.holes) for way in plan.ground.roads for a in way.areas]
+    return shapely.union_all(np.array(parts, object), grid_size=GRID)
+
+
+def fence_plots(
+    solution: Solution, plan: Plan, works: GroundWorks, space: str
+) -> Iterator[GroundSurface]:
+    """Fences about the plots, old and new, where houses of the place are small: along streets with
+    gates where walks lead through, and between neighbours."""
+    houses = sound_buildings(solution.pieces)
+    shapes = polygons_of(houses) if houses else np.zeros(0, object)
+    high = [p.size.height for p in houses]
+    if not houses or np.median(shapely.area(shapes)) > GARDENS or np.median(high) > LOW:
+        return
+    walks = [shapely.LineString(row.line).buffer(WIDE / 2 + GATE) for row in works.pathways]
+    streets = _streets(plan.detail)
+    blocked = shapely.union_all([*walks, streets.buffer(0.1)])
+    outer, inner = fence_lines(_lay_all_plots(solution, plan), shapes, blocked)
+    along = shapely.intersection(outer, shapely.buffer(streets, ALONG))
+    strip = shapely.buffer(shapely.union(along, inner), THICK / 2, cap_style="flat")
+    areas = tuple(rings(part) for part in polygons(strip))
+    if areas:
+        yield GroundSurface("fences", space, "fence", areas, -0.01, HIGH)

@@ -15,7 +15,8 @@ from scenewright.core.solution import Patch
 from scenewright.domains.village.blocks import BlockPlan, VillagePlan
 from scenewright.domains.village.enclosures import enclose_plots, lay_beds
 from scenewright.domains.village.plots import houses_on, lay_block_plots, squares_on
-from scenewright.domains.village.walks import Walk, lay_block_walks, lay_long_walks
+from scenewright.domains.village.walks import walk_ground
+from scenewright.ground.door_walks import Walk, lay_long_walks, lay_walks_to_doors
 from scenewright.ground.outlines import GRID
 
 HEIGHTS = {"asphalt": 0.03, "path": 0.035, "yard": 0.02, "square": 0.04, "walk": 0.045, "bed": 0.14}
@@ -70,12 +71,13 @@ def _of_block(
     squares = shapely.union_all(squares_on(block, patches))
     shapes = polygons_of(here) if here else np.zeros(0, object)
     houses = shapely.union_all(shapes)
-    lines = lay_block_walks(block, here)
-    lines = (*lines, *lay_long_walks(block, here, lines))
+    open_ = walk_ground(block)
+    lines = lay_walks_to_doors(open_, here)
+    lines = (*lines, *lay_long_walks(open_, here, lines))
     trod = shapely.union_all(
         [walk.buffer(WALK, cap_style="flat", join_style="mitre") for walk in lines]
     )
-    strips = _cut(_only_areas(shapely.intersection(trod, floor)), squares)
+    strips = _cut(_only_areas(shapely.intersection(trod, open_.floor)), squares)
     around = shapely.buffer(houses, YARD, join_style="mitre", mitre_limit=2.0)
     yards = _only_areas(shapely.intersection(around, floor, grid_size=GRID))
     strips, yards = _cut(strips, block.lanes), _cut(yards, block.lanes)

@@ -23,7 +23,7 @@ from scenewright.domains.village.composing import (
     ways_of,
 )
 from scenewright.domains.village.doors import assign_doors
-from scenewright.domains.village.house import OUTBUILDING, House
+from scenewright.domains.village.house import House
 from scenewright.domains.village.learned.pose_net import score_poses
 from scenewright.domains.village.learned.surroundings import (
     Surroundings,
@@ -38,6 +38,7 @@ from scenewright.domains.village.relations import relate
 from scenewright.domains.village.standing import Flags, Floats, Shapes, StandingHouses, add, place
 from scenewright.domains.village.weights import weigh
 from scenewright.engine.growing import OnGrowth
+from scenewright.ground.plots import OUTBUILDING
 
 SLIT = (0.01, 0.3)
 """Metres between walls that nobody leaves."""

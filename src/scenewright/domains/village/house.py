@@ -14,10 +14,9 @@ import numpy as np
 import shapely
 
 from scenewright.core.space import Points
+from scenewright.ground.plots import OUTBUILDING
 
 SMALL, LARGE = 50.0, 100.0
-OUTBUILDING = 45.0
-"""Square metres below which a house is taken for an outbuilding."""
 CONCAVE = 1e-6
 
 

@@ -18,7 +18,8 @@ from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.solution import Patch
 from scenewright.core.space import Points
 from scenewright.domains.village.blocks import BlockPlan
-from scenewright.domains.village.walks import lay_block_walks
+from scenewright.domains.village.walks import walk_ground
+from scenewright.ground.door_walks import lay_walks_to_doors
 
 GROVE = 6.0
 """Side of the squares that hold at most one tree, in metres."""
@@ -64,7 +65,7 @@ def _spots(plan: BlockPlan, houses: Sequence[Piece], rng: np.random.Generator) -
     grid = grid[dense + rng.normal(0.0, 0.4, len(grid)) > 0.0]
     floor = shapely.buffer(shapely.Polygon(plan.outline), -FROM_BORDER)
     grid = grid[shapely.contains_xy(floor, grid[:, 0], grid[:, 1])]
-    lines = lay_block_walks(plan, houses)
+    lines = lay_walks_to_doors(walk_ground(plan), houses)
     lanes = shapely.get_parts(plan.lanes)
     for shapes, distance in (
         (polygons_of(houses), FROM_HOUSES),

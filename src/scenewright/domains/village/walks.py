@@ -1,134 +1,16 @@
-"""Walks of a block, from its streets to the doors: straight out, a bend, straight to the street, or
-to the bend of a neighbour's walk."""
+"""Walks of a block, from its streets and lanes to the doors of its houses."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import TypeAlias
-
-import numpy as np
 import shapely
-from numpy.typing import NDArray
 
-from scenewright.core.piece_outlines import outline_of, polygons_of
-from scenewright.core.scene import Piece
-from scenewright.core.space import Points
 from scenewright.domains.village.blocks import BlockPlan
-from scenewright.geometry.wavefront import find_quickest
-from scenewright.ground.path_tree import straighten, trace
-
-Walk: TypeAlias = shapely.LineString
-
-AHEAD = (2.0, 1.2, 3.5, 5.0)
-"""Metres from a door at which a walk may bend; the first that gets through is taken."""
-CELL = 0.7
-"""Metres of the raster on which long walks are found."""
-CLEAR, LONGEST, NEIGHBOURS = 0.6, 80.0, 12
-"""Metres kept from houses and of a walk at most; how many neighbours are tried."""
+from scenewright.ground.door_walks import WalkGround
 
 
-def lay_block_walks(plan: BlockPlan, houses: Sequence[Piece]) -> tuple[Walk, ...]:
-    """The middle lines of walks inside a block; houses that none can reach have none."""
-    standing = [p for p in houses if np.isfinite([*p.pose, *p.size]).all()]
-    if not standing:
-        return ()
+def walk_ground(plan: BlockPlan) -> WalkGround:
+    """Where walks of a block may lie, and the street sides and lanes that they lead to."""
     streets = shapely.union_all(shapely.linestrings(plan.streets))
     if not plan.lanes.is_empty:
         streets = shapely.union(streets, shapely.boundary(plan.lanes))
-    taken = shapely.STRtree(polygons_of(standing))
-    floor = shapely.Polygon(plan.ground.outline, plan.ground.holes)
-    shapely.prepare(floor)
-    doors, ways = _doors(standing)
-    found: dict[int, Walk] = {}
-    for ahead in AHEAD:
-        _lay(doors, doors + ahead * ways, streets, taken, floor, found)
-    return tuple(found[i] for i in sorted(found))
-
-
-def lay_long_walks(
-    plan: BlockPlan, houses: Sequence[Piece], laid: Sequence[Walk]
-) -> tuple[Walk, ...]:
-    """Walks to the doors that none of those ``laid`` begins at: round the corners of houses, to a
-    street or to a walk."""
-    standing = [p for p in houses if np.isfinite([*p.pose, *p.size]).all()]
-    doors, ways = _doors(standing)
-    begun = {tuple(np.round(walk.coords[0], 3).tolist()) for walk in laid}
-    left = [k for k, at in enumerate(doors) if tuple(np.round(at, 3).tolist()) not in begun]
-    if not left:
-        return ()
-    shapes = polygons_of(standing)
-    low, high = plan.outline.min(0), plan.outline.max(0)
-    columns, rows = (np.ceil((high - low) / CELL).astype(int) + 1).tolist()
-    x, y = (low[k] + CELL * np.arange(n) for k, n in ((0, columns), (1, rows)))
-    cells = np.stack(np.meshgrid(x, y), -1).reshape(-1, 2)
-    floor = shapely.buffer(shapely.Polygon(plan.outline), 0.2)
-    open_ = shapely.contains_xy(floor, *cells.T)
-    spots = shapely.points(cells)
-    tree = shapely.STRtree(shapes)
-    open_[np.unique(tree.query(spots, predicate="dwithin", distance=CLEAR)[0])] = False
-    goals = shapely.union_all([*shapely.linestrings(plan.streets), plan.lanes, *laid])
-    starts = np.flatnonzero(open_ & shapely.dwithin(spots, goals, CELL))
-    slow = np.where(open_, 1.0, np.inf).reshape(rows, columns)
-    times, before = find_quickest(slow, CELL, starts.astype(np.int32))
-    found = []
-    for k in left:
-        knee = doors[k] + ways[k]
-        near = np.hypot(*(cells - knee).T) + np.where(np.isfinite(times), 0.0, np.inf)
-        cell = int(np.argmin(near))
-        if near[cell] <= 2 * CELL:
-            path = straighten(trace(before, cell, ()), slow, CELL)
-            end = shapely.get_coordinates(shapely.shortest_line(spots[path[-1]], goals))[1:]
-            found.append(Walk(np.vstack([doors[k], cells[path], end])))
-    return tuple(found)
-
-
-def _doors(houses: Sequence[Piece]) -> tuple[Points, Points]:
-    """The middle of the side farthest ahead of each house (n, 2), and the direction out (n, 2)."""
-    turn = np.array([p.pose.heading for p in houses])
-    ways = np.stack([np.cos(turn), np.sin(turn)], 1)
-    doors = np.zeros((len(houses), 2))
-    for k, piece in enumerate(houses):
-        ring = outline_of(piece)
-        middle = (ring + np.roll(ring, -1, axis=0)) / 2
-        doors[k] = middle[int(np.argmax(np.round(middle @ ways[k], 6)))]
-    return doors, ways
-
-
-def _lay(
-    doors: Points,
-    knees: Points,
-    streets: shapely.Geometry,
-    taken: shapely.STRtree,
-    floor: shapely.Polygon,
-    found: dict[int, Walk],
-) -> None:
-    """Add the walks that bend at ``knees`` (n, 2), the nearest to a street first."""
-    direct = shapely.shortest_line(shapely.points(knees), streets)
-    away = shapely.length(direct)
-    first = shapely.covers(floor, shapely.linestrings(np.stack([doors, knees], 1)))
-    through = first & shapely.covers(floor, direct) & _free(taken, direct) & (away <= LONGEST)
-    near = np.argsort(np.hypot(*(knees[:, None] - knees[None]).transpose(2, 0, 1)), axis=1)
-    for i in (int(i) for i in np.argsort(away, kind="stable") if int(i) not in found):
-        if through[i]:
-            found[i] = _line(doors[i], knees[i], shapely.get_coordinates(direct[i])[-1])
-            continue
-        others = [int(j) for j in near[i, 1 : NEIGHBOURS + 1] if int(j) in found]
-        bends = [shapely.get_coordinates(found[j])[1] for j in others]
-        ways = [Walk([knees[i], bend]) for bend in bends]
-        for bend, way, free in zip(bends, ways, _free(taken, ways), strict=True):
-            if free and first[i] and floor.covers(way) and way.length <= LONGEST:
-                found[i] = _line(doors[i], knees[i], bend)
-                break
-
-
-def _free(taken: shapely.STRtree, lines: Sequence[Walk]) -> NDArray[np.bool_]:
-    """Whether each line keeps clear of all houses."""
-    blocked = np.zeros(len(lines), np.bool_)
-    if len(lines):
-        blocked[taken.query(lines, predicate="dwithin", distance=CLEAR)[0]] = True
-    return ~blocked
-
-
-def _line(door: Points, knee: Points, end: Points) -> Walk:
-    """Door, knee and the end."""
-    return Walk([door, knee, end] if np.hypot(*(end - knee)) > 0.05 else [door, knee])
+    return WalkGround(shapely.Polygon(plan.ground.outline, plan.ground.holes), streets)

@@ -47,6 +47,7 @@ LAYERS = {
     "Yards and walks": LayerRow("L-WALK"),
     "Squares, parking and courts": LayerRow("L-SITE"),
     "Walls, hedges and beds": LayerRow("L-SITE-WALL"),
+    "Plots": LayerRow("C-PROP-PLOT"),
     "Trees": LayerRow("L-PLNT-TREE", 3),
     "Buildings": LayerRow("C-BLDG"),
     "Houses": LayerRow("C-BLDG"),

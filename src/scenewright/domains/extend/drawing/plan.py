@@ -20,12 +20,15 @@ from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
 from scenewright.domains.extend.areas import OLD, ExtendPlan
 from scenewright.domains.extend.drawing import marks
+from scenewright.domains.extend.works import plots_of_extension
 from scenewright.drawing import sheet as sheets
 from scenewright.drawing.layers import PlanDrawing, PlanLayer, merge_layers
 from scenewright.drawing.legend import LegendRow, arrange, legend_mark
 from scenewright.drawing.marks import PaperView, clean
+from scenewright.drawing.plots import plots_mark
 from scenewright.geometry.folding import fold, show
 from scenewright.ground.built import BuiltFrames
+from scenewright.ground.plots import Plot
 from scenewright.ground.rows import find_rows, string_of
 
 MARGIN, LARGE, LISTED, ROWS = 6.0, 1000, 20, 4
@@ -51,7 +54,7 @@ def draw(solution: Solution, made: Plan, judge: Callable[[], Report]) -> PlanDra
     strip = sheets.sheet_mark(sheet, solution.brief.name, summary, title)
     layers = [
         [PlanLayer("Sheet", strip)],
-        _layers(view, plan, houses, report),
+        _layers(view, plan, houses, report, plots_of_extension(solution, made)),
         [PlanLayer("Legend", legend_mark(arranged))],
     ]
     return PlanDrawing(solution.brief.name, sheet, (), merge_layers(layers), view)
@@ -71,7 +74,11 @@ def _bounds(plan: ExtendPlan, houses: Sequence[Piece]) -> tuple[float, float, fl
 
 
 def _layers(
-    view: PaperView, plan: ExtendPlan, houses: Sequence[Piece], report: Report
+    view: PaperView,
+    plan: ExtendPlan,
+    houses: Sequence[Piece],
+    report: Report,
+    plots: Sequence[Plot],
 ) -> list[PlanLayer]:
     """The scene on paper, from the ground up."""
     old = [piece for piece in houses if piece.space == OLD]
@@ -79,6 +86,7 @@ def _layers(
     return [
         *(PlanLayer("Ground", marks.ground_mark(view, area)) for area in plan.areas),
         PlanLayer("Streets", marks.streets_mark(view, plan.ground.roads)),
+        PlanLayer("Plots", plots_mark(view, plots)),
         PlanLayer("Old buildings", marks.buildings_mark(view, old)),
         PlanLayer("New buildings", marks.buildings_mark(view, new)),
         PlanLayer("Kinds", marks.letters_mark(view, houses)),

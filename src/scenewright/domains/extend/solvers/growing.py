@@ -13,6 +13,7 @@ from scenewright.domains.extend.solvers.anneal import anneal
 from scenewright.domains.extend.solvers.canvas import Canvas
 from scenewright.domains.extend.solvers.continued_rows import continue_rows
 from scenewright.domains.extend.solvers.edges import lay_edges
+from scenewright.domains.extend.solvers.fronts import turn_fronts
 from scenewright.domains.extend.solvers.laid_rows import lay_rows
 from scenewright.domains.extend.solvers.neighbours import grow_neighbours
 from scenewright.domains.extend.solvers.patches import lay_patch
@@ -55,7 +56,7 @@ def grow_area(
                 break
             rng = np.random.default_rng([seed, number])
             made = grow_once(problem, rng, number, tell_growth(watch, len(found), whole))
-            found.append(rate_layout(problem, made))
+            found.append(rate_layout(problem, turn_fronts(problem, made)))
         found.sort(key=lambda layout: layout.score["energy"])
         steps += 1
         if watch.over(steps, found[0].score["energy"], partial(_first, found)):
@@ -124,5 +125,5 @@ def polish(problem: ExtendProblem, layout: GrownLayout, rng: np.random.Generator
         canvas.add(pose, origin, how)
     many = max(len(layout.poses), 1)
     moves = round(problem.settings.polish * np.clip((ANNEALED / many) ** 1.5, 1.0, MOST_TIMES))
-    made = rate_layout(problem, anneal(canvas, rng, moves))
+    made = rate_layout(problem, turn_fronts(problem, anneal(canvas, rng, moves)))
     return made if made.score["energy"] < layout.score["energy"] else layout

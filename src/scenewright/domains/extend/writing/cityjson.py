@@ -23,6 +23,7 @@ from scenewright.core.solution import Solution
 from scenewright.domains.extend.areas import OLD, ExtendPlan
 from scenewright.domains.extend.pattern import STOREY
 from scenewright.domains.extend.plan import plan_extend
+from scenewright.domains.extend.works import plots_of_extension
 from scenewright.ground.city_objects import (
     Vertices,
     city_document,
@@ -30,6 +31,7 @@ from scenewright.ground.city_objects import (
     free_key,
     prism_object,
 )
+from scenewright.ground.plot_writing import add_plots
 
 
 def write(solution: Solution, path: str | os.PathLike[str], plan: Plan | None = None) -> None:
@@ -39,7 +41,8 @@ def write(solution: Solution, path: str | os.PathLike[str], plan: Plan | None = 
 
 def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
     """The CityJSON object of a solution of an extension."""
-    plan: ExtendPlan = (made or plan_extend(solution.brief)).detail
+    whole = made or plan_extend(solution.brief)
+    plan: ExtendPlan = whole.detail
     models = catalog_of(solution.brief.catalogs)
     credited = authorship.document(authorship.credits_of_solution(solution, models))
     vertices: Vertices = {}
@@ -54,6 +57,7 @@ def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
         if parts:
             attributes = {"name": way.name or way.id, "class": way.kind, "width": way.width}
             objects[free_key(way.id, objects)] = flat_object("Road", parts, attributes, vertices)
+    add_plots(plots_of_extension(solution, whole), objects, vertices)
     for piece in solution.pieces:
         if piece.category == "building":
             objects[free_key(piece.id, objects)] = _building(piece, vertices)

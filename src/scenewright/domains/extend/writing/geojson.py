@@ -23,6 +23,7 @@ from scenewright.core.solution import Solution
 from scenewright.domains.extend.areas import OLD, ExtendPlan
 from scenewright.domains.extend.pattern import STOREY
 from scenewright.domains.extend.plan import plan_extend
+from scenewright.domains.extend.works import plots_of_extension
 from scenewright.ground.map_writing import (
     bearing_of,
     projection_about,
@@ -31,6 +32,7 @@ from scenewright.ground.map_writing import (
     write_points,
     write_ring,
 )
+from scenewright.ground.plot_writing import plot_features
 
 
 def write(solution: Solution, path: str | os.PathLike[str], plan: Plan | None = None) -> None:
@@ -50,7 +52,8 @@ def check(brief: Brief) -> None:
 
 def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
     """The FeatureCollection of a solution of an extension."""
-    plan: ExtendPlan = (made or plan_extend(solution.brief)).detail
+    whole = made or plan_extend(solution.brief)
+    plan: ExtendPlan = whole.detail
     map_ = projection_about(solution.brief.part.origin)
     features = []
     for area in plan.areas:
@@ -63,6 +66,7 @@ def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
         kind = "residential" if way.kind == "road" else "footway"
         tags = {"highway": kind, "name": way.name, "width": way.width}
         features.append(write_feature(way.id, "LineString", write_points(way.line, map_), tags))
+    features += plot_features(plots_of_extension(solution, whole), map_)
     features += [_building(p, map_) for p in solution.pieces if p.category == "building"]
     return write_collection(solution.brief.name, features, map_)
 

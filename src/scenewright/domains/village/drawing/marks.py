@@ -34,10 +34,8 @@ from scenewright.drawing.marks import (
 )
 from scenewright.drawing.pieces import mean_piece
 from scenewright.ground.plan import Way
-from scenewright.ground.plots import Plot
 
 GROUND, LEAF, FAULT, STREET = "#f1f4ea", "#bcd6a8", "#d1121f", "#b35c1e"
-BORDER = "#6f7f5a"
 CLASSES = (
     ("Small, under 50 m²", "#fbe9d3"),
     ("Medium", "#efbf8a"),
@@ -75,15 +73,6 @@ def paving_mark(view: PaperView, rows: Iterable[GroundSurface]) -> Mark:
             rings = [to_paper(view, ring) for ring in (outline, *holes)]
             found.append(shape(rings, fill=PAVING[row.kind], fill_rule="evenodd"))
     return group(found)
-
-
-def plots_mark(view: PaperView, plots: Iterable[Plot]) -> Mark:
-    """The borders of plots, dashed."""
-    marks = [
-        group([title(f"plot of {row.area:.0f} m²"), shape([to_paper(view, row.outline)])])
-        for row in plots
-    ]
-    return group(marks, fill="none", stroke=BORDER, stroke_width=FINE, stroke_dasharray="1.2 0.8")
 
 
 def streets_mark(view: PaperView, block: BlockPlan) -> Mark:

@@ -26,6 +26,7 @@ from scenewright.drawing import sheet as sheets
 from scenewright.drawing.layers import PlanDrawing, PlanLayer, merge_layers
 from scenewright.drawing.legend import LegendRow, arrange, legend_mark
 from scenewright.drawing.marks import PaperView, clean
+from scenewright.drawing.plots import BORDER, plots_mark
 
 MARGIN, LARGE, LISTED = 6.0, 1000, 30
 """Millimetres around the village; the scale from which papers above A3 are used; most houses
@@ -104,7 +105,7 @@ def _layers(
         PlanLayer("Yards and walks", marks.paving_mark(view, paved)),
         PlanLayer("Lanes", marks.paving_mark(view, lanes)),
         PlanLayer("Walls, hedges and beds", marks.paving_mark(view, grown)),
-        PlanLayer("Plots", marks.plots_mark(view, plots)),
+        PlanLayer("Plots", plots_mark(view, plots)),
         *(PlanLayer("Street sides", marks.streets_mark(view, block)) for block in blocks),
         PlanLayer("Names of lanes", marks.names_mark(view, village.lanes)),
         PlanLayer("Trees", marks.trees_mark(view, trees)),
@@ -125,7 +126,7 @@ def legend(
     if marks.KEPT in used:
         rows.append(LegendRow("swatch", "House that stays", value=marks.KEPT))
     rows.append(LegendRow("swatch", "Street side", value=marks.STREET))
-    rows.append(LegendRow("swatch", "Border of a plot", value=marks.BORDER))
+    rows.append(LegendRow("swatch", "Border of a plot", value=BORDER))
     rows.append(LegendRow("entrance", "Door"))
     if report.findings:
         rows.append(LegendRow("swatch", "Violation", value=marks.FAULT))

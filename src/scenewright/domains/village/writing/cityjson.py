@@ -28,6 +28,7 @@ from scenewright.ground.city_objects import (
     free_key,
     prism_object,
 )
+from scenewright.ground.plot_writing import add_plots
 
 
 def write(solution: Solution, path: str | os.PathLike[str], plan: Plan | None = None) -> None:
@@ -40,10 +41,7 @@ def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
     plan = made or plan_village(solution.brief)
     vertices: Vertices = {}
     objects = _grounds(solution, opened(plan, solution).detail, vertices)
-    for plot in plots_of_village(solution, plan):
-        stated = {"name": plot.house, "class": "plot", "area": round(plot.area, 2)}
-        flat = flat_object("LandUse", [(plot.outline,)], stated, vertices)
-        objects[free_key(f"{plot.house}/plot", objects)] = flat
+    add_plots(plots_of_village(solution, plan), objects, vertices)
     for piece in solution.pieces:
         if piece.category == "building" and np.isfinite([*piece.pose, *piece.size]).all():
             attributes = {

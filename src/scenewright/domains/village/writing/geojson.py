@@ -32,7 +32,7 @@ from scenewright.ground.map_writing import (
     write_points,
     write_ring,
 )
-from scenewright.ground.plots import Plot
+from scenewright.ground.plot_writing import plot_features
 
 STOREY = 2.7
 
@@ -60,7 +60,7 @@ def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
         kind = "residential" if way.kind == "road" else "footway"
         tags_ = {"highway": kind, "name": way.name, "width": way.width}
         features.append(write_feature(way.id, "LineString", write_points(way.line, map_), tags_))
-    features += [_plot(plot, map_) for plot in plots_of_village(solution, plan)]
+    features += plot_features(plots_of_village(solution, plan), map_)
     features += [_house(p, map_) for p in solution.pieces if p.category == "building"]
     models = catalog_of(solution.brief.catalogs)
     stated = {"credits": authorship.document(authorship.credits_of_solution(solution, models))}
@@ -74,12 +74,6 @@ def check(brief: Brief) -> None:
             "GeoJSON is in degrees, and the brief does not say where its blocks lie",
             'give the brief an "origin": [longitude, latitude]',
         )
-
-
-def _plot(plot: Plot, map_: Projection) -> dict[str, Any]:
-    """The plot of a house, not read again: plots are laid anew."""
-    tags = {"plot": plot.house, "area": round(plot.area, 2), "outbuildings": len(plot.outbuildings)}
-    return write_feature(f"{plot.house}/plot", "Polygon", [write_ring(plot.outline, map_)], tags)
 
 
 def _house(piece: Piece, map_: Projection) -> dict[str, Any]:
