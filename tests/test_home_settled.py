@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import islice
 from math import pi
 
 import numpy as np
@@ -21,8 +22,6 @@ from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.homewide.settling import (
     HomeState,
     is_home,
-    list_back,
-    list_moved,
     measure_case,
     wait,
 )
@@ -30,7 +29,8 @@ from scenewright.domains.home.composing.homewide.used_floor import measure_taken
 from scenewright.domains.home.composing.places.moving import dress_group, make_unplaced
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.domains.home.household import decide_household
-from scenewright.domains.home.needs.forms import list_tables, measure_places
+from scenewright.domains.home.needs.forms import list_seats, list_tables, measure_places
+from scenewright.domains.home.needs.jointly import list_jointly
 from scenewright.domains.home.needs.proof import name_way, tell_proof
 from scenewright.domains.home.needs.settle import add_kitchen_tables, add_soft_seat, set_table
 from scenewright.domains.home.needs.solve_for import holds_no_less
@@ -253,16 +253,33 @@ def test_whole_homes_eat_and_sit_and_stay_valid():
 
 
 def test_what_moves_for_a_need_stands_elsewhere_and_holds_no_less():
+    """A chair that takes all the wall on which alone it fits: the wardrobe there moves on."""
     task = next(t for t in _tasks(_flat(KITCHEN, *BEDROOMS, BATH)) if t.space.id == "first")
     chest = _stand(task, "chest", "1.2 m chest of drawers", (7.0, 0.0))
-    taker = _stand(task, "wardrobe", cases("wardrobe").groups[0].name, (7.0, 0.0))
-    (back, *_) = list_back(task, (chest,), (taker,), chest)
-    (moved,) = (g for g in back if g.wish.group == "chest")
-    assert moved.dressed.box[:2].tolist() != chest.dressed.box[:2].tolist()
-    assert measure_case(moved.dressed.case) == measure_case(chest.dressed.case)
-    assert [group for _, group in list_moved((taker, chest))] == [chest, taker]
+    wish, forms = Wish("reading", 1), list_seats(False)[-1:]
+    for placed in islice(list_jointly(task, (chest,), (chest,), wish, forms, 0.0, 0.0), 5):
+        stands, seat = placed
+        assert measure_case(stands.dressed.case) == measure_case(chest.dressed.case)
+        assert {p.category for p in seat.pieces} == {"armchair"}
+        assert not find_blocked(task, placed)
     asked = chest._replace(wish=chest.wish._replace(required=True))
-    assert not list(list_moved((asked,)))
+    jointly = list_jointly(task, (asked,), (asked,), wish, forms, 0.0, 0.0)
+    assert all(placed[0] is asked for placed in jointly)
+
+
+def test_storage_goes_for_a_need_only_within_what_is_spare():
+    """A bedroom so small that a chair stands in it only in place of the chest."""
+    small = _room("bed", "bedroom", 5, 1.7, 1.8)
+    task = next(t for t in _tasks(_flat(KITCHEN, small, BATH)) if t.space.id == "bed")
+    chest = _stand(task, "chest", "1.2 m chest of drawers", (5.7, 0.0))
+    wish, forms = Wish("reading", 1), list_seats(False)[-1:]
+
+    def find(shrunk: float) -> list[list[str]]:
+        found = list_jointly(task, (chest,), (chest,), wish, forms, 20.0, shrunk)
+        return [[g.wish.group for g in placed] for placed in found]
+
+    assert ["reading"] not in find(1.1)
+    assert ["reading"] in find(1.2)
 
 
 def test_a_room_laid_out_anew_may_lose_storage_only_within_what_is_spare():

@@ -13,7 +13,12 @@ from scenewright.domains.home.composing.homewide.bedsides import add_nightstands
 from scenewright.domains.home.composing.homewide.settling import HomeState
 from scenewright.domains.home.composing.kitchens.mend import mend_kitchens
 from scenewright.domains.home.composing.mend_rooms import mend_rooms
-from scenewright.domains.home.needs.settle import add_kitchen_tables, add_soft_seat, set_table
+from scenewright.domains.home.needs.settle import (
+    add_kitchen_tables,
+    add_soft_seat,
+    hang_clothes,
+    set_table,
+)
 from scenewright.domains.home.remove_blockers import Opened
 
 Answers = list[RoomAnswer]
@@ -39,6 +44,7 @@ SETTLING: tuple[Pass[HomePass], ...] = (
     Pass("set table", "home settling", set_table, "a table for all who live in the home"),
     Pass("kitchen tables", "home settling", add_kitchen_tables, "one in bare kitchens"),
     Pass("soft seat", "home settling", add_soft_seat, "one in a home without any"),
+    Pass("hang clothes", "home settling", hang_clothes, "wider wardrobes for all who live there"),
 )
 ALIGNING: tuple[Pass[HomePass], ...] = (
     Pass("mend rooms", "home aligning", _of_rooms(mend_rooms), "the worst row, its moves, again"),

@@ -14,6 +14,7 @@ from scenewright.domains.home.composing.homewide.settling import (
     measure_harm,
 )
 from scenewright.domains.home.composing.judging import Placed
+from scenewright.domains.home.composing.spacing.leave_out import find_left_out
 from scenewright.domains.home.groups import LABELS
 from scenewright.domains.home.measures import ROUNDING
 from scenewright.domains.home.programme import Wish
@@ -68,6 +69,8 @@ def _list_misses(task: RoomTask, rest: Placed, group: FurnishedGroup) -> Iterato
             yield words
     shut = set(find_blocked(with_narrow_ways(task), placed)) - find_barred(task, rest)
     names = sorted({name_way(task, name) for name in shut - {group.name}})
+    if find_left_out(task, placed) - find_left_out(task, rest):
+        yield "stands too near to what else is here"
     if names:
         yield f"leaves no way to {' and '.join(names)}"
     elif shut:

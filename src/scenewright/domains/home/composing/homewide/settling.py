@@ -10,7 +10,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from functools import cache
 from itertools import islice
-from operator import ge
 from typing import NamedTuple
 
 import numpy as np
@@ -39,7 +38,7 @@ from scenewright.domains.home.composing.placed_faults import (
     list_standing,
     measure_before_doors,
 )
-from scenewright.domains.home.composing.places.forms import cost_of_case, list_forms
+from scenewright.domains.home.composing.places.forms import cost_of_case
 from scenewright.domains.home.composing.places.moving import (
     dress_group,
     find_places,
@@ -47,10 +46,10 @@ from scenewright.domains.home.composing.places.moving import (
     make_unplaced,
     stand_at,
 )
+from scenewright.domains.home.composing.spacing.leave_out import find_left_out
 from scenewright.domains.home.composing.spacing.rules import measure_closeness
 from scenewright.domains.home.composing.views import cost_of_view
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
-from scenewright.domains.home.groups.classes import BED_GROUPS
 from scenewright.domains.home.household import (
     BED_PLACES,
     STORING,
@@ -58,7 +57,7 @@ from scenewright.domains.home.household import (
     count_places,
     is_dwelling,
 )
-from scenewright.domains.home.measures import HAIR, ROUNDING
+from scenewright.domains.home.measures import ROUNDING
 from scenewright.domains.home.programme import WELCOME, Wish
 from scenewright.domains.home.remove_blockers import Opened
 from scenewright.domains.home.rules.weigh_home import sum_rows
@@ -73,21 +72,6 @@ SETTLED_APART = 0.3  # least distance between places of one form, metres
 PLACES = 5  # of one form that are furnished
 YIELDING = frozenset(("plant", "console"))
 """What waits in any case."""
-MOVED_FIRST = (
-    "plant",
-    "reading",
-    "media",
-    "seating",
-    "chest",
-    "shelf",
-    "sideboard",
-    "desk",
-    "kids_desk",
-    "wardrobe",
-    *BED_GROUPS,
-)
-"""Groups that move for the sake of a need, in this order."""
-FORMS = 4  # of a group that moves
 KEPT = STORING | {"desk", "kids_desk"}
 """What holds things or is worked at makes room for nothing, though it is merely welcome."""
 
@@ -157,24 +141,44 @@ def list_sound(
 ) -> Iterator[Placed]:
     """The groups of a room with one of those found beside the rest, where nothing is worse than
     ``before``: no way, no floor that others are used from, no window, no wide door, no view, no
-    wish; those last whose seats have a wall or a door right behind them. How it stands may cost
-    ``spare`` more: by a window, at the wall of a door."""
-    barred: frozenset[str] | None = None
-    most: tuple[float, ...] | None = None
+    wish; those last whose seats have a wall or a door right behind them, or beside which
+    something would be left out. How it stands may cost ``spare`` more: by a window, at the wall of
+    a door."""
     wedged: list[Placed] = []
     for added in found:
         placed = (*rest, added)
-        most = measure_harm(task, before, rest) if most is None else most
-        harm = measure_harm(task, placed, rest)
-        if any(a > b + ROUNDING for a, b in zip((harm[0] - spare, *harm[1:]), most, strict=True)):
+        sound = is_harmless(task, before, rest, placed, spare)
+        if not sound or not bars_no_more(with_narrow_ways(task), placed, find_barred(task, before)):
             continue
-        barred = find_barred(task, before) if barred is None else barred
-        if bars_no_more(with_narrow_ways(task), placed, barred):
-            if measure_closeness((added,), (), task.ground) > 0.0:
-                wedged.append(placed)
-            else:
-                yield placed
+        close = measure_closeness((added,), (), task.ground) > 0.0
+        if close or not is_roomy(task, before, placed):
+            wedged.append(placed)
+        else:
+            yield placed
     yield from wedged
+
+
+def is_harmless(task: RoomTask, before: Placed, rest: Placed, placed: Placed, spare: float) -> bool:
+    """Whether the groups that are not of the rest do no more harm than those ``before`` that are
+    not, but for ``spare`` in how they stand."""
+    most, harm = _measure_most(task, before, rest), measure_harm(task, placed, rest)
+    less = (harm[0] - spare, *harm[1:])
+    return all(a <= b + ROUNDING for a, b in zip(less, most, strict=True))
+
+
+def is_roomy(task: RoomTask, before: Placed, placed: Placed) -> bool:
+    """Whether nothing would be left out of the groups for standing too near to others, or only
+    what would be of those ``before`` and stands no nearer."""
+    out = find_left_out(task, placed)
+    if not out:
+        return True
+    near = (measure_closeness(each, task.fixed, task.ground) for each in (placed, before))
+    return out <= find_left_out(task, before) and next(near) <= next(near) + ROUNDING
+
+
+@once(32)
+def _measure_most(task: RoomTask, before: Placed, rest: Placed) -> tuple[float, ...]:
+    return measure_harm(task, before, rest)
 
 
 @once(32)
@@ -243,34 +247,6 @@ def put_back(
         placed = placed if whole is None else whole
         gone += [group.wish] if whole is None else []
     return placed, tuple(gone)
-
-
-def list_moved(placed: Placed) -> Iterator[tuple[Placed, FurnishedGroup]]:
-    """The groups of a room without one that finds another place or form, each with that one, what
-    holds things before beds."""
-    for name in MOVED_FIRST:
-        for other in placed:
-            if other.wish.group == name and not other.wish.required:
-                yield tuple(p for p in placed if p is not other), other
-
-
-def list_back(
-    task: RoomTask,
-    before: Placed,
-    rest: Placed,
-    moved: FurnishedGroup,
-    spare: float = 0.0,
-    shrunk: float = 0.0,
-) -> Iterator[Placed]:
-    """The ``rest`` with a group that stood ``before`` in another place, or in a form that holds no
-    less but for ``shrunk`` metres of storage, the most first."""
-    *others, stored = measure_case(moved.dressed.case)
-    least = (*others, stored - shrunk - HAIR)
-    fit = (c for c in list_forms(task, moved) if all(map(ge, measure_case(c), least)))
-    forms = dict.fromkeys((moved.dressed.case, *islice(fit, FORMS)))
-    for case in sorted(forms, key=lambda case: (-measure_case(case)[-1], case.width * case.depth)):
-        found = list_placed(task, rest, moved.wish, case, False)
-        yield from islice(list_sound(task, before, rest, found, spare), 1)
 
 
 @cache

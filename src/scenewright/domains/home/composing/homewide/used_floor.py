@@ -6,7 +6,8 @@ from collections.abc import Iterable, Iterator
 from math import cos, hypot, sin
 
 from scenewright.catalog.classes import RUN
-from scenewright.core.scene import Piece
+from scenewright.core.catalog import Member
+from scenewright.core.scene import Piece, Size
 from scenewright.domains.home.measures import ON_FLOOR
 from scenewright.domains.home.rules.classes import MOVED
 from scenewright.geometry.boxes import Frame, common_area, make_frame
@@ -68,3 +69,25 @@ def _make_floor(piece: Piece, aside: float, ahead: float, width: float, depth: f
     x, y, _, turn = piece.pose
     c, s = cos(turn), sin(turn)
     return make_frame(x + ahead * c + aside * s, y + ahead * s - aside * c, turn, width, depth)
+
+
+def list_floors_before(member: Member) -> Iterator[Member]:
+    """The floor that a member of a group is used from, as members that take it up.
+
+    >>> desk = Member("desk", 0, 0, 0, 0, Size(1.2, 0.6, 0.75))
+    >>> [(floor.y, floor.size.depth) for floor in list_floors_before(desk)]
+    [(0.6, 0.6)]
+    """
+    (width, depth, _), deep = member.size, BEFORE.get(member.category)
+    if member.z < ON_FLOOR and deep is not None:
+        yield _shift(member, 0.0, (depth + deep) / 2, width, deep)
+    elif member.category == "double_bed":
+        for side in (-1.0, 1.0):
+            aside = side * (width + BESIDE_FOOT) / 2
+            yield _shift(member, aside, depth / 4, BESIDE_FOOT, depth / 2)
+
+
+def _shift(member: Member, aside: float, ahead: float, width: float, depth: float) -> Member:
+    c, s = cos(member.heading), sin(member.heading)
+    x, y = member.x + aside * c - ahead * s, member.y + aside * s + ahead * c
+    return member._replace(x=x, y=y, size=Size(width, depth, 0.0))

@@ -119,7 +119,7 @@ def _list_pairs(
     """The cheapest pairs of places of every two forms that cost less than ``most``, the cheapest of
     all first."""
     rule, energy = judge.task.preset.settings.composing, judge.task.costs.energy
-    both = tuple(product(*(_list_places(judge.task, group, tried) for group in pair)))
+    both = tuple(product(*(list_form_places(judge.task, group, tried) for group in pair)))
     found, rated, forms = [np.empty((0, 2, 5))], [np.empty(0)], [np.empty(0, np.int64)]
     for number, (one, other) in enumerate(both):
         faults = one.faults[:, None] + other.faults
@@ -143,7 +143,7 @@ def _list_pairs(
     return PlacedPairs(cases, np.concatenate(forms)[order], boxes, costs[order])
 
 
-def _list_places(task: RoomTask, group: FurnishedGroup, tried: Forms) -> list[FormPlaces]:
+def list_form_places(task: RoomTask, group: FurnishedGroup, tried: Forms) -> list[FormPlaces]:
     """The places of a group's better forms in the empty room."""
     rule, found = task.preset.settings.composing, []
     empty = standing_of((*task.fixed, *task.beside), flat_kinds(task.catalog))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from scenewright.core.same import once
 from scenewright.domains.home.attempt import FurnishedGroup, Missing, RoomAnswer, RoomTask
 from scenewright.domains.home.composing.case_faults import find_case_faults
 from scenewright.domains.home.composing.judging import Placed, count_unmet
@@ -40,6 +41,13 @@ def leave_out_near(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
         placed = tuple(p for p in answer.placed if p is not group)
         answer = answer._replace(placed=placed, missing=(*answer.missing, lost))
     return answer
+
+
+@once(64)
+def find_left_out(task: RoomTask, placed: Placed) -> frozenset[str]:
+    """The names of the groups that :func:`leave_out_near` would leave out."""
+    kept = leave_out_near(task, RoomAnswer(0.0, placed, (), (), None, 0.0, 0)).placed
+    return frozenset(p.name for p in placed) - {p.name for p in kept}
 
 
 def _explain(task: RoomTask, placed: Placed, group: FurnishedGroup) -> str:
