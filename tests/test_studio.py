@@ -15,6 +15,7 @@ import zipfile
 from collections.abc import Iterator
 from contextlib import closing
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -60,11 +61,11 @@ def client(session: Session, tmp_path: Path) -> TestClient:
     return client
 
 
-def ask(session: Session, **keys: object) -> dict[str, object]:
+def ask(session: Session, **keys: object) -> dict[str, Any]:
     return do_verb(session, json.dumps(keys).encode())
 
 
-def desk_of(session: Session) -> dict[str, object]:
+def desk_of(session: Session) -> dict[str, Any]:
     return next(one for one in session.state()["pieces"] if one["name"] == "desk")
 
 
@@ -86,6 +87,31 @@ def test_undo_of_every_verb_is_the_start(session: Session) -> None:
     assert [step["what"].split()[0] for step in moved["history"]] == ["arranged", "moved"]
 
 
+def test_edits_are_one_step_each_and_undone_whole(client: TestClient, session: Session) -> None:
+    start = session.state()["pieces"]
+    shelf = client.get("/shelf").json()
+    chair = next(row["asset"] for row in shelf if row["category"] == "armchair")
+    assert client.get(f"/thumb.png?asset={chair}").content[:4] == b"\x89PNG"
+    assert client.get("/thumb.png?asset=../x").status_code == 422
+    two = {one["id"]: [*one["pose"][:2], one["pose"][3]] for one in start[:2] if not one["hangs"]}
+    wardrobe = next(one["id"] for one in start if one["name"] == "wardrobe")
+    steps: list[dict[str, object]] = [
+        {"verb": "move", "poses": two},
+        {"verb": "remove", "pieces": ["dining_table", "desk"]},
+        {"verb": "add", "asset": chair, "at": [2.2, 2.0]},
+        {"verb": "exchange", "piece": wardrobe, "asset": "wardrobe_boho"},
+        {"verb": "lock", "pieces": [wardrobe, "single_bed"]},
+    ]
+    for step in steps:
+        assert ask(session, **step)["changes"] is not None
+    names = [one["name"] for one in session.state()["pieces"]]
+    assert "armchair" in names
+    assert "desk" not in names
+    for _ in steps:
+        ask(session, verb="undo")
+    assert session.state()["pieces"] == start
+
+
 def test_another_way_on_from_an_undone_step_keeps_the_first(session: Session) -> None:
     ask(session, verb="lock", piece="desk")
     ask(session, verb="undo")
@@ -102,9 +128,9 @@ def test_where_it_collides_is_said_before_it_is_put_there(session: Session) -> N
     desk = desk_of(session)
     other = next(one for one in session.state()["pieces"] if one["name"] == "wardrobe")
     x, y, _, heading = other["pose"]
-    found = session.judge(desk["id"], (x, y, heading))
+    found = session.judge({desk["id"]: (x, y, heading)})
     assert any(one["kind"] == "collision" and desk["id"] in one["pieces"] for one in found)
-    assert session.judge(desk["id"], (*desk["pose"][:2], desk["pose"][3])) == []
+    assert session.judge({desk["id"]: (*desk["pose"][:2], desk["pose"][3])}) == []
     assert session.state()["version"] == 1
 
 
@@ -126,6 +152,11 @@ def test_what_lies_on_a_piece_goes_with_it(session: Session) -> None:
         ({"verb": "move", "piece": "desk", "pose": [1, 2]}, "no place"),
         ({"verb": "move", "piece": "desk", "pose": [1e400, 2, 0]}, "no place"),
         ({"verb": "move", "piece": "unicorn", "pose": [1, 2, 0]}, "unicorn"),
+        ({"verb": "move", "poses": {"desk": [1]}}, "no place"),
+        ({"verb": "move", "poses": [1]}, "are no places"),
+        ({"verb": "add", "asset": "armchair", "at": "here"}, "no place"),
+        ({"verb": "add", "asset": "unicorn", "at": [1, 1]}, "unicorn"),
+        ({"verb": "remove", "pieces": ["unicorn"]}, "unicorn"),
         ({"verb": "arrange", "seed": -1}, "whole number"),
         ({"verb": "go", "version": 99}, "no version"),
     ],
@@ -233,6 +264,7 @@ def test_files_that_are_no_project_are_left_alone(tmp_path: Path) -> None:
 KILLED = """
 import sys
 from pathlib import Path
+from typing import Any
 from scenewright.studio import project
 db = project.open_project(Path(sys.argv[1]))
 for number in range(100000):

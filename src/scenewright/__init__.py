@@ -56,6 +56,7 @@ if TYPE_CHECKING:
     from typing import Any
 
 __all__ = [
+    "Addition",
     "Asset",
     "Brief",
     "Catalog",
@@ -80,6 +81,7 @@ __all__ = [
     "batch",
     "check",
     "check_meshes",
+    "edit_pieces",
     "evolve",
     "explain",
     "generate",
@@ -111,6 +113,8 @@ _HOMES = {
     "photograph": "workflow.photograph:photograph",
     "batch": "batch:batch",
     "solve": "domains:solve",
+    "edit_pieces": "workflow.editing:edit_pieces",
+    "Addition": "workflow.editing:Addition",
     "resolve": "domains:resolve",
     "check": "domains:check",
     "check_meshes": "workflow.meshes:check_meshes",

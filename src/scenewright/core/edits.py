@@ -24,7 +24,7 @@ class Edits(NamedTuple):
 
 class Change(NamedTuple):
     """One piece that is not as it was: its id (``was`` that before, empty if new), whether it is
-    ``moved``, ``new`` or ``gone``, its room, and why."""
+    ``moved``, ``new``, ``gone`` or ``exchanged``, its room, and why."""
 
     piece: str
     was: str

@@ -149,6 +149,7 @@ def _piece(piece: Piece, level: str, catalog: Catalog, symbols: Json) -> Json:
     return {
         "id": piece.id,
         "name": kind.name if kind else piece.category,
+        "category": piece.category,
         "space": piece.space,
         "level": level,
         "pose": [round(float(number), 5) for number in piece.pose],

@@ -32,6 +32,7 @@ PAGES = {
     "draft.js": SCRIPT,
     "wire.js": SCRIPT,
     "walk.js": SCRIPT,
+    "shelf.js": SCRIPT,
     "three.js": SCRIPT,
 }
 MOST_CARDS = 500
@@ -99,6 +100,13 @@ def studio_app(session: Session, listeners: Listeners, folder: Path) -> Starlett
     async def list_samples(_request: Request) -> Response:
         return JSONResponse([*samples()])
 
+    async def shelf(_request: Request) -> Response:
+        return JSONResponse(await run_in_threadpool(session.shelf))
+
+    async def thumb(request: Request) -> Response:
+        name = request.query_params.get("asset", "")
+        return await _file(session.thumb, "image/png", name)
+
     async def breeding(_request: Request) -> Response:
         return JSONResponse(await run_in_threadpool(session.breeding.state))
 
@@ -113,6 +121,8 @@ def studio_app(session: Session, listeners: Listeners, folder: Path) -> Starlett
             Route("/events", events),
             Route("/samples", list_samples),
             Route("/breeding", breeding),
+            Route("/shelf", shelf),
+            Route("/thumb.png", thumb),
             Route("/cards", cards),
             Route("/export.zip", export),
             Route("/picture.png", picture),

@@ -17,6 +17,7 @@ from typing import Any, NamedTuple
 
 from scenewright import domains
 from scenewright.core.brief import Brief
+from scenewright.core.edits import Adjusted
 from scenewright.core.errors import CancelledError, InputError
 from scenewright.core.plan import Plan
 from scenewright.core.report import Report
@@ -27,6 +28,7 @@ from scenewright.studio.breeding import Breeding
 from scenewright.studio.draft_faults import DraftFault, read_draft
 from scenewright.studio.drafting import FORMAT, draw_act, new_draft
 from scenewright.studio.drawable import Json, describe_finding, draw
+from scenewright.studio.shelf import draw_shelf, list_shelf
 
 Tell = Callable[[Json], None]
 """Called with every event: progress, and that another version is shown."""
@@ -145,21 +147,25 @@ class Session:
             self.running = False
             self.tell({"changed": True})
 
-    def change(self, what: str, **edits: Any) -> list[Json]:
-        """Change the scene by hand (the edits of :func:`scenewright.domains.adjust`); every change
-        with its reason."""
+    def change(
+        self, what: str, edits: Mapping[str, Any], by: Callable[..., Adjusted] = domains.adjust
+    ) -> Json:
+        """Change the scene by hand (the edits of :func:`scenewright.domains.adjust`, or of another
+        function like it); every change with its reason."""
         with self._turn():
             shown = self._must_show()
-            adjusted = domains.adjust(shown.solution, plan=shown.plan, **edits)
+            adjusted = by(shown.solution, plan=shown.plan, **edits)
             same = adjusted.solution.brief is shown.solution.brief
             plan = shown.plan if same else domains.plan_of(adjusted.solution.brief)
             self._keep(shown.version, what, adjusted.solution, plan)
-        return [change._asdict() for change in adjusted.changes]
+        return {"changes": [change._asdict() for change in adjusted.changes]}
 
-    def judge(self, piece: str, pose: Sequence[float]) -> list[Json]:
-        """What the referee would say if a piece, with all that lies on it, were put there."""
+    def judge(self, poses: Mapping[str, Sequence[float]]) -> list[Json]:
+        """What the referee would say if pieces, with all that lies on them, were put there."""
         shown = self._must_show()
-        moved = put(shown.solution, piece, pose)
+        moved = shown.solution
+        for piece, pose in poses.items():
+            moved = put(moved, piece, pose)
         report = domains.check(moved, plan=shown.plan, figures=False)
         before = {(f.kind, f.piece, f.other) for f in shown.report.findings}
         new = (f for f in report.findings if (f.kind, f.piece, f.other) not in before)
@@ -188,6 +194,14 @@ class Session:
             if not following:
                 raise InputError("there is nothing to redo", "undo something first")
             self.go(following)
+
+    def shelf(self) -> list[Json]:
+        """What can be put in, by the catalog of the brief."""
+        return list_shelf(self._must_show().solution.brief) if self.shown else []
+
+    def thumb(self, asset: str) -> bytes:
+        """The picture of a model of the shelf."""
+        return draw_shelf(self._must_show().solution.brief, asset)
 
     def export(self, endings: Sequence[str] = FORMATS) -> bytes:
         """The scene in several formats as one zip archive; what cannot be written is told in it."""

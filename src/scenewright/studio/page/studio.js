@@ -1,13 +1,14 @@
 // The page: shows the server's document, sends verbs, listens to events. Lengths are metres, the
 // plan's y points up, the screen's down.
 import { drawFloor, drawShell, element, extent, line, outline, placed } from "/draw.js";
+import { openShelf } from "/shelf.js";
 import { $, fill, read, say, send } from "/wire.js";
 import { hideBreeding, showBreeding, refreshBreeding, noteShare } from "/breed.js";
 import { hideDrawing, refreshDrawing, showDrawing } from "/draft.js";
 
 const NUDGE = 0.05, QUARTER = Math.PI / 2;
 
-let doc = { version: 0 }, level = "", picked = "", view = null, drag = null, touched = false, changes = [];
+let doc = { version: 0 }, level = "", picked = "", more = new Set(), placing = "", view = null, drag = null, touched = false, changes = [];
 
 async function change(verb, keys = {}) {
   const said = await send(verb, keys, inWords);
@@ -21,7 +22,7 @@ async function refresh() {
   const turn = ++asked;
   const fresh = await read("/state");
   if (turn !== asked) return;
-  if (fresh.name !== doc.name || !view !== !(fresh.levels ?? []).length) { view = null; touched = false; picked = ""; }
+  if (fresh.name !== doc.name || !view !== !(fresh.levels ?? []).length) { view = null; touched = false; pick(""); }
   doc = fresh;
   if (!(doc.levels ?? []).some((one) => one.id === level)) level = doc.levels?.[0]?.id ?? "";
   show();
@@ -30,6 +31,8 @@ async function refresh() {
 function show() {
   $("name").textContent = doc.name || "Scenewright";
   $("undo").disabled = !doc.undo; $("redo").disabled = !doc.redo;
+  $("adding").hidden = doc.domain !== "home";
+  for (const id of ["double", "remove", "exchange"]) $(id).disabled = doc.domain !== "home";
   $("arrange").disabled = $("breed").disabled = !(doc.levels ?? []).length || doc.running;
   for (const id of ["solid", "walk", "picture"]) $(id).disabled = !(doc.levels ?? []).length;
   $("stop").hidden = !doc.running; $("share").hidden = !doc.running;
@@ -89,22 +92,29 @@ function lookAt(found) {
 
 function drawPiece(piece, bad, plan) {
   const names = ["piece", piece.flat && "flat", piece.hangs && "hangs", piece.locked && "locked",
-    bad.has(piece.id) && "bad", piece.id === picked && "on"].filter(Boolean).join(" ");
+    bad.has(piece.id) && "bad", (piece.id === picked || more.has(piece.id)) && "on"].filter(Boolean).join(" ");
   const group = element("g", { class: names, transform: placed(piece.pose), "data-id": piece.id }, plan);
   element("title", {}, group, piece.name);
   for (const points of doc.symbols[piece.symbol]) element("path", { d: line(points) }, group);
 }
 
 const chosen = () => doc.pieces?.find((piece) => piece.id === picked);
+const selection = () => (doc.pieces ?? []).filter((piece) => piece.id === picked || more.has(piece.id));
+const ids = () => selection().map((piece) => piece.id);
+function pick(id) { picked = id; more = new Set(); }
 
 function showSelected() {
   const piece = chosen();
   $("selected").hidden = !piece;
   if (!piece) return;
   const [x, y, , heading] = piece.pose, [w, d, h] = piece.size;
-  $("piece").textContent = piece.name;
-  $("measures").textContent = `${w.toFixed(2)} × ${d.toFixed(2)} × ${h.toFixed(2)} m at ${x.toFixed(2)}, ${y.toFixed(2)}, ` +
-    `${Math.round(heading * 180 / Math.PI)}°`;
+  const several = selection().length;
+  $("piece").textContent = several > 1 ? `${several} pieces` : piece.name;
+  $("place").hidden = $("exchange").hidden = several > 1;
+  for (const [id, value] of [["at-x", x], ["at-y", y], ["at-turn", Math.round(heading * 180 / Math.PI)]]) {
+    if (document.activeElement !== $(id)) $(id).value = Number(value.toFixed(3));
+  }
+  $("measures").textContent = several > 1 ? "Shift and a click adds or takes away" : `${w.toFixed(2)} × ${d.toFixed(2)} × ${h.toFixed(2)} m`;
   $("lock").textContent = piece.locked ? "Unlock" : "Lock";
 }
 
@@ -113,7 +123,7 @@ function item(text, pieces = [], bad = false) {
   button.textContent = text; if (bad) row.className = "bad";
   button.onclick = () => {
     const found = doc.pieces.find((piece) => pieces.includes(piece.id));
-    if (found) { picked = found.id; level = found.level; show(); }
+    if (found) { pick(found.id); level = found.level; show(); }
   };
   row.append(button);
   return row;
@@ -153,14 +163,24 @@ function planPoint(event) {
 $("plan").addEventListener("pointerdown", (event) => {
   const group = event.target.closest?.(".piece"), at = planPoint(event);
   $("plan").setPointerCapture(event.pointerId);
-  if (group) {
-    picked = group.dataset.id;
+  if (placing) {
+    const asset = placing;
+    placing = ""; $("plan").classList.remove("placing"); say("");
+    change("add", { asset, at }).then(({ changes: told = [] }) => { if (told.length) { pick(told[0].piece); show(); } });
+  } else if (group && event.shiftKey) {
+    const id = group.dataset.id;
+    if (id === picked || more.has(id)) { more.delete(id); if (id === picked) { picked = [...more][0] ?? ""; more.delete(picked); } }
+    else if (picked) more.add(id); else picked = id;
+    show();
+  } else if (group) {
+    if (!more.has(group.dataset.id)) pick(group.dataset.id);
+    else { more.add(picked); picked = group.dataset.id; more.delete(picked); }
     const piece = chosen();
-    drag = { piece, from: at, start: [...piece.pose], moved: false };
+    drag = { piece, from: at, start: [...piece.pose], moved: false, all: selection().map((one) => ({ one, start: [...one.pose] })) };
     show();
   } else {
     drag = { pan: true, from: [event.clientX, event.clientY], start: [...view ?? [0, 0, 1, 1]] };
-    picked = ""; show();
+    pick(""); show();
   }
 });
 
@@ -178,8 +198,10 @@ $("plan").addEventListener("pointermove", (event) => {
   const dx = snap(x - drag.from[0]), dy = snap(y - drag.from[1]);
   if (!dx && !dy && !drag.moved) return;
   drag.moved = true;
-  drag.piece.pose = [drag.start[0] + dx, drag.start[1] + dy, drag.start[2], drag.start[3]];
-  document.querySelector(`[data-id="${CSS.escape(picked)}"]`)?.setAttribute("transform", placed(drag.piece.pose));
+  for (const { one, start } of drag.all) {
+    one.pose = [start[0] + dx, start[1] + dy, start[2], start[3]];
+    document.querySelector(`[data-id="${CSS.escape(one.id)}"]`)?.setAttribute("transform", placed(one.pose));
+  }
   showSelected(); ask();
 });
 
@@ -190,8 +212,7 @@ async function ask() {
   asking = true;
   while (latest) {
     const piece = latest; latest = null;
-    const [x, y, , heading] = piece.pose;
-    const said = await send("judge", { piece: piece.id, pose: [x, y, heading] });
+    const said = await send("judge", { poses: posesOf(selection()) });
     const found = said.findings ?? [];
     document.querySelector(`[data-id="${CSS.escape(piece.id)}"]`)?.classList.toggle("bad", found.length > 0);
     if (drag) { fill("findings", found, listFinding); drawFindings(found); }
@@ -204,12 +225,13 @@ $("plan").addEventListener("pointerup", async () => {
   if (done?.moved) await place(done.piece);
 });
 
+const posesOf = (pieces) => Object.fromEntries(pieces.map(({ id, pose: [x, y, , heading] }) => [id, [x, y, heading]]));
+
 async function place(piece) {
-  const [x, y, , heading] = piece.pose, name = piece.id;
-  const said = await change("move", { piece: name, pose: [x, y, heading] });
+  const names = [piece.id, ...more], said = await change("move", { poses: posesOf(selection()) });
   if (said.fault) return;
-  const now = (said.changes ?? []).find((one) => one.was === name);
-  if (now) { picked = now.piece; show(); }
+  const now = names.map((name) => (said.changes ?? []).find((one) => one.was === name)?.piece ?? name);
+  picked = now[0]; more = new Set(now.slice(1)); show();
 }
 
 $("plan").addEventListener("wheel", (event) => {
@@ -227,7 +249,10 @@ document.addEventListener("keydown", (event) => {
   if (command && key === "z" && !event.shiftKey) change("undo");
   else if (command && (key === "y" || key === "z")) change("redo");
   else if (!$("drawing").hidden) return;
-  else if (key === "escape") { picked = ""; show(); }
+  else if (key === "escape") { placing = ""; $("plan").classList.remove("placing"); pick(""); show(); }
+  else if (piece && command && key === "d") $("double").click();
+  else if (command) return;
+  else if (piece && (key === "delete" || key === "backspace")) $("remove").click();
   else if (piece && way) nudge(piece, way[0] * NUDGE, way[1] * NUDGE, 0);
   else if (piece && key === "r") nudge(piece, 0, 0, event.shiftKey ? -QUARTER : QUARTER);
   else if (piece && key === "l") $("lock").click();
@@ -236,8 +261,10 @@ document.addEventListener("keydown", (event) => {
 });
 
 function nudge(piece, dx, dy, turn) {
-  const [x, y, z, heading] = piece.pose;
-  piece.pose = [x + dx, y + dy, z, heading + turn];
+  for (const one of selection()) {
+    const [x, y, z, heading] = one.pose;
+    one.pose = [x + dx, y + dy, z, heading + turn];
+  }
   return place(piece);
 }
 
@@ -246,7 +273,25 @@ $("stop").onclick = () => send("stop");
 $("undo").onclick = () => change("undo");
 $("redo").onclick = () => change("redo");
 $("turn").onclick = () => { const piece = chosen(); if (piece) nudge(piece, 0, 0, QUARTER); };
-$("lock").onclick = () => { const piece = chosen(); if (piece) change(piece.locked ? "unlock" : "lock", { piece: piece.id }); };
+$("lock").onclick = () => { const piece = chosen(); if (piece) change(piece.locked ? "unlock" : "lock", { pieces: ids() }); };
+$("remove").onclick = () => { const pieces = ids(); pick(""); change("remove", { pieces }); };
+$("double").onclick = async () => {
+  const { changes: told = [] } = await change("duplicate", { pieces: ids() });
+  if (told.length) { pick(told[0].piece); more = new Set(told.slice(1).map((one) => one.piece)); show(); }
+};
+$("exchange").onclick = () => {
+  const piece = chosen();
+  openShelf(`In place of the ${piece.name}`, piece.category, ({ asset }) => change("exchange", { piece: piece.id, asset }));
+};
+$("add").onclick = () => openShelf("Add furniture", "", ({ asset, name }) => {
+  placing = asset; $("plan").classList.add("placing"); say(`${name}: click where it is to stand`);
+});
+for (const id of ["at-x", "at-y", "at-turn"]) $(id).onchange = () => {
+  const piece = chosen(), [x, y, turn] = ["at-x", "at-y", "at-turn"].map((one) => Number($(one).value));
+  if (!piece) return;
+  piece.pose = [x, y, piece.pose[2], turn * Math.PI / 180];
+  place(piece);
+};
 $("again").onclick = () => {
   const piece = chosen();
   if (piece) change("again", { space: piece.space, seed: 1 + Math.floor(Math.random() * 999) });

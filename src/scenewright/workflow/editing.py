@@ -1,0 +1,246 @@
+"""Furniture put in, taken away, doubled or exchanged by hand: nothing else moves.
+
+What is put in is locked, so that whatever is solved afterwards goes round it; what is taken away
+is listed as left out. The referee judges the answer as any other.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from itertools import islice
+from typing import NamedTuple
+
+import numpy as np
+import shapely
+
+from scenewright.catalog.loading import catalog_of, find_asset
+from scenewright.core.catalog import Asset, Catalog, footprint_of
+from scenewright.core.edits import Adjusted, Change
+from scenewright.core.errors import InputError
+from scenewright.core.piece_edits import carry_pieces, find_piece, frame_of
+from scenewright.core.piece_outlines import outline_of
+from scenewright.core.plan import Plan
+from scenewright.core.registry import domain_of
+from scenewright.core.scene import Piece, Pose, Size
+from scenewright.core.solution import LeftOut, Solution
+from scenewright.core.space import Space
+from scenewright.domains import check, plan_of
+
+STEP, FAR = 0.1, 3.0
+"""Metres between places that are tried for a piece, and how far from the wanted one."""
+APART, TRIED = 0.3, 12
+"""Metres between free places of which more than the nearest are looked at, and how many are."""
+TOUCH = 0.005
+"""Metres by which things beside one another may overlap."""
+ALONE = "fixed"
+"""Group and function of what belongs to no furniture group."""
+REMOVED, PUT_IN, EXCHANGED = "removed by hand", "put in by hand", "another model, by hand"
+
+
+class Addition(NamedTuple):
+    """A model of the catalog, by id or name, to be put at (x, y), metres, of a space (left out: the
+    one that is there), looking along ``heading`` (left out: with its back to the nearest wall)."""
+
+    asset: str
+    x: float
+    y: float
+    heading: float | None = None
+    space: str = ""
+
+
+def edit_pieces(
+    solution: Solution,
+    *,
+    plan: Plan | None = None,
+    add: Sequence[Addition] = (),
+    remove: Sequence[str] = (),
+    duplicate: Sequence[str] = (),
+    exchange: Mapping[str, str] | None = None,
+) -> Adjusted:
+    """Put in, take away, double or exchange furniture of a home by hand, in this order: remove,
+    exchange (a piece for a model of the catalog), duplicate, add. Pieces are named as in
+    :func:`scenewright.domains.adjust`.
+
+    What is added or doubled stands at the nearest free place, within 3 m of the wanted one, that
+    breaks no rule, if there is one among the first few, else at the nearest. What lies on a piece
+    goes, and is doubled, with it. Raises :class:`InputError` for a name there
+    is not, a place outside, or where nothing is free.
+    """
+    if solution.detail is not None or not domain_of(solution.brief.domain).rooms:
+        raise InputError("only homes take pieces by hand so far", "change the brief")
+    made = plan or plan_of(solution.brief)
+    catalog = catalog_of(solution.brief.catalogs)
+    pieces = list(solution.pieces)
+    changes: list[Change] = []
+    left_out = list(solution.left_out)
+    for name in remove:
+        for piece in _with_carried(pieces, name):
+            pieces.remove(piece)
+            if piece.on is None:
+                left_out.append(LeftOut(piece.space, piece.category, REMOVED, False))
+            changes.append(Change(piece.id, piece.id, "gone", piece.space, REMOVED))
+    for name, model in (exchange or {}).items():
+        piece = _named(pieces, name)
+        other = _exchanged(piece, find_asset(catalog, model))
+        pieces[pieces.index(piece)] = other
+        changes.append(
+            Change(piece.id, piece.id, "exchanged", piece.space, "another model, by hand")
+        )
+    for free in _list_new(pieces, made, catalog, duplicate, add):
+        new = _choose(replace(solution, left_out=tuple(left_out)), made, pieces, free)
+        pieces += new
+        changes.append(Change(new[0].id, "", "new", new[0].space, PUT_IN))
+    edited = replace(solution, pieces=tuple(pieces), left_out=tuple(left_out))
+    return Adjusted(edited, tuple(changes))
+
+
+def _list_new(
+    pieces: Sequence[Piece],
+    plan: Plan,
+    catalog: Catalog,
+    duplicate: Sequence[str],
+    add: Sequence[Addition],
+) -> Iterator[Iterator[list[Piece]]]:
+    """For each doubling and addition the places it may take among ``pieces``, which grow: what is
+    put in, the piece itself first."""
+    for name in duplicate:
+        first, *carried = _with_carried(pieces, name)
+        if first.on or catalog.kinds[first.category].support != "floor":
+            raise InputError(f"'{first.id}' does not stand on a floor", "choose one that does")
+        space = next(space for space in plan.spaces if space.id == first.space)
+        new = _renamed([first, *carried], pieces)
+        yield _list_free(new, first.pose, space, pieces, catalog)
+    for asked in add:
+        piece, space = _make(asked, plan, catalog, pieces)
+        yield _list_free([piece], piece.pose, space, pieces, catalog)
+
+
+def _choose(
+    solution: Solution, plan: Plan, pieces: Sequence[Piece], free: Iterator[list[Piece]]
+) -> list[Piece]:
+    """The first of a few free places where no more rules are broken than without, else the
+    nearest."""
+
+    def faults(new: Sequence[Piece]) -> int:
+        tried = replace(solution, pieces=(*pieces, *new))
+        report = check(tried, plan=plan, figures=False)
+        return sum(found.is_blamed for found in report.findings)
+
+    nearest, before = next(free), faults(())
+    for new in (nearest, *islice(free, TRIED)):
+        if faults(new) <= before:
+            return new
+    return nearest
+
+
+def _named(pieces: Sequence[Piece], name: str) -> Piece:
+    return find_piece(pieces, name, lambda piece: piece.on is None)
+
+
+def _with_carried(pieces: Sequence[Piece], name: str) -> list[Piece]:
+    """A piece and all that lies on it, or on that."""
+    found = [_named(pieces, name)]
+    for piece in found:
+        found += [one for one in pieces if one.on == piece.id and one not in found]
+    return found
+
+
+def _exchanged(piece: Piece, asset: Asset) -> Piece:
+    """A model in the place of a piece: as large as that, where it comes in such a size."""
+    size = _fit(asset, piece.size)
+    footprint = footprint_of(asset, size)
+    model = replace(piece, category=asset.category, asset=asset.id, size=size)
+    return replace(model, footprint=footprint, fixed=True)
+
+
+def _fit(asset: Asset, wanted: Size) -> Size:
+    rows = zip(asset.smallest, wanted, asset.largest, strict=True)
+    return Size(*(min(max(size, low), high) for low, size, high in rows))
+
+
+def _make(
+    asked: Addition, plan: Plan, catalog: Catalog, others: Sequence[Piece]
+) -> tuple[Piece, Space]:
+    """A model as a piece of the space it is put in."""
+    asset = find_asset(catalog, asked.asset)
+    kind = catalog.kinds.get(asset.category)
+    if kind is None or kind.support != "floor":
+        raise InputError(f"'{asset.name}' does not stand on a floor", "choose one that does")
+    at = shapely.Point(asked.x, asked.y)
+    named = [s for s in plan.spaces if asked.space in ("", s.id)]
+    found = next((s for s in named if shapely.Polygon(s.outline).covers(at)), None)
+    if found is None:
+        raise InputError(f"no room is at ({asked.x:g}, {asked.y:g})", "choose a place in one")
+    heading = _from_wall(found, at) if asked.heading is None else asked.heading
+    name = f"{found.id}/{asset.category}"
+    pose = Pose(asked.x, asked.y, 0.0, heading)
+    piece = Piece(name, asset.category, asset.id, found.id, pose, asset.usual, ALONE, ALONE)
+    piece = replace(piece, fixed=True, footprint=footprint_of(asset, asset.usual))
+    return _renamed([piece], others)[0], found
+
+
+def _from_wall(space: Space, at: shapely.Point) -> float:
+    """The heading of what has its back to the nearest wall of a space."""
+    corners = space.outline
+    ends = np.roll(corners, -1, axis=0)
+    edges = shapely.linestrings(np.stack([corners, ends], axis=1))
+    nearest = int(np.argmin(shapely.distance(edges, at)))
+    along = ends[nearest] - corners[nearest]
+    return math.atan2(float(along[0]), -float(along[1]))
+
+
+def _renamed(pieces: Sequence[Piece], others: Sequence[Piece]) -> list[Piece]:
+    """Copies with ids of their own, that belong to no furniture group."""
+    taken, names = {piece.id for piece in others}, {}
+    for piece in pieces:
+        stem = piece.id.rstrip("0123456789").removesuffix("_")
+        tried = (f"{stem}_{k}" if k > 1 else stem for k in range(1, len(taken) + 3))
+        names[piece.id] = next(name for name in tried if name not in taken)
+        taken.add(names[piece.id])
+    return [
+        replace(p, id=names[p.id], group=ALONE, function=ALONE, on=names.get(p.on or ""))
+        for p in pieces
+    ]
+
+
+def _list_free(
+    new: Sequence[Piece], wanted: Pose, space: Space, others: Sequence[Piece], catalog: Catalog
+) -> Iterator[list[Piece]]:
+    """Pieces at the free places around the one wanted, the nearest first, each some way from those
+    before. InputError where there is none."""
+    first = new[0]
+    floor = shapely.Polygon(space.outline, [*space.holes]).buffer(TOUCH)
+    taken = _union_standing(first, space, others, catalog)
+    around = np.arange(-FAR, FAR + STEP, STEP).tolist()
+    listed: list[tuple[float, float]] = []
+    for _, dx, dy in sorted((math.hypot(x, y), x, y) for x in around for y in around):
+        if any(math.dist((dx, dy), other) < APART for other in listed):
+            continue
+        for turn in (0.0, math.pi / 2, -math.pi / 2, math.pi):
+            pose = Pose(wanted.x + dx, wanted.y + dy, wanted.z, wanted.heading + turn)
+            there = replace(first, pose=pose)
+            shape = shapely.Polygon(outline_of(there))
+            if floor.covers(shape) and not shape.intersects(taken):
+                listed.append((dx, dy))
+                yield list(carry_pieces(new, frame_of(first), frame_of(there)))
+                break
+    if not listed:
+        label = first.category.replace("_", " ")
+        raise InputError(f"no place within {FAR:g} m is free for the {label}", "clear one first")
+
+
+def _union_standing(
+    piece: Piece, space: Space, others: Sequence[Piece], catalog: Catalog
+) -> shapely.Geometry:
+    """The floor that other things take which a piece would run into: nothing for a rug."""
+    flat = {kind.category for kind in catalog.kinds.values() if kind.flat}
+    top = piece.pose.z + piece.size.height
+    obstacles = [
+        shapely.Polygon(outline_of(one)).buffer(-TOUCH)
+        for one in others
+        if one.space == space.id and one.on is None and one.category not in flat
+        if one.pose.z < top
+    ]
+    return shapely.union_all(obstacles if piece.category not in flat else [])
