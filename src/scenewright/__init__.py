@@ -47,6 +47,8 @@ if TYPE_CHECKING:
     from scenewright.formats import losses, read, samples, write
     from scenewright.formats.solution_json import read as read_solution
     from scenewright.workflow.arrange import arrange
+    from scenewright.workflow.editing import Addition as Addition
+    from scenewright.workflow.editing import edit_pieces as edit_pieces
     from scenewright.workflow.evolve import evolve
     from scenewright.workflow.generate import generate
     from scenewright.workflow.meshes import check_meshes
