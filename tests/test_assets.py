@@ -140,6 +140,15 @@ def test_a_symbol_stays_inside_the_footprint(asset: Asset, size: Size) -> None:
     assert np.all(extent > 0.6 * half)
 
 
+def test_a_colour_takes_no_part_away() -> None:
+    assets = shipped().assets
+    faces = {name: sum(len(p.faces) for p in a.mesh(a.usual)) for name, a in assets.items()}
+    numbered = [name for name in faces if name.rpartition("_")[2].isdigit()]
+    coloured = {n: n.rpartition("_")[0] for n in numbered if n.rpartition("_")[0] in faces}
+    assert len(coloured) > 20
+    assert [name for name, of in coloured.items() if faces[name] != faces[of]] == []
+
+
 def test_the_required_categories_are_there() -> None:
     found = {asset.category for asset in ASSETS}
     assert not set(REQUIRED.split()) - found

@@ -87,7 +87,7 @@ def _frame(size: Size, wood: Material) -> Parts:
         m: rotate_mesh(p, "x", lean) for m, p in ((wood, rim), (PAPER, mount), (ACCENT, view))
     }
     return parts(
-        size, {m: [p] for m, p in turned.items()} | {BLACK: [rotate_mesh(strut, "x", lean)]}
+        size, {m: [p] for m, p in turned.items()} | {OAK_DARK: [rotate_mesh(strut, "x", lean)]}
     )
 
 

@@ -66,7 +66,7 @@ def _throw(size: Size, cloth: Material) -> Parts:
         block((x - 0.006, x + 0.006), (-d, -0.9 * d), (0.02 * h, 0.16 * h))
         for x in (-w + 2 * w * (k + 0.5) / 16 for k in range(16))
     ]
-    return parts(size, {cloth: layers, WOOL: fringe})
+    return parts(size, {cloth: layers, LINEN: fringe})
 
 
 def _towels(size: Size, cloth: Material) -> Parts:
@@ -122,7 +122,7 @@ def _teddy(size: Size, fur: Material) -> Parts:
         size,
         {
             fur: [body, head, *ears, *(_flatten(limb, 0.03 * h) for limb in limbs), *arms],
-            CREAM: [snout],
+            WOOL: [snout],
         },
     )
 

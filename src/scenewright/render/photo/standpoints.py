@@ -12,7 +12,7 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.core.scene import Scene
+from scenewright.core.scene import CLUTTER, Scene
 from scenewright.core.space import Space
 from scenewright.geometry import rays
 from scenewright.render.observations.floor import WalkableFloor, walkable_floor
@@ -31,8 +31,8 @@ AROUND, STEEPS = 96, np.linspace(-0.75, 0.35, 15)
 CLEARANCE, NEAR, FAR = 0.22, 1.25, 4.5
 SHORT = 0.1
 """How far before what a ray meets it is asked in which room that is, in metres."""
-OTHER = 0.15
-"""What seeing a thing of another room is worth."""
+OTHER, SMALL = 0.15, 0.02
+"""What seeing a thing of another room is worth, and a small object."""
 ENOUGH = 0.05
 """Share of a picture from which a thing is not worth more."""
 
@@ -88,9 +88,12 @@ def _best_in_room(
 def _own_things(world: VisibleWorld, scene: Scene, room: str) -> NDArray[np.float64]:
     """What it is worth to see each instance: pieces and openings of the room more than others."""
     mine = {piece.id for piece in scene.pieces if piece.space == room}
+    small = {piece.id for piece in scene.pieces if piece.function == CLUTTER}
     mine |= {one.id for one in scene.openings if room in one.spaces and one.kind == "window"}
     shown = (one.kind in ("piece", "opening") for one in world.instances)
-    worths = (1.0 if one.id in mine else OTHER for one in world.instances)
+    worths = (
+        SMALL if one.id in small else 1.0 if one.id in mine else OTHER for one in world.instances
+    )
     return np.array([0.0, *(s * w for s, w in zip(shown, worths, strict=True))])
 
 
