@@ -47,7 +47,7 @@ CHANGED: list[tuple[str, str, str, Any, str, int]] = [
     ("hall", "guided", "stuck", 1, "gd-mh", 300),
     ("hall", "guided", "draws", 1, "gd-mh", 300),
     ("hall", "guided", "shortest", 8.0, "gd-mh", 300),
-    ("site", "fill", "loosest", (2.0, 1.0), "fill", 2),
+    ("site", "fill", "loosest", (1.0,), "fill", 2),
     ("site", "fill", "variety", 20.0, "fill", 6),
     ("site", "fill", "askew", -20.0, "fill", 8),
     ("site", "exchange", "partners", 2, "fill", 2),
@@ -106,7 +106,7 @@ def test_another_value_finds_another_layout(
 @pytest.mark.parametrize(
     ("group", "name", "value", "solver", "steps"),
     [
-        ("aims", "minutes", 480.0, "fill", 40),
+        ("fill", "void", 0.0, "fill", 40),
         ("aims", "lit", 1, "fill", 40),
         ("fill", "steps", 0, "fill", 8),
         ("exchange", "rays", 2, "fill", 8),

@@ -13,7 +13,8 @@ from scenewright.domains.site.alternatives import FORMS, compare, describe, list
 def test_alternatives_and_seeds_of_the_courtyards_differ():
     brief = sw.read("sample:site-courtyards")
     plan = plan_of(brief)
-    assert compare(sw.solve(brief, seed=0), sw.solve(brief, seed=1), plan) >= 0.3
+    seeds = [sw.solve(brief, seed=seed) for seed in range(3)]
+    assert min(compare(one, seeds[2], plan) for one in seeds[:2]) >= 0.3
     found = alternatives(brief, 3)
     apart = [compare(a, b, plan) for k, a in enumerate(found) for b in found[:k]]
     assert min(apart) > 0.25

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from scenewright.core.space import Points
 from scenewright.geometry.wavefront import find_quickest
 from scenewright.ground.border import find_exits, find_mouths, lead_out
+from scenewright.ground.lane_ends import TURN, lay_heads, link_ends, list_streets
 from scenewright.ground.outlines import way as cover
 from scenewright.ground.path_raster import PathRaster, is_drivable
 from scenewright.ground.path_tree import square_off, straighten, trace
@@ -80,7 +81,21 @@ def lay_lanes(
             if not shapely.dwithin(built, lane, radius - WITHIN).any():
                 laid.append(lane)
                 near |= shapely.dwithin(built[:count], lane, reach + radius - WITHIN)
-    return tuple(Pathway("lane", width, corners_of_line(lane)) for lane in laid), near
+    return finish_lanes(plan, built, laid, width), near
+
+
+def finish_lanes(
+    plan: SitePlan, built: Shapes, laid: list[shapely.LineString], width: float
+) -> tuple[Pathway, ...]:
+    """Lanes with links between their ends and heads where none is possible."""
+    streets, radius = list_streets(plan), 0.5 * width
+    if streets.is_empty or not laid:
+        return tuple(Pathway("lane", width, corners_of_line(lane)) for lane in laid)
+    centres = find_centres(plan, built, radius)
+    every = [*laid, *link_ends(laid, streets, centres, radius)]
+    heads = lay_heads(every, streets, centres, find_centres(plan, built, TURN), radius)
+    rows = [*((lane, width) for lane in every), *heads]
+    return tuple(Pathway("lane", wide, corners_of_line(lane)) for lane, wide in rows)
 
 
 def corners_of_line(line: shapely.LineString) -> tuple[tuple[float, float], ...]:

@@ -53,7 +53,12 @@ def lay_pathways(
     raster = make_raster(plan, solids, cap, width, squares)
     doors = find_doors(footprints, headings)
     lanes, near = lay_lanes(plan, raster, solids, built, doors.ways, width, reach)
-    every = Doors(np.vstack([doors.places, apart.places]), np.vstack([doors.ways, apart.ways]))
+    named = [row for row in plan.landmarks if row.model]
+    of_marks = find_doors(
+        [np.asarray(row.footprint, float) for row in named], np.array([r.box[2] for r in named])
+    )
+    places = np.vstack([doors.places, apart.places, of_marks.places])
+    every = Doors(places, np.vstack([doors.ways, apart.ways, of_marks.ways]))
     walks, served = lay_walks(plan, raster, built, every, lanes)
     return Network((*lanes, *walks), near, served[: len(footprints)])
 

@@ -6,6 +6,7 @@ What has none is turned round where that helps, and left out where it does not.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -15,15 +16,20 @@ from scenewright.core.layout import corners
 from scenewright.core.piece_outlines import outline_of
 from scenewright.core.scene import Piece
 from scenewright.domains.site.brief import Site
+from scenewright.domains.site.facing import face_ways
 from scenewright.domains.site.problem import Flags, Floats, SiteProblem
 from scenewright.domains.site.solvers.outcome import SiteLayout
 from scenewright.ground.frontage import find_doors_at_border
 from scenewright.ground.pathways import Network, lay_pathways
 from scenewright.ground.plan import SitePlan
 from scenewright.ground.walks import find_doors
+from scenewright.ground.works import Pathway
 
 ROUNDS = 3
 """How often what is cut off is left out, before all that is still cut off is."""
+
+WORTH = 0.05
+"""Share of buildings that fronts turned to lanes are worth laying all ways anew for."""
 
 
 class ServedLayout(NamedTuple):
@@ -55,11 +61,20 @@ def serve_doors(
 ) -> ServedLayout:
     """A layout with ways to all its doors; ``stay`` are buildings that stand already."""
     lost: dict[int, str] = {}
+    facing = problem.form == "repaired" and not site.sun_required
+    if facing:
+        found = _face_ways(plan, problem, found)
     served = _serve(site, plan, problem, found, stay)
     if served.faulty().any():
         turned = _turn_round(problem, found, served.faulty())
         again = _serve(site, plan, problem, turned, stay)
         if again.faulty().sum() < served.faulty().sum():
+            found, served = turned, again
+    turned = _face_ways(plan, problem, found, served.network.pathways) if facing else found
+    off = np.abs(turned.boxes[:, 2] - found.boxes[:, 2]) > 0.0
+    if off.sum() > WORTH * len(off):
+        again = _serve(site, plan, problem, turned, stay)
+        if again.faulty().sum() <= served.faulty().sum():
             found, served = turned, again
     for _ in range(ROUNDS):
         faulty = np.flatnonzero(served.faulty())
@@ -73,6 +88,20 @@ def serve_doors(
         served = _serve(site, plan, problem, found, stay)
     outlines = [*_footprints(problem, found), *(outline_of(piece) for piece in stay)]
     return ServedLayout(found, served.network, lost, outlines)
+
+
+def _face_ways(
+    plan: SitePlan, problem: SiteProblem, found: SiteLayout, pathways: Sequence[Pathway] = ()
+) -> SiteLayout:
+    """The layout with fronts turned to the streets and ``pathways`` beside them; courts stay
+    closed, and what is no box stays."""
+    here, shapes = np.flatnonzero(found.present), problem.buildings.footprints
+    free = np.array([not (shapes and shapes[i]) for i in here], bool)
+    if problem.court_gap > 0.0 and found.forms:
+        free &= np.array([found.forms[i] != "peripheral" for i in here], bool)
+    boxes = found.boxes.copy()
+    boxes[here] = face_ways(plan, problem, boxes[here], free, pathways)
+    return found if (boxes == found.boxes).all() else found._replace(boxes=boxes, score={})
 
 
 def _serve(

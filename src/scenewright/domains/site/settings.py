@@ -23,6 +23,7 @@ class FillSettings(NamedTuple):
     other: float = 3.0
     void: float = 12.0
     widest: float = 60.0
+    aside: float = 9.5
     parts: tuple[float, ...] = (1.0, 0.75, 0.5)
     unclosed: float = 20.0
     drawn: float = 0.8

@@ -13,7 +13,7 @@ import numpy as np
 from scenewright.domains.site.problem import Floats, SiteProblem
 from scenewright.domains.site.solvers.closed_court import close_court
 from scenewright.domains.site.solvers.distances import list_reserved_edges, mark_shaded, noon
-from scenewright.domains.site.solvers.front import list_front_margins, turned_in
+from scenewright.domains.site.solvers.front import list_front_margins, list_side_margins, turned_in
 from scenewright.domains.site.solvers.perimeter_block import list_front_lines, rim
 from scenewright.domains.site.solvers.rows import StripRule, rows
 from scenewright.domains.site.solvers.strips import back, rotate_block
@@ -74,11 +74,13 @@ def headings(problem: SiteProblem, edges: Floats) -> list[float]:
 
 class BlockBorder(NamedTuple):
     """How the border of a block is followed: along which ``lines`` (m, 4), by what ``part`` of the
-    buildings that its form has there, and how many metres gaps may widen where there is room."""
+    buildings that its form has there, how many metres gaps may widen where there is room, and how
+    many metres ``aside`` rows keep their ends from it."""
 
     lines: Floats
     part: float = 1.0
     widest: float = 12.0
+    aside: float = 0.0
 
 
 class BlockFront(NamedTuple):
@@ -106,6 +108,9 @@ def loosen_layout(
     its border is followed (all of its edges unless given).
     """
     margins = list_front_margins(problem, edges, heading)
+    if border is not None and border.aside > 0.0:
+        sides = list_side_margins(border.lines, heading, border.aside)
+        margins = np.concatenate([margins, sides])
     front = lay_front(problem, edges, queue, heading, form, loosest > 1.0, border)
     tight = lay_out_block(problem, edges, queue, heading, form, 1.0, margins, front)
     if front.ring is not None or front.open:

@@ -43,9 +43,9 @@ from scenewright.domains.site.solvers.schemes import (
 )
 from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Found, Progress
 
-FALLBACK, MISSING = 4, 40.0
+FALLBACK, MISSING, KNOWN = 4, 40.0, 12
 """Every how many layouts of a block one is in a usual form instead of the scheme's; what a block
-costs that holds nothing of its share."""
+costs that holds nothing of its share; layouts after which orders and shares are drawn."""
 
 
 def fill_site(
@@ -257,22 +257,25 @@ def _best(
     points, rule = spread_points(lines), problem.settings.fill
     scheme, free = effort.scheme, allowed == list(USUAL)
     park = list_open_edges(lines, problem.ground.block_areas[block], ways[scheme.axis], scheme)
+    aside = rule.aside if len(problem.ground.roads) else 0.0
     lines = np.roll(list_front_lines(lines), scheme.order, axis=0)
     best, least = BlockLayout((), np.zeros((0, 5)), "parallel"), math.inf
     for k in range(effort.tried if share else 0):
         if k and over(k / effort.tried):
             break
         composed = free and effort.loosest > 1.0 and k % FALLBACK < FALLBACK - 1
-        form = scheme.form if composed else allowed[k % len(allowed)]
+        form = scheme.form if composed else allowed[(k + scheme.order) % len(allowed)]
         heading = ways[scheme.axis] if composed else ways[k // len(allowed) % len(ways)]
         queue = order_queue(problem, share, QUEUES[(k + scheme.order) % len(QUEUES)])
         opened = effort.loosest > 1.0 and k % 3 < 2
-        if k and effort.loosest == 1.0:
+        part = rule.parts[k % len(rule.parts)]
+        if (k and effort.loosest == 1.0) or k >= KNOWN:
             queue = _shuffle_buildings(problem, share, rng)
+            part = float(rng.uniform(min(rule.parts), 1.0))
         ground = np.concatenate([edges, park]) if opened else edges
         border = BlockBorder(lines)
         if composed:
-            border = BlockBorder(lines, rule.parts[k % len(rule.parts)], rule.widest)
+            border = BlockBorder(lines, part, rule.widest, aside)
         found = loosen_layout(problem, ground, queue, heading, form, effort.loosest, border)
         cost = _cost(problem, found, share) + rule.variety * float(rng.random())
         cost += rule.void * find_void(points, found.boxes) if effort.loosest > 1.0 else 0.0

@@ -14,6 +14,8 @@ AHEAD, PACE = 10.0, 0.5
 FACING, HAIR = 0.35, 1e-3
 """Cosine of how far an edge of the ground may turn from the fronts that look over it, and metres
 by which margins reach over it."""
+ENDS = 0.7
+"""Cosine of how far a side of a block may turn from the fronts of rows that end at it."""
 NEARLY = math.radians(45.0)
 """Angle off the preferred heading within which fronts may turn to the sun."""
 
@@ -126,6 +128,23 @@ def write_front_margins(
         found[count + 3] = (bx, by, ax, ay)
         count += 4
     return count
+
+
+def list_side_margins(lines: Floats, heading: float, deep: float) -> Floats:
+    """Edges (4 m, 4), clockwise, of the ground up to ``deep`` metres behind those of some ``lines``
+    (k, 4), the inside on their left, that rows with fronts to a ``heading`` end at.
+
+    >>> square = np.array([[0, 0, 9, 0], [9, 0, 9, 9], [9, 9, 0, 9], [0, 9, 0, 0]], float)
+    >>> list_side_margins(square, math.pi / 2, 2.0)[1].round(6).tolist()
+    [7.0, 0.0, 7.0, 9.0]
+    """
+    way = lines[:, 2:] - lines[:, :2]
+    long = np.maximum(np.hypot(way[:, 0], way[:, 1]), 1e-9)[:, None]
+    out = np.column_stack([way[:, 1], -way[:, 0]]) / long
+    ends = np.abs(out @ (math.cos(heading), math.sin(heading))) < ENDS
+    a, b, out = lines[ends, :2], lines[ends, 2:], out[ends]
+    ring = np.stack([a + HAIR * out, a - deep * out, b - deep * out, b + HAIR * out], 1)
+    return np.concatenate([ring, np.roll(ring, -1, axis=1)], -1).reshape(-1, 4)
 
 
 @inlined

@@ -1,0 +1,104 @@
+"""Ends of lanes: each is led on to another lane or a street where free ground lies between, and one
+that stays a dead end gets a head to turn in.
+
+A fire engine turns on a circle of :data:`TURN` metres; dead ends over :data:`LONG` metres need one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+import shapely
+
+from scenewright.ground.plan import SitePlan
+
+LONG, LINK, TURN, ASIDE = 30.0, 60.0, 6.0, 10.0
+"""Metres of the longest dead end without a head, of the longest link to another way, of the radius
+of a head, and how far from the end of its lane a head may lie."""
+STUMP, JOINED = 0.2, 0.3
+"""Metres of the middle line of a head; metres within which an end is on another way."""
+
+Lines = Sequence[shapely.LineString]
+
+
+def find_dead_ends(
+    lanes: Lines, streets: shapely.Geometry, radius: float
+) -> dict[int, shapely.Point]:
+    """By the number of each lane that ends on no other way, ``radius`` metres of each side being
+    the lane's, that end.
+
+    >>> lanes = [shapely.LineString([(0, 0), (40, 0)]), shapely.LineString([(20, 0), (20, 9)])]
+    >>> find_dead_ends(lanes, shapely.Point(0, 0), 2.0)[0].wkt
+    'POINT (40 0)'
+    """
+    if not lanes:
+        return {}
+    rows = shapely.points([point for lane in lanes for point in (lane.coords[0], lane.coords[-1])])
+    tree = shapely.STRtree([*lanes, streets])
+    end, way = tree.query(rows, predicate="dwithin", distance=radius + JOINED)
+    joined = np.zeros(len(rows), bool)
+    joined[end[way != end // 2]] = True
+    return {int(k) // 2: rows[k] for k in np.flatnonzero(~joined)}
+
+
+def link_ends(
+    lanes: Lines, streets: shapely.Geometry, centres: shapely.Geometry, radius: float
+) -> list[shapely.LineString]:
+    """Straight links from dead ends to another lane or a street, where the middle of a lane may lie
+    (``centres``) all the way: lanes that are loops."""
+    links: list[shapely.LineString] = []
+    ground, tree = shapely.buffer(centres, 0.01), shapely.STRtree([*lanes, streets])
+    shapely.prepare(ground)
+    shapely.prepare(streets)
+    for number, end in find_dead_ends(lanes, streets, radius).items():
+        near = tree.query(end, predicate="dwithin", distance=LINK)
+        ways = [*tree.geometries[near[near != number]], *links]
+        own = lanes[number].difference(end.buffer(1.0))
+        lines = [shapely.shortest_line(end, way) for way in ways]
+        for line in sorted(lines, key=lambda row: float(row.length)):
+            ahead = line.interpolate(max(line.length - radius - 1.0, 0.0))
+            drive = shapely.LineString([end, ahead])
+            if not 1.0 < line.length <= LINK or line.distance(own) <= 0.5:
+                continue
+            joins = shapely.dwithin(streets, line, JOINED)
+            free = shapely.covers(ground, drive if joins else line)
+            if free and not shapely.intersects(streets, drive):
+                links.append(line)
+                break
+    return links
+
+
+def lay_heads(
+    lanes: Lines,
+    streets: shapely.Geometry,
+    centres: shapely.Geometry,
+    wide: shapely.Geometry,
+    radius: float,
+) -> list[tuple[shapely.LineString, float]]:
+    """Heads of the dead ends longer than :data:`LONG`: middle lines and widths. ``wide`` is where
+    the middle of a head may lie, ``centres`` where that of its lane may."""
+    found, ground = [], shapely.buffer(centres, 0.01)
+    for number, end in find_dead_ends(lanes, streets, radius).items():
+        if lanes[number].length <= LONG or wide.is_empty:
+            continue
+        line = shapely.shortest_line(end, wide)
+        if line.length > ASIDE or not shapely.covers(ground, line):
+            continue
+        x, y = line.coords[-1]
+        found.append((shapely.LineString([(x, y), (x + STUMP, y)]), 2.0 * TURN))
+        if line.length > 1.0:
+            found.append((line, 2.0 * radius))
+    return found
+
+
+def list_streets(plan: SitePlan) -> shapely.Geometry:
+    """The ground of roads and the border that is open to those beside it."""
+    areas: list[shapely.Geometry] = [
+        shapely.Polygon(area.outline, area.holes)
+        for way in plan.roads
+        if way.kind == "road"
+        for area in way.areas
+    ]
+    mouths = [shapely.LineString(mouth) for way in plan.roads for mouth in way.mouths]
+    return shapely.union_all([*areas, *mouths])

@@ -1,0 +1,77 @@
+"""Fronts look to the way beside them; lanes go on or end in a head; landmarks have their walk."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+import shapely
+
+import scenewright as sw
+from scenewright.core.brief import Brief
+from scenewright.domains import check, plan_of
+from scenewright.domains.site.facing import face_ways, find_fronting, list_ways
+from scenewright.domains.site.solving import problems
+from scenewright.ground.lane_ends import LONG, TURN, find_dead_ends, lay_heads, link_ends
+
+NORTH, SOUTH, EAST = math.pi / 2, -math.pi / 2, 0.0
+
+
+def ground(**more: object) -> Brief:
+    site = {
+        "outline": [[0, 0], [120, 0], [120, 80], [0, 80]],
+        "roads": [{"line": [[0, 40], [120, 40]], "width": 6}],
+        "buildings": [{"model": "villa", "count": 2}],
+    }
+    return Brief.model_validate({"domain": "site", "name": "Fronts", "sites": [site | more]})
+
+
+def turned(heading: float, brief: Brief, width: float = 10.0) -> float:
+    """The heading of a house 5 metres south of the street after fronts are turned to it."""
+    plan, problem = plan_of(brief).detail[0], problems(brief)[0]
+    box = np.array([[60.0, 27.0, heading, width, 10.0]])
+    return float(face_ways(plan, problem, box, np.ones(1, bool), ())[0, 2])
+
+
+@pytest.mark.parametrize("heading", [NORTH, SOUTH, EAST])
+def test_a_house_turns_to_its_street(heading: float) -> None:
+    assert math.sin(turned(heading, ground())) == pytest.approx(1.0)
+
+
+def test_a_slab_that_would_leave_its_ground_turned_by_a_quarter_stays() -> None:
+    assert turned(EAST, ground(), 70.0) == EAST
+    assert turned(SOUTH, ground(), 70.0) == pytest.approx(SOUTH + math.pi)
+
+
+def test_who_stands_by_a_way_and_who_fronts_it() -> None:
+    plan = plan_of(ground()).detail[0]
+    rows = np.array([[60.0, 27, NORTH, 10, 10], [60.0, 27, SOUTH, 10, 10], [60.0, 10, NORTH, 9, 9]])
+    by, fronting = find_fronting(list_ways(plan, ()), rows)
+    assert by.tolist() == [True, True, False]
+    assert fronting.tolist() == [True, False, False]
+
+
+def test_lanes_go_on_where_ground_is_free_and_turn_where_it_is_not() -> None:
+    street, free = shapely.box(0, -5, 100, 0), shapely.box(-50, -50, 150, 80)
+    lanes = [shapely.LineString([(x, 50), (x, 0)]) for x in (20, 60)]
+    assert sorted(find_dead_ends(lanes, street, 2.0)) == [0, 1]
+    links = link_ends(lanes, street, free, 2.0)
+    assert not find_dead_ends([*lanes, *links], street, 2.0)
+    narrow = shapely.box(17, -50, 23, 80)
+    assert not link_ends(lanes[:1], shapely.Point(20, 0), narrow, 2.0)
+    heads = lay_heads(lanes, street, free, free, 2.0)
+    assert [width for _, width in heads] == [2.0 * TURN] * 2
+    assert not lay_heads(lanes, street, free, shapely.box(100, 0, 120, 80), 2.0)
+    short = [shapely.LineString([(20, LONG - 1.0), (20, 0)])]
+    assert not lay_heads(short, street, free, free, 2.0)
+
+
+def test_a_landmark_has_its_walk_and_nothing_breaks_a_rule() -> None:
+    solution = sw.solve(ground(landmarks=[{"id": "temple", "model": "pavilion", "at": [60, 66]}]))
+    (works,), plan = solution.detail, plan_of(solution.brief).detail[0]
+    ways = [shapely.LineString(row.line).buffer(row.width / 2) for row in works.pathways]
+    streets = [shapely.Polygon(a.outline) for way in plan.roads for a in way.areas]
+    mark = shapely.Polygon(plan.landmarks[0].footprint)
+    assert min(mark.distance(way) for way in [*ways, *streets]) < 0.5
+    assert check(solution).valid
