@@ -38,12 +38,20 @@ class Wing(NamedTuple):
 
 
 def split_wings(footprint: Footprint) -> tuple[Wing, ...]:
-    """The wings of a footprint, the widest first; none if its sides do not run along its box.
+    """The wings of a footprint, the widest first, narrower ones run into it; none if its sides do
+    not run along its box.
 
     >>> ell = ((-5.0, -4.0), (5.0, -4.0), (5.0, 2.0), (0.0, 2.0), (0.0, 4.0), (-5.0, 4.0))
     >>> [(wing.along, wing.span) for wing in split_wings(ell)]
     [('x', 6.0), ('y', 5.0)]
     """
+    wings = list_wings(footprint)
+    return (*wings[:1], *(_run_into(wing, wings[0]) for wing in wings[1:]))
+
+
+def list_wings(footprint: Footprint) -> tuple[Wing, ...]:
+    """The same as they are, each with its ridge along its longer side: they overlap where they
+    cross."""
     ring = np.array(footprint)
     step = np.abs(np.roll(ring, -1, axis=0) - ring).min(1)
     if step.max() > STRAIGHT:
@@ -59,8 +67,7 @@ def split_wings(footprint: Footprint) -> tuple[Wing, ...]:
             break
         chosen.append(rooms[best])
         left = shapely.difference(left, shapely.box(*rooms[best]))
-    wings = sorted((_wing(box) for box in chosen), key=lambda wing: -wing.span)
-    return (*wings[:1], *(_run_into(wing, wings[0]) for wing in wings[1:]))
+    return tuple(sorted((_wing(box) for box in chosen), key=lambda wing: -wing.span))
 
 
 def list_rectangles(footprint: Footprint) -> list[tuple[float, float, float, float]]:
@@ -102,9 +109,11 @@ def _wing(box: tuple[float, ...]) -> Wing:
 
 def _run_into(wing: Wing, main: Wing) -> Wing:
     """A wing that leaves the main one sideways has its ridge that way, from the main ridge on; one
-    that goes on from its end has it as the main one."""
+    that goes on from its end has it as the main one; one that stands apart keeps its own."""
     across = "y" if main.along == "x" else "x"
     own, theirs = getattr(wing, across), getattr(main, across)
+    if own[1] < theirs[0] - STRAIGHT or own[0] > theirs[1] + STRAIGHT:
+        return wing
     before, beyond = own[0] < theirs[0] - STRAIGHT, own[1] > theirs[1] + STRAIGHT
     if not before and not beyond:
         return wing._replace(along=main.along)

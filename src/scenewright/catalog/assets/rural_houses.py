@@ -15,12 +15,14 @@ import shapely
 
 from scenewright.catalog.assets.building_plans import plan, ridge
 from scenewright.catalog.assets.drawing import Drawing
+from scenewright.catalog.assets.house_roofs import roof_over
 from scenewright.catalog.assets.house_shapes import (
     Wing,
     gabled_roof,
     gabled_walls,
     hips,
     inset,
+    list_wings,
     saddle,
     split_wings,
     stepped_gable,
@@ -95,7 +97,7 @@ def build_house(size: Size, footprint: Footprint, style: str, roof: str) -> Part
     outline = footprint or ((-w, -d), (w, -d), (w, d), (-w, d))
     look = LOOKS[style]
     area = float(shapely.Polygon(outline).area)
-    wings = split_wings(outline)
+    wings = split_wings(outline) if style == "hui" else list_wings(outline)
     if roof == "flat":
         return _flat(size, outline, look, area)
     if style == "hui" and len(wings) == 1 and min(size.width, size.depth) >= COURT:
@@ -119,13 +121,13 @@ def _build_gables(
     top = size.height - chimney - THICK - above
     pitch = min(look.pitch, (top - LOWEST) / (wings[0].span / 2))
     eave = top - pitch * wings[0].span / 2
-    walls, roofs, caps = list[Mesh](), list[Mesh](), list[Mesh]()
+    walls, caps = list[Mesh](), list[Mesh]()
+    roofs = [] if stepped else roof_over(wings, eave, pitch, THICK)
     for wing in wings:
         rise = pitch * wing.span / 2
         walls.append(gabled_walls(wing, eave, rise, look.overhang))
-        back = (0.2, 0.03) if stepped else (0.0, 0.0)
-        roofs.append(gabled_roof(wing, eave, rise, THICK, *back))
         if stepped:
+            roofs.append(gabled_roof(wing, eave, rise, THICK, 0.2, 0.03))
             for wall, copings in _gable_ends(wing, eave, eave + rise + THICK + above):
                 walls.append(wall)
                 caps += copings

@@ -80,7 +80,11 @@ def _of_block(
     strips = _cut(_only_areas(shapely.intersection(trod, open_.floor)), squares)
     around = shapely.buffer(houses, YARD, join_style="mitre", mitre_limit=2.0)
     yards = _only_areas(shapely.intersection(around, floor, grid_size=GRID))
-    strips, yards = _cut(strips, block.lanes), _cut(yards, block.lanes)
+    ways = shapely.union_all(
+        [shapely.Polygon(a.outline, a.holes) for w in block.ground.roads for a in w.areas],
+        grid_size=GRID,
+    )
+    strips, yards = _cut(strips, ways), _cut(yards, block.lanes)
     yards = _cut(_cut(yards, squares), strips)
     over = _cut(cross_verges(block, lines, strips), _only_areas(shapely.union(houses, squares)))
     for kind, shape in (("square", squares), ("walk", over), ("yard", yards)):
