@@ -23,7 +23,7 @@ from scenewright.geometry import rays
 from scenewright.geometry.distance_raster import walls_between
 from scenewright.render.observations.ceilings import ceilings
 from scenewright.render.observations.views import KINDS, Observation, pose_of
-from scenewright.workflow.observe import Observations, observe
+from scenewright.workflow.observe import Observations, named_rooms, observe
 
 SIZE, FOV = (64, 48), float(np.deg2rad(75))
 LIVING, BEDROOM = (3.0, 1.2, 1.5, 2.2, -0.2), (7.2, 1.0, 1.5, 1.9, 0.1)
@@ -203,6 +203,12 @@ def test_under_a_roof_no_ray_is_lost_and_its_windows_are_seen() -> None:
     met = {kinds[number] for number in view.instance.ravel().tolist()}
     assert {"ceiling", "window"} <= met
     assert "nothing" not in met
+
+
+def test_a_room_is_called_by_a_word_of_its_name() -> None:
+    scene = scene_of(unfurnished(sw.read("sample:home-flat")))
+    dining = {space.id for space in scene.spaces if "dining" in space.name.lower()}
+    assert named_rooms(scene, ["Dining"]) == dining != frozenset()
 
 
 HOSTILE = [

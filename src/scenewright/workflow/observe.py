@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -274,10 +275,16 @@ def check_rooms(domain: str, spaces: Sequence[Space]) -> None:
 
 
 def named_rooms(scene: Scene, names: Sequence[str]) -> frozenset[str]:
-    """The ids of rooms called by name or id; InputError for one that is not there."""
+    """The ids of rooms called by name or id, else of those whose name or use has the word;
+    InputError where there is none."""
     found: set[str] = set()
     for name in names:
-        same = [s.id for s in scene.spaces if name.lower() in (s.id.lower(), s.name.lower())]
+        word = name.lower()
+        same = [s.id for s in scene.spaces if word in (s.id.lower(), s.name.lower())] or [
+            s.id
+            for s in scene.spaces
+            if word in s.functions or word in re.findall(r"\w+", s.name.lower())
+        ]
         if not same:
             known = ", ".join(space.name or space.id for space in scene.spaces)
             raise InputError(f"there is no room '{name[:80]}'", f"use one of: {known[:200]}")
