@@ -14,7 +14,7 @@ from benchmarks.real_data import data_folder
 from flat import flat_solution
 from scenewright.core.solution import Solution
 from skip_summary import pytest_terminal_summary
-from thoroughness import few_or_many
+from thoroughness import THOROUGH, few_or_many
 
 __all__ = ["pytest_terminal_summary"]
 
@@ -41,9 +41,13 @@ def pytest_collection() -> Iterator[None]:
 
 
 def pytest_runtest_setup(item: pytest.Item) -> None:
-    """Tests of real data are skipped where there are none."""
-    if item.get_closest_marker("realdata") and not data_folder().is_dir():
+    """Tests of real data are skipped where there are none; but the quick ones they are in the
+    thorough check."""
+    real = item.get_closest_marker("realdata")
+    if real and not data_folder().is_dir():
         pytest.skip(f"no real data at {data_folder()}: set SCENEWRIGHT_DATA")
+    if real and not (THOROUGH or real.kwargs.get("quick")):
+        pytest.skip("in make test-all")
 
 
 @pytest.fixture(scope="session")

@@ -21,6 +21,7 @@ from scenewright.batch.worker import do_order
 from scenewright.cli import run
 from scenewright.core.errors import InputError
 from test_sets import lines_of, plans
+from thoroughness import few_or_many
 
 distributed = pytest.importorskip("distributed")
 MAKE: dict[str, Any] = {"steps": 200, "manifest": "jsonl", "variation": Variation(range(3), 1)}
@@ -78,19 +79,21 @@ def test_results_at_an_address_and_files_workers_do_not_see(cluster: Any, tmp_pa
 
 @pytest.mark.slow
 def test_killed_workers_of_a_cluster_lose_nothing(cluster: Any, tmp_path: Path) -> None:
-    folder, told, killed = plans(tmp_path / "in", 4), list[ResultRow](), list[int]()
+    """One worker, twice in the thorough check."""
+    count, kills = few_or_many(2, 4), few_or_many(1, 2)
+    folder, told, killed = plans(tmp_path / "in", count), list[ResultRow](), list[int]()
 
     def heard(row: ResultRow, done: int, total: int, was: bool) -> None:
         told.append(row)
-        if done in (2, 6):
+        if done in (2, 6)[:kills]:
             killed.append(pids(cluster)[0])
             os.kill(killed[-1], signal.SIGKILL)
 
     on = Cluster(cluster.scheduler_address)
     rows = sw.batch(folder, tmp_path / "out", cluster=on, progress=heard, **MAKE)
-    assert [row.status for row in rows] == [COMPLETE] * 12
-    assert len({row.outputs for row in told}) == len(told) == 12
-    assert len(killed) == 2
+    assert [row.status for row in rows] == [COMPLETE] * 3 * count
+    assert len({row.outputs for row in told}) == len(told) == 3 * count
+    assert len(killed) == kills
 
 
 @pytest.mark.slow
@@ -107,6 +110,7 @@ def test_a_job_that_kills_every_worker_is_told_in_one_line(
         return do_order(order, *rest)
 
     monkeypatch.setattr(CLUSTER, "do_order", die_of_bad)
+    monkeypatch.setattr(cluster.scheduler, "allowed_failures", few_or_many(1, 3))
     on = Cluster(cluster.scheduler_address)
     make = MAKE | {"variation": Variation(range(1), 1)}
     rows = sw.batch(folder, tmp_path / "out", cluster=on, **make)

@@ -53,17 +53,35 @@ def test_examples_run(
                 run(line, capsys)
 
 
+STEPS = {"site": 2, "home": 400, "hall": 400}
+"""As many as an example takes, at most, of those of a whole run."""
+
+
 def sparing(words: list[str]) -> list[str]:
-    """A command with fewer steps where it says nothing of them; none where papers' methods run."""
+    """A command with few steps and no other process; none where papers' methods run."""
     if "--method" in words:
         return []
-    if words[0] != "arrange" or {"--steps", "--layouts", "--batch", "--preset"} & {*words}:
+    if words[0] == "batch" or "--batch" in words:
+        return with_steps([*words, "--jobs", "1"], 200)
+    if words[0] != "arrange" or {"--layouts", "--preset"} & {*words}:
         return words
     domain = words[1].removeprefix("sample:").partition("-")[0]
     if words[1].endswith(".json"):
         domain = json.loads(Path(words[1]).read_text("utf-8")).get("domain", "home")
-    steps = {"site": "2", "home": "400", "hall": "400"}.get(domain)
-    return [*words, "--steps", steps] if steps else words
+    return with_steps(words, STEPS[domain]) if domain in STEPS else words
+
+
+def with_steps(words: list[str], most: int) -> list[str]:
+    """A command with so many steps, or as few as it says.
+
+    >>> with_steps(["--steps", "1000", "-o", "a.svg"], 400)
+    ['-o', 'a.svg', '--steps', '400']
+    """
+    if "--steps" in words:
+        k = words.index("--steps")
+        most = min(most, int(words[k + 1]))
+        words = words[:k] + words[k + 2 :]
+    return [*words, "--steps", str(most)]
 
 
 def run(line: str, capsys: pytest.CaptureFixture[str]) -> None:

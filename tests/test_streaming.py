@@ -18,15 +18,18 @@ from scenewright.engine.solve import Report
 from scenewright.formats import solution_json
 
 SAMPLES = {
-    "home": "home-studio",
+    "home": "home-room",
     "hall": "hall-shop",
     "site": "site-courtyards",
     "village": "village-hamlet",
     "extend": "extend-terrace",
 }
+TWO_ROOMS = "home-studio"
+"""Solved by the default solver of homes, as well."""
 STEPS = {"village": 2, "extend": 2}
 """Steps of a whole run (else 300): where one makes a whole layout."""
 EVERY = [(domain, name) for domain in SAMPLES for name in solvers(domain)]
+EVERY.append((TWO_ROOMS, "anneal"))
 STOOD = {"source"}
 """Where pieces stand that no solver places."""
 ASKED_AGAIN = 256
@@ -51,7 +54,8 @@ class Stop:
 
 @pytest.fixture(scope="module")
 def planned() -> dict[str, tuple[sw.Brief, Plan]]:
-    briefs = {domain: sw.read(f"sample:{name}") for domain, name in SAMPLES.items()}
+    samples = {**SAMPLES, TWO_ROOMS: TWO_ROOMS}
+    briefs = {domain: sw.read(f"sample:{name}") for domain, name in samples.items()}
     return {domain: (brief, plan_of(brief)) for domain, brief in briefs.items()}
 
 

@@ -17,7 +17,7 @@ from typing import Any, TypeVar
 
 import numba
 
-from scenewright.geometry.kernel_parts import PartCompiler
+from scenewright.geometry.kernel_parts import KernelCompiler, PartCompiler, take_constants_by_type
 from scenewright.geometry.kernel_store import SUFFIX, KernelStore
 
 Kernel = TypeVar("Kernel", bound=Callable[..., Any])
@@ -60,9 +60,9 @@ def compiled(function: Kernel) -> Kernel:
     Kernels read and write arrays but never make any, so numba need not count references to them:
     that counting costs more than a small term itself. Scratch arrays are arguments.
     """
-    kernel = numba.njit(**OPTIONS)(function)
+    kernel = numba.njit(pipeline_class=KernelCompiler, **OPTIONS)(function)
     kernel._cache = KernelStore(function, cache_folders())
-    return kernel
+    return take_constants_by_type(kernel)
 
 
 def inlined(function: Kernel) -> Kernel:
@@ -74,6 +74,7 @@ def inlined(function: Kernel) -> Kernel:
 
     Only other kernels may call it; a call from Python would crash. A test holds that.
     """
-    return numba.njit(
+    make = numba.njit(
         no_cpython_wrapper=True, forceinline=True, pipeline_class=PartCompiler, **OPTIONS
-    )(function)
+    )
+    return take_constants_by_type(make(function))

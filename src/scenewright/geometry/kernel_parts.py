@@ -1,16 +1,51 @@
-"""How parts of kernels are compiled: into the kernels that call them, and no further.
+"""How kernels and their parts are compiled: with numba's passes that kernels need, parts no further
+than into the kernels that call them.
 
 Numba optimizes every function together with all it calls and makes machine code of it. Of a
 function that is copied into its callers nobody runs that code, so its callers take it as it was
 before: each kernel is optimized once, as a whole. That takes a quarter off the time to compile.
+
+Most of the rest is Python: numba's passes over each function. Closures, lists, Python's own objects
+and expressions of whole arrays, which kernels do not have, need half of the passes. And a part that
+is called with a constant is compiled for its type alone, not for each constant once more.
 """
 
 from __future__ import annotations
 
 from typing import Any
 
+from numba.core import types
 from numba.core.codegen import JITCodeLibrary
-from numba.core.compiler import CompilerBase, DefaultPassBuilder
+from numba.core.compiler import CompilerBase
+from numba.core.compiler_machinery import PassManager
+from numba.core.typed_passes import (
+    IRLegalization,
+    NativeLowering,
+    NoPythonBackend,
+    NopythonTypeInference,
+    PreLowerStripPhis,
+)
+from numba.core.untyped_passes import (
+    FixupArgs,
+    GenericRewrites,
+    IRProcessing,
+    ReconstructSSA,
+    TranslateByteCode,
+)
+
+PASSES = (
+    TranslateByteCode,
+    FixupArgs,
+    IRProcessing,
+    GenericRewrites,
+    ReconstructSSA,
+    NopythonTypeInference,
+    PreLowerStripPhis,
+    IRLegalization,
+    NativeLowering,
+    NoPythonBackend,
+)
+"""What numba does with a kernel."""
 
 
 class NoEnvironment:
@@ -42,11 +77,36 @@ class PartLibrary(JITCodeLibrary):
         return 0
 
 
-class PartCompiler(CompilerBase):
-    """Numba's own passes with a :class:`PartLibrary`."""
+class KernelCompiler(CompilerBase):
+    """The passes of a kernel."""
 
     def define_pipelines(self) -> list[Any]:
-        """The passes of any compiled function."""
+        """One row of passes."""
+        passes = PassManager("kernel")
+        for each in PASSES:
+            passes.add_pass(each, each.name())
+        passes.finalize()
+        return [passes]
+
+
+class PartCompiler(CompilerBase):
+    """The passes of a kernel with a :class:`PartLibrary`."""
+
+    def define_pipelines(self) -> list[Any]:
+        """One row of passes."""
         state = self.state
         state.library = PartLibrary(state.targetctx.codegen(), state.func_id.func_qualname)
-        return [DefaultPassBuilder.define_nopython_pipeline(state)]
+        return KernelCompiler.define_pipelines(self)
+
+
+def take_constants_by_type(kernel: Any) -> Any:
+    """Make numba compile a kernel that others call for the types of constants, not for each."""
+    template = kernel.get_call_template
+
+    def get_call_template(args: Any, kws: Any) -> Any:
+        """What numba asks of a function that is called."""
+        plain = {name: types.unliteral(value) for name, value in kws.items()}
+        return template(tuple(map(types.unliteral, args)), plain)
+
+    kernel.get_call_template = get_call_template
+    return kernel
