@@ -21,7 +21,7 @@ from scenewright.batch.worker import do_order
 from scenewright.cli import run
 from scenewright.core.errors import InputError
 from test_sets import lines_of, plans
-from thoroughness import few_or_many
+from thoroughness import few_or_many, only_thorough
 
 distributed = pytest.importorskip("distributed")
 MAKE: dict[str, Any] = {"steps": 200, "manifest": "jsonl", "variation": Variation(range(3), 1)}
@@ -96,6 +96,7 @@ def test_killed_workers_of_a_cluster_lose_nothing(cluster: Any, tmp_path: Path) 
     assert len(killed) == kills
 
 
+@only_thorough
 @pytest.mark.slow
 def test_a_job_that_kills_every_worker_is_told_in_one_line(
     cluster: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
@@ -110,7 +111,6 @@ def test_a_job_that_kills_every_worker_is_told_in_one_line(
         return do_order(order, *rest)
 
     monkeypatch.setattr(CLUSTER, "do_order", die_of_bad)
-    monkeypatch.setattr(cluster.scheduler, "allowed_failures", few_or_many(1, 3))
     on = Cluster(cluster.scheduler_address)
     make = MAKE | {"variation": Variation(range(1), 1)}
     rows = sw.batch(folder, tmp_path / "out", cluster=on, **make)
