@@ -101,9 +101,15 @@ def _choose(
     elif where == "middle":
         cost = cost * 0.15 + np.hypot(x, y) / wide
     elif where == "side":
-        cost = cost * 0.3 - np.abs(x) / wide + (x * rng.choice((-1.0, 1.0)) > 0)
+        cost = cost * 0.3 - np.abs(x) / wide + (x * _first_side(carrier) * (-1) ** number > 0)
     k = int(np.argmin(cost))
     return float(x[k]), float(y[k])
+
+
+def _first_side(carrier: Carrier) -> int:
+    """The side, 1 or -1, that the first thing of a row takes: by where the carrier stands, so that
+    the second can take the other."""
+    return 1 if int(10 * (carrier.piece.pose.x + carrier.piece.pose.y)) % 2 else -1
 
 
 def _place_at_seat(carrier: Carrier, where: Place, number: int) -> tuple[float, float] | None:

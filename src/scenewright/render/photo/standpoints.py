@@ -126,7 +126,7 @@ def _worths(
         near = float((far < NEAR).mean())
         deep = float(far[:, len(STEEPS) // 2 :].mean()) / FAR
         other = float(beyond[here].mean())
-        worth = shown - 0.35 * cut + 3.0 * deep - 10.0 * max(near - 0.02, 0.0) - 8.0 * other
+        worth = shown - 0.6 * cut + 3.0 * deep - 14.0 * max(near - 0.01, 0.0) - 8.0 * other
         yield turns[middle], worth
 
 
