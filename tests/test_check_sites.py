@@ -288,7 +288,7 @@ def test_a_large_site_is_judged():
     assert found.figures["s"]["least_spacing"] == pytest.approx(14.0)
 
 
-@pytest.mark.realdata
+@pytest.mark.realdata(quick=True)
 def test_designers_are_judged(real_data):
     """What designers built never crashes the referee, and mostly overlaps nothing."""
     rows = compounds(

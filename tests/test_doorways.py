@@ -218,7 +218,7 @@ def test_what_is_tall_before_a_wide_door_costs_more(name):
     assert more == pytest.approx(found[0])
 
 
-@pytest.mark.realdata
+@pytest.mark.realdata(quick=True)
 def test_a_kitchen_that_ends_before_a_wide_door_is_made_anew(real_data):
     """Its last drawers stood 0.6 m before the sliding door of a bedroom."""
     brief = adapt(rescale(raw_plans()[299])).brief

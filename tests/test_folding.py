@@ -83,7 +83,7 @@ def test_what_is_no_expression_is_refused(text: str) -> None:
     assert cli.run(["fold", text]) == 2
 
 
-@pytest.mark.realdata
+@pytest.mark.realdata(quick=True)
 def test_a_real_model_grows_by_its_storeys(real_data: Path) -> None:
     path = real_data / "kenney_city" / "starter_kit" / "building-small-c.glb"
     (one,) = read_entry(entry_of(str(path))).models

@@ -123,7 +123,7 @@ def test_the_command_line_says_it_in_one_line(
     assert "ogr2ogr -t_srs EPSG:4326 map.geojson 'my house.fgb'" in shown.err
 
 
-@pytest.mark.realdata
+@pytest.mark.realdata(quick=True)
 def test_real_files_of_other_programs_are_named(real_data: Path) -> None:
     folder = real_data / "professional_files"
     files = [*folder.glob("json/*")]

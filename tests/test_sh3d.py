@@ -198,7 +198,7 @@ def real(folder: Path, name: str) -> Path:
     return path
 
 
-@pytest.mark.realdata
+@pytest.mark.realdata(quick=True)
 @pytest.mark.parametrize("name", HOMES)
 def test_real_homes(real_data: Path, name: str) -> None:
     """Counts of rooms, doors (with open sides) and windows, looked at in drawings."""
