@@ -32,7 +32,7 @@ from scenewright.formats.gltf.tree import Drawn, build_tree, name_safely
 from scenewright.geometry.prisms import face_normals
 from scenewright.render.items import RenderItem, things
 from scenewright.render.lamps import lamps_of
-from scenewright.render.light_rows import LightRow, light_rows, row_item
+from scenewright.render.light_rows import LightRow, dark_rows, row_item
 from scenewright.render.observations.ceilings import ceilings
 from scenewright.render.skirting import skirting
 
@@ -143,11 +143,8 @@ def _seen_ceilings(scene: Scene) -> Iterator[RenderItem]:
 
 
 def _dark_rows(scene: Scene, found: Sequence[RenderItem], catalog: Catalog) -> Iterator[LightRow]:
-    """Rows of lights in large rooms that no lamp stands or hangs in."""
     if not any(OPEN & set(space.functions) for space in scene.spaces):
-        lit = {lamp.item.space for lamp in lamps_of(found, catalog)}
-        dark = [s for s in scene.spaces if s.id not in lit]
-        yield from light_rows(dark, frozenset(space.id for space in dark), MOST_LIGHTS)
+        yield from dark_rows(scene.spaces, lamps_of(found, catalog), MOST_LIGHTS)
 
 
 def _about(scene: Scene, catalog: Catalog) -> Json:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -15,7 +15,7 @@ from scenewright.core.space import Space
 from scenewright.geometry.mesh import merge, translate_mesh
 from scenewright.geometry.prisms import box
 from scenewright.render.items import RenderItem
-from scenewright.render.lamps import color_of_kelvin
+from scenewright.render.lamps import Lamp, color_of_kelvin
 
 LARGE, LUX, COOL = 60.0, 300.0, 3500.0
 """Rooms larger than this, m², have rows of lights that give this illuminance (EN 12464-1, sales
@@ -55,6 +55,15 @@ def light_rows(
             candela = LUX * shape.area / len(flat) / np.pi
             color = color_of_kelvin(COOL)
             yield LightRow(f"{space.id} light row", space, places, candela, color)
+
+
+def dark_rows(
+    spaces: Sequence[Space], lamps: Iterable[Lamp], most: int = MOST_LIGHTS
+) -> Iterator[LightRow]:
+    """The rows of large rooms that no lamp stands or hangs in; ``most`` lights a room."""
+    lit = {lamp.item.space for lamp in lamps}
+    dark = [space for space in spaces if space.id not in lit]
+    yield from light_rows(dark, frozenset(space.id for space in dark), most)
 
 
 def row_item(row: LightRow) -> RenderItem:

@@ -15,6 +15,8 @@ from scenewright.core.catalog import Catalog, Part
 from scenewright.core.scene import Scene
 from scenewright.geometry import rays
 from scenewright.render.items import RenderItem, things
+from scenewright.render.lamps import lamps_of
+from scenewright.render.light_rows import dark_rows, row_item
 from scenewright.render.observations.ceilings import ceilings
 from scenewright.render.picture import RenderStage, StageCasters, build_caster, build_casters
 from scenewright.render.stage import CLEAR, place_parts, shared_normals, stage_of
@@ -87,7 +89,9 @@ def class_of(category: str) -> int:
 
 def shown_items(scene: Scene, catalog: Catalog) -> tuple[RenderItem, ...]:
     """The things that are seen from inside, in the order of the world's triangles."""
-    return tuple(one for one in (*things(scene, catalog), *ceilings(scene)) if one.parts)
+    found = things(scene, catalog)
+    rows = [row_item(row) for row in dark_rows(scene.spaces, lamps_of(found, catalog))]
+    return tuple(one for one in (*found, *ceilings(scene), *rows) if one.parts)
 
 
 def solid_parts(scene: Scene, catalog: Catalog) -> list[Part]:

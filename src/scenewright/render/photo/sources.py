@@ -70,7 +70,7 @@ def find_sources(
     windows = np.array([*_windows(scene, floor, numbers)]).reshape(-1, 11)
     windows[:, 1] *= float(np.mean(light.horizon))
     lamps = np.array([*_lamps(scene, lit, numbers)]).reshape(-1, 11)
-    lamps = np.vstack([lamps, *_light_rows(floor, np.vstack([lamps, windows]))])
+    lamps = np.vstack([lamps, *_light_rows(floor, lamps, windows)])
     side = _sun_side(windows, numbers.get(room, -1))
     return Sources(
         np.vstack([_sun_towards(side, light.height), [light.sun]]).astype(np.float32),
@@ -152,11 +152,12 @@ def _lamps(scene: Scene, lit: Sequence[Lamp], numbers: Mapping[str, int]) -> Ite
             yield [numbers[lamp.item.space], candela, x, y, z, lamp.radius, *light, 0.0, 0.0]
 
 
-def _light_rows(floor: WalkableFloor, known: Floats) -> Iterator[Floats]:
-    """Rows of lights under the ceilings of rooms that are large or have no other light."""
-    lit = frozenset(floor.spaces[int(number)].id for number in np.unique(known[:, 0]))
+def _light_rows(floor: WalkableFloor, lamps: Floats, windows: Floats) -> Iterator[Floats]:
+    """Rows of lights under the ceilings of rooms without lamps that are large or have no window."""
     numbers = {space.id: number for number, space in enumerate(floor.spaces)}
-    for row in light_rows(floor.spaces, lit):
+    dark = [space for space in floor.spaces if numbers[space.id] not in lamps[:, 0]]
+    bright = frozenset(space.id for space in dark if numbers[space.id] in windows[:, 0])
+    for row in light_rows(dark, bright):
         light = row.candela / 1000 * np.array(row.color)
         for x, y, z in row.places:
             place = [numbers[row.space.id], row.candela / 1000, x, y, floor.elevation + z]
