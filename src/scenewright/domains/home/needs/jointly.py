@@ -51,8 +51,10 @@ FORMS = 2
 """Of a group that moves, those that hold no less, and as many that do."""
 GONE = -1
 """The form of a group that stands nowhere."""
-TOGETHER = 2
+TOGETHER = 3
 """Groups that move for a need at most."""
+FEW = 20
+"""Places of each group where :data:`TOGETHER` move."""
 RATED, WALKED = 2000, 300
 """Layouts whose energy is measured, and that are furnished and walked through."""
 UNLIKE = (0.3, 0.3, 0.5)
@@ -96,21 +98,22 @@ def list_jointly(
     need = _list_need(task, rest, wish, forms)
     stand = tuple(_list_moved(task, group, shrunk) for group in rest)
     options = (*stand, need)
-    chosen = _list_layouts(options, shrunk, spare)
-    barred, tight = find_barred(task, before), []
-    for layout in _order(task, options, chosen):
-        placed = _furnish(task, options, layout)
-        if placed is None or not bars_no_more(with_narrow_ways(task), placed, barred):
-            continue
-        stays = tuple(g for g, k in zip(rest, layout, strict=False) if not k)
-        sound = is_harmless(task, before, stays, placed, spare)
-        if not sound or not is_roomy(task, before, placed):
-            continue
-        if bars_no_more(task, placed, barred):
-            yield placed
-        else:
-            tight.append(placed)
-    yield from tight
+    barred = find_barred(task, before)
+    for counts in (range(TOGETHER), (TOGETHER,)):
+        tight = []
+        for layout in _order(task, options, _list_layouts(options, counts, shrunk, spare)):
+            placed = _furnish(task, options, layout)
+            if placed is None or not bars_no_more(with_narrow_ways(task), placed, barred):
+                continue
+            stays = tuple(g for g, k in zip(rest, layout, strict=False) if not k)
+            sound = is_harmless(task, before, stays, placed, spare)
+            if not sound or not is_roomy(task, before, placed):
+                continue
+            if bars_no_more(task, placed, barred):
+                yield placed
+            else:
+                tight.append(placed)
+        yield from tight
 
 
 def _list_need(task: RoomTask, rest: Placed, wish: Wish, forms: Sequence[Group]) -> Options:
@@ -175,14 +178,16 @@ def _join(
     )
 
 
-def _list_layouts(options: Sequence[Options], shrunk: float, spare: float) -> list[tuple[int, ...]]:
+def _list_layouts(
+    options: Sequence[Options], counts: Iterable[int], shrunk: float, spare: float
+) -> list[tuple[int, ...]]:
     """The cheapest choices of one place for each group, the need last, in which at most
     :data:`TOGETHER` of the others move and nothing is in the way of another."""
     last, n = len(options) - 1, len(options)
     clash = {(a, b): _find_clashes(options[a], options[b]) for a, b in combinations(range(n), 2)}
     movable = [k for k in range(last) if len(options[k].boxes) > 1]
     found: list[tuple[float, tuple[int, ...]]] = []
-    for count in range(TOGETHER + 1):
+    for count in counts:
         for moved in combinations(movable, count):
             found += _combine(options, clash, (*moved, last), shrunk, spare)
     found.sort()
@@ -197,6 +202,8 @@ def _combine(
     spare: float,
 ) -> list[tuple[float, tuple[int, ...]]]:
     free = [_stand_free(options, clash, k, moved) for k in moved]
+    if len(moved) > 3:
+        free = [at[:: -(-len(at) // FEW) or 1] for at in free]
     if not all(map(len, free)):
         return []
     shape = tuple(map(len, free))
