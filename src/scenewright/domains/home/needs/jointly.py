@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import combinations
-from operator import ge
+from operator import ge, itemgetter
 from typing import NamedTuple
 
 import numpy as np
@@ -33,7 +33,7 @@ from scenewright.domains.home.composing.homewide.used_floor import list_floors_b
 from scenewright.domains.home.composing.judging import Placed, judge_of
 from scenewright.domains.home.composing.placed_faults import cost_of_group, list_standing
 from scenewright.domains.home.composing.places.forms import cost_of_case, list_forms
-from scenewright.domains.home.composing.places.moving import dress_group, make_unplaced
+from scenewright.domains.home.composing.places.moving import dress_group, make_unplaced, with_margin
 from scenewright.domains.home.composing.places.pairs import FormPlaces, do_overlap, list_form_places
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, join_standing, standing_of
 from scenewright.domains.home.groups.classes import COOKING
@@ -63,6 +63,8 @@ IN_TURN = 4
 """Layouts with the need in one place that are tried before those with it elsewhere."""
 MOVING = 1.0
 """What it costs that one group more moves."""
+MISSED = 20.0
+"""What it costs that a group that is merely usual goes."""
 LOST = 0.2
 """Metres of storage that are one step in how much is lost."""
 
@@ -100,7 +102,7 @@ def list_jointly(
     options = (*stand, need)
     barred = find_barred(task, before)
     for counts in (range(TOGETHER), (TOGETHER,)):
-        tight = []
+        tight: list[tuple[bool, Placed]] = []
         for layout in _order(task, options, _list_layouts(options, counts, shrunk, spare)):
             placed = _furnish(task, options, layout)
             if placed is None or not bars_no_more(with_narrow_ways(task), placed, barred):
@@ -109,11 +111,11 @@ def list_jointly(
             sound = is_harmless(task, before, stays, placed, spare)
             if not sound or not is_roomy(task, before, placed):
                 continue
-            if bars_no_more(task, placed, barred):
+            if bars_no_more(with_margin(task), placed, barred):
                 yield placed
             else:
-                tight.append(placed)
-        yield from tight
+                tight.append((not bars_no_more(task, placed, barred), placed))
+        yield from (placed for _, placed in sorted(tight, key=itemgetter(0)))
 
 
 def _list_need(task: RoomTask, rest: Placed, wish: Wish, forms: Sequence[Group]) -> Options:
@@ -140,7 +142,13 @@ def _list_moved(task: RoomTask, group: FurnishedGroup, shrunk: float) -> Options
     may_move = not group.wish.required and group.wish.group not in STAYING
     found = list_form_places(task, group, list_fit) if may_move else []
     joined = _join(task, group, [stays, *found], lambda c: max(stored - measure_case(c)[-1], 0.0))
-    may_go = may_move and group.wish.rank and 0.0 < stored <= shrunk + HAIR and not any(others)
+    may_go = (
+        may_move
+        and bool(group.wish.rank)
+        and places == 0.0
+        and stored <= shrunk + HAIR
+        and not any(others)
+    )
     return _let_go(joined, stored) if may_go else joined
 
 
@@ -151,7 +159,7 @@ def _let_go(options: Options, stored: float) -> Options:
         options.cases,
         np.append(options.forms, GONE),
         np.append(options.boxes, options.boxes[:1], axis=0),
-        np.append(options.faults, 0.0),
+        np.append(options.faults, MISSED),
         np.append(options.stands, 0.0),
         np.append(options.lost, stored),
     )

@@ -40,8 +40,8 @@ door."""
 SHRUNK = 1.0
 """Metres of storage that a room gives up for a need at most."""
 WALKED = 3
-"""Trials of a need that are walked past through the whole home, of each number of places; twice as
-many where all is tried."""
+"""Trials of a need that are walked past through the whole home, of each number of places; three
+times as many where all is tried."""
 PROVED = 2
 """Rooms that are laid out anew for a need, the best."""
 USES = {"dining": "table", "dining_wall": "table", "reading": "soft seat", "wardrobe": "wardrobe"}
@@ -134,7 +134,7 @@ def settle_need(
         for trial in _list_in(home, answers, place, stage, list_forms, stands_free)
     )
     solved = _list_solved(home, answers, rooms, list_forms) if stages[-1].moves else ()
-    walked = WALKED * (1 + stages[-1].moves)
+    walked = WALKED * (1 + 2 * stages[-1].moves)
     for room, answer in chain(islice(trials, walked), solved):
         found = try_in_home(room, answer, answers, home.opened)
         if found is not None:

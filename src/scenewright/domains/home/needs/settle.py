@@ -9,10 +9,11 @@ else stands worse and the exact ways of the whole home are as open as before.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
 from scenewright.catalog.classes import SOFT_SEATS
 from scenewright.core.catalog import Group
+from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import Missing, RoomAnswer, RoomTask
 from scenewright.domains.home.composing.filling.bare_floor import SECOND_ZONE_FROM, pieces_of
 from scenewright.domains.home.composing.filling.voids import find_void
@@ -27,7 +28,7 @@ from scenewright.domains.home.composing.places.forms import list_forms
 from scenewright.domains.home.groups.classes import SLEPT_IN, TABLES
 from scenewright.domains.home.groups.living import talking
 from scenewright.domains.home.measures import TUCKED
-from scenewright.domains.home.needs.counting import count_eaters, measure_widths
+from scenewright.domains.home.needs.counting import count_eaters, count_sleepers, measure_widths
 from scenewright.domains.home.needs.forms import LEAST, list_seats, list_tables, measure_places
 from scenewright.domains.home.needs.proof import tell_proof
 from scenewright.domains.home.needs.searching import (
@@ -73,30 +74,38 @@ first."""
 
 
 def set_table(home: HomeState, answers: list[RoomAnswer]) -> list[RoomAnswer]:
-    """The answers with places to eat for all residents, as far as there is a place for them; one
-    with :data:`USUAL` places where there is floor for that beside all else."""
+    """The answers with places to eat for all who live and sleep there, as far as there is a place
+    for them; one with :data:`USUAL` places where there is floor for that beside all else."""
     tables = frozenset(STANDS_FOR["dining"])
     fixed = any(p.category in tables for task in home.tasks for p in task.fixed)
     if fixed or home.household is None or not may_settle(home):
         return answers
     there = [measure_places(g.pieces) for a in answers for g in a.placed]
-    eat = sum(count_eaters([p for g in a.placed for p in g.pieces]) for a in answers)
-    most = min(max(home.household.residents, LEAST), MOST)
+    eat, sleep = _count(count_eaters, answers), _count(count_sleepers, answers)
+    most = int(min(max(home.household.residents, sleep, LEAST), MOST))
     if sum(there) >= most:
         served = max(there) >= USUAL
         return answers if served else _set_for(home, answers, USUAL, (Stage(),), roomy=True)
-    tried = STAGES[:3] if not eat else STAGES if eat < most else STAGES[:2]
-    for wanted in range(most, max(int(sum(there)), LEAST - 1), -1):
-        found = _set_for(home, answers, wanted, tried if wanted == most else STAGES[:3])
-        if found is not answers:
-            return found
-    if not eat and (found := _set_for(home, answers, LEAST / 2, STAGES)) is not answers:
+    beside = STAGES[:2] if eat >= most else STAGES[:3]
+    down = range(most, max(int(sum(there)), LEAST - 1), -1)
+    trials = (_set_for(home, answers, wanted, beside) for wanted in down)
+    found = next((trial for trial in trials if trial is not answers), answers)
+    if _count(count_eaters, found) < most:
+        found = _set_for(home, found, most, STAGES[3:])
+    if found is answers and not eat:
+        found = _set_for(home, answers, LEAST / 2, STAGES)
+    if found is not answers:
         return found
     if eat >= most:
         return answers
     short = f"places to eat for {eat:.0f} of {most}: " if eat else ""
     words = "a table with two stools"
     return _say_why(home, answers, EATEN_IN, Wish("dining_wall", 1), short, words, list_tables(1.0))
+
+
+def _count(serve: Callable[[Sequence[Piece]], float], answers: Sequence[RoomAnswer]) -> float:
+    """How much of a need the rooms serve."""
+    return sum(serve([p for group in a.placed for p in group.pieces]) for a in answers)
 
 
 def _set_for(
@@ -186,8 +195,7 @@ def hang_clothes(home: HomeState, answers: list[RoomAnswer]) -> list[RoomAnswer]
     if home.household is None or not may_settle(home):
         return answers
     for room in range(len(home.tasks)):
-        held = rail([p for a in found for g in a.placed for p in g.pieces])
-        if held >= RAIL * home.household.residents:
+        if _count(rail, found) >= RAIL * home.household.residents:
             break
         rooms = list_need_rooms(home, found, HUNG_IN, "wardrobe", wardrobe)
         own = [g for g in found[room].placed if g.wish.group == "wardrobe"]
