@@ -10,9 +10,11 @@ import pytest
 from benchmarks.composition_faults import list_rooms
 from benchmarks.unseen import Seen, tally_flats
 from benchmarks.unseen_counters import COUNTERS, count_all
+from benchmarks.unseen_places import count_missing, list_places
 from benchmarks.unseen_sheets import write_sheets
 
 from scenewright.core.scene import Piece, Pose, Size
+from scenewright.core.solution import LeftOut
 from scenewright.core.space import Opening, Space
 
 UP = np.pi / 2
@@ -36,6 +38,7 @@ def dining(chairs: int, away: float) -> tuple[Piece, ...]:
 
 
 RUN = (piece("sink_cabinet", 1.0, 0.3), piece("hob_cabinet", 3.0, 0.3))
+FULL = piece("bookcase", 2.5, 2.5, 4.2, 4.2)
 SINK, BED = RUN[0], piece("double_bed", 4.0, 4.0, 1.6, 2.0)
 TV = replace(piece("tv", 2.5, 4.5, 1.2, 0.1), pose=Pose(2.5, 4.5, 0.6, -UP))
 CASES = {
@@ -148,6 +151,40 @@ def test_what_a_home_has_none_of_is_not_counted() -> None:
     assert counts["no soft seat from 20 m2"] == (0, 0)
     assert counts["fewer places to eat than sleepers"] == (0, 0)
     assert counts["no table"] == (1, 1)
+
+
+@pytest.mark.parametrize(
+    ("taken", "free", "none"),
+    [
+        ((), 1, 0),
+        ((piece("bookcase", 2.5, 2.5, 4.2, 4.2),), 0, 1),
+        ((piece("armchair", 2, 2),), 0, 0),
+    ],
+)
+def test_what_is_missing_is_told_apart_by_whether_floor_is_free(taken, free, none) -> None:
+    found = count_missing(list_rooms([ROOM], taken), ())
+    assert found["soft seat missing though floor is free for it"] == (free, 1)
+    assert found["soft seat missing, no floor is free for it"] == (none, 1)
+    assert found["soft seat missing without a proof"] == (free + none, free + none)
+
+
+def test_a_place_leaves_the_door_and_the_ways_free() -> None:
+    """In a corridor one may stand at its end, not so as to bar the way to the wardrobe there."""
+    narrow = replace(ROOM, outline=np.array([[0, 0], [5, 0], [5, 1.2], [0, 1.2]], np.float64))
+    (empty,) = list_rooms([narrow], ())
+    boxes = np.array(list(list_places(empty, 0.66, 0.7, 0.4)))
+    assert len(boxes)
+    assert not ((abs(boxes[:, 0] - 1.0) < 0.45) & (boxes[:, 1] < 0.9)).any()
+    wardrobe = replace(piece("wardrobe", 4.7, 0.6, 1.2, 0.6), pose=Pose(4.7, 0.6, 0, np.pi))
+    (held,) = list_rooms([narrow], (wardrobe,))
+    assert all(box[0] < 1.0 for box in list_places(held, 0.66, 0.7, 0.4))
+
+
+def test_a_proof_says_what_was_tried() -> None:
+    told = LeftOut("room", "reading", "tried an armchair (0.7 x 0.7 m of floor) in Room", False)
+    found = count_missing(list_rooms([ROOM], ()), (told,))
+    assert found["soft seat missing without a proof"] == (0, 1)
+    assert found["table missing without a proof"] == (1, 1)
 
 
 def test_records_tell_both_shares_and_the_guard() -> None:

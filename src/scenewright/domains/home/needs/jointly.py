@@ -53,9 +53,9 @@ GONE = -1
 """The form of a group that stands nowhere."""
 TOGETHER = 3
 """Groups that move for a need at most."""
-FEW = 20
+FEW = 16
 """Places of each group where :data:`TOGETHER` move."""
-RATED, WALKED = 2000, 300
+RATED, WALKED = 1000, 200
 """Layouts whose energy is measured, and that are furnished and walked through."""
 UNLIKE = (0.3, 0.3, 0.5)
 """Metres, and radians, by which two layouts differ in one place at least."""

@@ -42,6 +42,8 @@ SHRUNK = 1.0
 WALKED = 3
 """Trials of a need that are walked past through the whole home, of each number of places; three
 times as many where all is tried."""
+JOINED = 3
+"""Rooms in which something else moves for a need, the best."""
 PROVED = 2
 """Rooms that are laid out anew for a need, the best."""
 USES = {"dining": "table", "dining_wall": "table", "reading": "soft seat", "wardrobe": "wardrobe"}
@@ -129,7 +131,7 @@ def settle_need(
         trial
         for tier in sorted({place.tier for place in rooms})
         for stage in (stages[:2] if home.timed else stages)
-        for place in rooms
+        for place in (rooms[:JOINED] if stage.moves else rooms)
         if place.tier == tier
         for trial in _list_in(home, answers, place, stage, list_forms, stands_free)
     )

@@ -72,8 +72,8 @@ SETTLED_APART = 0.3  # least distance between places of one form, metres
 PLACES = 5  # of one form that are furnished
 YIELDING = frozenset(("plant", "console"))
 """What waits in any case."""
-KEPT = STORING | {"desk", "kids_desk"}
-"""What holds things or is worked at makes room for nothing, though it is merely welcome."""
+KEPT = STORING | SOFT_SEATS | {"desk", "kids_desk"}
+"""What holds things or is worked or sat at makes room for nothing, though it is merely welcome."""
 
 
 class HomeState(NamedTuple):
