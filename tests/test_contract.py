@@ -23,7 +23,7 @@ from scenewright.drawing.svg import write_svg
 from scenewright.formats import solution_json
 
 SAMPLES = {
-    "home": "home-studio",
+    "home": "home-flat",
     "hall": "hall-shop",
     "site": "site-courtyards",
     "village": "village-hamlet",
