@@ -114,7 +114,7 @@ def test_tables_count_who_is_best_and_who_ours_beats():
     assert sum("| other |" in line for line in lines([ours, other])) == 1
 
 
-@pytest.mark.realdata
+@pytest.mark.realdata(quick=True)
 @pytest.mark.usefixtures("real_data")
 def test_rooms_are_a_fixed_list_and_pieces_are_measured_as_patches():
     found = rooms(2)

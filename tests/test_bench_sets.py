@@ -35,7 +35,7 @@ def test_what_is_missing_or_other_is_lost(
     assert lost("killed", 2, whole, tmp_path / "made")["ours"] == count + 1
 
 
-@pytest.mark.realdata
+@pytest.mark.realdata(quick=True)
 def test_plans_are_valid_and_differ() -> None:
     made, rows = make_plans(4)
     found = {row["metric"]: row["ours"] for row in rows[:3]}

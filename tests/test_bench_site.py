@@ -126,7 +126,7 @@ def test_designed_footprints_go_where_ours_stand() -> None:
     assert pair.site.setback == 3.0
 
 
-@pytest.mark.realdata
+@pytest.mark.realdata(quick=True)
 @pytest.mark.usefixtures("real_data")
 def test_pieces_cut_by_tiles_are_one_building_again() -> None:
     rows = compounds(site_compounds.file())
@@ -145,7 +145,7 @@ def test_real_compounds_are_laid_out_anew() -> None:
     assert found["valid, mean"] == 1.0
 
 
-@pytest.mark.realdata
+@pytest.mark.realdata(quick=True)
 @pytest.mark.usefixtures("real_data")
 def test_a_door_where_its_walk_begins_needs_no_stub() -> None:
     """In this compound one lies on a point of the raster that ways are found on."""

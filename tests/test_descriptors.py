@@ -205,7 +205,7 @@ def test_the_leader_hardly_minds_the_order() -> None:
     assert content.mean() > 0.95
 
 
-@pytest.mark.realdata
+@pytest.mark.realdata(quick=True)
 def test_ours_tells_real_models_better_than_the_papers() -> None:
     found = describe_set("city")
     shares = {key: nearest_share(v, found.classes) for key, v in found.vectors.items()}

@@ -125,7 +125,7 @@ def test_fronts_by_shape_are_told_of_most_seats_and_beds() -> None:
     assert len(SIDES) == 4
 
 
-@pytest.mark.realdata
+@pytest.mark.realdata(quick=True)
 def test_names_of_a_large_catalogue_in_two_languages(real_data: Path) -> None:
     """Of 820 pieces the English and the Chinese name rarely say different things."""
     table = real_data / "furniture_sweethome3d" / "catalogue_820.csv"

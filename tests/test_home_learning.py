@@ -332,7 +332,7 @@ def test_a_home_with_learned_groups_differs_and_is_valid(tmp_path: Path) -> None
 HOMES = ("2BedroomApartment", "3BedroomApartment", "Studio")
 
 
-@pytest.mark.realdata
+@pytest.mark.realdata(quick=True)
 def test_groups_of_designers_furnish_their_homes_anew(real_data: Path, tmp_path: Path) -> None:
     files = [real_data / "furnished_homes_sh3d" / f"{name}.xml" for name in HOMES]
     rooms = []

@@ -186,7 +186,7 @@ def test_real_buildings(name: str, real_data: Path) -> None:
     assert units - joined <= set(found.doorless)
 
 
-@pytest.mark.realdata
+@pytest.mark.realdata(quick=True)
 @pytest.mark.parametrize("name", FIGURES)
 def test_areas_of_real_rooms(name: str, real_data: Path) -> None:
     """Within a thousandth of those on the plane touching the earth at each room."""

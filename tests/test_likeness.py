@@ -127,7 +127,7 @@ def test_compare_from_the_command_line(tmp_path: Path, capsys: pytest.CaptureFix
     assert "there is no such file" in capsys.readouterr().err
 
 
-@pytest.mark.realdata
+@pytest.mark.realdata(quick=True)
 def test_the_measure_knows_real_places() -> None:
     places = [p for p in cut_compounds() if not p.held]
     measured = [(measure_scene(p.one), measure_scene(p.other)) for p in places]

@@ -36,7 +36,7 @@ def raw_objects(path: Path) -> Counter[str]:
     )
 
 
-@pytest.mark.realdata
+@pytest.mark.realdata(quick=True)
 @pytest.mark.parametrize("name", CITIES)
 def test_every_object_of_a_city_model_has_a_fate(real_data: Path, name: str) -> None:
     path = real_data / name
@@ -54,7 +54,7 @@ def test_every_object_of_a_city_model_has_a_fate(real_data: Path, name: str) -> 
     assert sum(row.count for row in built if row.outcome != "left out") >= 2
 
 
-@pytest.mark.realdata
+@pytest.mark.realdata(quick=True)
 def test_a_city_model_of_an_unknown_system_is_refused_by_name(real_data: Path) -> None:
     path = real_data / "professional_files/cityjson/munich_v01_compressed.city.json"
     if not path.exists():

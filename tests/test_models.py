@@ -123,7 +123,7 @@ def test_real_models_are_read(real_data: Path, folder: str, least: int, all_of: 
         assert np.allclose(high, [w / 2, d / 2, h], atol=1e-6 * max(model.size))
 
 
-@pytest.mark.realdata
+@pytest.mark.realdata(quick=True)
 @pytest.mark.parametrize(
     "name",
     [

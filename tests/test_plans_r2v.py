@@ -105,7 +105,7 @@ def test_the_tally_counts_flats_and_rooms():
     assert found["solve + check"][0] == pytest.approx(60 * 3 / 1.5)
 
 
-@pytest.mark.realdata
+@pytest.mark.realdata(quick=True)
 @pytest.mark.usefixtures("real_data")
 def test_real_flats_become_briefs_that_build():
     plans = raw_plans()
@@ -139,7 +139,7 @@ def test_no_flat_is_made_smaller_or_enlarged_beyond_the_limit():
     assert rescale(bare) is bare
 
 
-@pytest.mark.realdata
+@pytest.mark.realdata(quick=True)
 def test_of_real_flats_every_room_and_opening_is_read_or_said() -> None:
     raw = raw_plans()
     for flat in raw[:: len(raw) // 24][:24]:

@@ -209,7 +209,7 @@ def test_real_homes(real_data: Path, name: str) -> None:
     assert all(o.width > 0.3 for s in spaces(brief) for o in s.openings)
 
 
-@pytest.mark.realdata
+@pytest.mark.realdata(quick=True)
 @pytest.mark.parametrize("name", HOMES)
 def test_real_walls_enclose_most_of_the_drawn_rooms(real_data: Path, name: str) -> None:
     home_ = parse(home_xml(real(real_data, name)))
@@ -220,7 +220,7 @@ def test_real_walls_enclose_most_of_the_drawn_rooms(real_data: Path, name: str) 
         assert within > 0.9 * sum(floor.polygon.area for floor in alone)
 
 
-@pytest.mark.realdata
+@pytest.mark.realdata(quick=True)
 def test_fronts_of_real_furniture(real_data: Path) -> None:
     """Backs of wardrobes and toilets are nearer to a wall than their fronts; doors mostly open
     into the room that is no corridor."""
@@ -239,7 +239,7 @@ def test_fronts_of_real_furniture(real_data: Path) -> None:
     assert np.mean(nearer) > 0.9
 
 
-@pytest.mark.realdata
+@pytest.mark.realdata(quick=True)
 def test_real_pieces_all_have_a_kind(real_data: Path) -> None:
     """Only plain shapes (boxes, cylinders, triangles) stay unknown."""
     for name in HOMES:
@@ -249,7 +249,7 @@ def test_real_pieces_all_have_a_kind(real_data: Path) -> None:
             assert fixed_item(piece).size[0] > 0
 
 
-@pytest.mark.realdata
+@pytest.mark.realdata(quick=True)
 def test_real_doors_open_into_rooms(real_data: Path) -> None:
     into_hall, into_room = 0, 0
     for name in HOMES:

@@ -218,7 +218,7 @@ def home_xml(path: Path) -> bytes:
         return archive.read("Home.xml")
 
 
-@pytest.mark.realdata
+@pytest.mark.realdata(quick=True)
 def test_every_element_of_real_homes_has_a_fate(real_data: Path) -> None:
     homes = [*real_data.rglob("*.sh3d"), *(real_data / "furnished_homes_sh3d").glob("*.xml")]
     assert homes

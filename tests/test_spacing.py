@@ -356,7 +356,7 @@ def test_nothing_that_was_learned_makes_room():
     assert may_leave_out(task)
 
 
-@pytest.mark.realdata
+@pytest.mark.realdata(quick=True)
 def test_every_chair_can_be_drawn_back(real_data):
     """A table for four whose end was wedged at the sofa of its room."""
     home = sw.solve(adapt(rescale(raw_plans()[923])).brief, seed=401, threads=1)

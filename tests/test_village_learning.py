@@ -166,7 +166,7 @@ def _rings(standing: object) -> tuple[np.ndarray, ...]:
     return tuple(shapely.get_coordinates(s.exterior)[:-1] for s in standing.shapes)
 
 
-@pytest.mark.realdata
+@pytest.mark.realdata(quick=True)
 def test_the_data_are_split_by_place_and_rebuilt_without_a_leak() -> None:
     blocks = village_data.real_blocks()
     assert len(blocks) > 600
