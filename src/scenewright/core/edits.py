@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from math import isfinite, tau
 from typing import NamedTuple
 
@@ -10,16 +10,21 @@ from scenewright.core.document_faults import RADIANS
 from scenewright.core.errors import InputError
 from scenewright.core.solution import Solution
 
+Cancel = Callable[[], bool] | None
+"""Asked while something is solved again; where it says so, that ends early."""
+
 
 class Edits(NamedTuple):
     """Changes by the names of pieces or groups: ``move`` to (x, y) or (x, y, heading) in metres
-    and radians, ``swap`` pairs, ``lock`` and ``unlock``, and rooms to furnish ``again``."""
+    and radians, ``swap`` pairs, ``lock`` and ``unlock``, and rooms to furnish ``again``. What is
+    solved again ends early once ``cancel`` says so."""
 
     move: Mapping[str, tuple[float, ...]] = {}
     swap: tuple[tuple[str, str], ...] = ()
     lock: tuple[str, ...] = ()
     unlock: tuple[str, ...] = ()
     again: tuple[str, ...] = ()
+    cancel: Cancel = None
 
 
 class Change(NamedTuple):

@@ -48,10 +48,12 @@ class PassRun(NamedTuple):
 
 class PassOptions(NamedTuple):
     """Names of passes and of groups that are ``off``, and who is to ``hear`` of every run; from
-    several threads where spaces are worked on side by side."""
+    several threads where spaces are worked on side by side. Once ``cancelled`` says so no further
+    pass is run."""
 
     off: frozenset[str] = frozenset()
     hear: Callable[[PassRun], None] | None = None
+    cancelled: Callable[[], bool] = lambda: False
 
 
 ALL_PASSES = PassOptions()
@@ -100,6 +102,8 @@ def run_passes(
     [3.0, 6.0]
     """
     for each in passes:
+        if options.cancelled():
+            break
         if each.name in options.off or each.group in options.off:
             continue
         begun = time.thread_time()

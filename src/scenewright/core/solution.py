@@ -10,6 +10,9 @@ from scenewright.core.brief import Brief
 from scenewright.core.scene import Piece
 from scenewright.core.views import describe, show
 
+STOPPED = "stopped before it was placed"
+"""Why something is left out of a run that was cancelled."""
+
 
 class Patch(NamedTuple):
     """A functional area as solved: its id (``living/seating``), space, function and box

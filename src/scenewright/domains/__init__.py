@@ -21,7 +21,7 @@ from scenewright.core.brief import Brief
 from scenewright.core.brief.domain_keys import check_domain
 from scenewright.core.catalog import Catalog
 from scenewright.core.edits import Adjusted, Edits, check_moves
-from scenewright.core.errors import InputError
+from scenewright.core.errors import CancelledError, InputError
 from scenewright.core.explanation import Explanation
 from scenewright.core.layout import Layouts, Watch
 from scenewright.core.learned import LearnedGroups
@@ -266,9 +266,8 @@ def alternatives(
     domain: Domain = domain_of(brief.domain)
     made = plan or plan_of(brief)
     if domain.has("alternatives"):
-        plans: tuple[Solution, ...] = domain.verb("alternatives")(
-            brief, count, plan=made, seed=seed, progress=progress, cancel=cancel, **options
-        )
+        told = {"plan": made, "seed": seed, "progress": progress, "cancel": cancel}
+        plans: tuple[Solution, ...] = domain.verb("alternatives")(brief, count, **told, **options)
         return plans
     found = []
     for k in range(count):
@@ -297,6 +296,7 @@ def adjust(
     again: Sequence[str] = (),
     steps: int | None = None,
     seed: int | None = None,
+    cancel: Callable[[], bool] | None = None,
 ) -> Adjusted:
     """Change a solved scene by hand and solve again only what that touches.
 
@@ -306,13 +306,15 @@ def adjust(
     they are whatever is solved, ``unlock`` lets them go. In spaces where something was moved as
     little as possible changes: nothing that could stay at no greater cost. Spaces named in
     ``again`` are laid out anew around what is locked (give another ``seed`` for another answer).
-    The answer is the ``solution`` and every one of its ``changes`` with the reason.
+    The answer is the ``solution`` and every one of its ``changes`` with the reason; once ``cancel``
+    says so there is none (:class:`CancelledError`).
     """
     check_moves(move or {})
-    edits = Edits(move or {}, tuple(swap), tuple(lock), tuple(unlock), tuple(again))
-    adjusted: Adjusted = domain_of(solution.brief.domain).verb("adjust")(
-        solution, edits, plan=plan or plan_of(solution.brief), steps=steps, seed=seed
-    )
+    edits = Edits(move or {}, tuple(swap), tuple(lock), tuple(unlock), tuple(again), cancel)
+    verb, made = domain_of(solution.brief.domain).verb("adjust"), plan or plan_of(solution.brief)
+    adjusted: Adjusted = verb(solution, edits, plan=made, steps=steps, seed=seed)
+    if cancel is not None and cancel():
+        raise CancelledError("cancelled: nothing was changed")
     return adjusted._replace(solution=replace(adjusted.solution, clutter=solution.clutter))
 
 
@@ -346,9 +348,8 @@ def features_of(solution: Solution, plan: Plan) -> dict[str, float]:
     """What can be liked about a solution, by name, as its domain measures it; for a domain that
     does not, the composition of its pieces."""
     domain: Domain = domain_of(solution.brief.domain)
-    if domain.has("features"):
-        return dict(domain.verb("features")(solution, plan))
-    return composition_features(solution, plan)
+    has = domain.has("features")
+    return dict((domain.verb("features") if has else composition_features)(solution, plan))
 
 
 def breeder_of(brief: Brief, plan: Plan, seed: int = 0) -> Breeder:
@@ -357,10 +358,8 @@ def breeder_of(brief: Brief, plan: Plan, seed: int = 0) -> Breeder:
     if domain.has("breeder"):
         made: Breeder = domain.verb("breeder")(brief, plan, seed)
         return made
-    return Breeder(
-        (Gene("chance", CHANCES),),
-        lambda genome: solve(brief, plan=plan, seed=seed + genome[0], threads=1),
-    )
+    again = partial(solve, brief, plan=plan, threads=1)
+    return Breeder((Gene("chance", CHANCES),), lambda genome: again(seed=seed + genome[0]))
 
 
 def matrix_breeder_of(brief: Brief, plan: Plan, seed: int = 0) -> MatrixBreeder:

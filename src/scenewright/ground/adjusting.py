@@ -14,7 +14,7 @@ import numpy as np
 import shapely
 
 from scenewright.core.brief import Brief
-from scenewright.core.edits import Adjusted, Edits
+from scenewright.core.edits import Adjusted, Cancel, Edits
 from scenewright.core.piece_edits import Edited, apply_edits, list_adjusted, with_locks
 from scenewright.core.piece_outlines import polygons_of
 from scenewright.core.plan import Plan
@@ -33,7 +33,7 @@ class GroundRules(NamedTuple):
     find: Callable[[Sequence[Piece], str], tuple[Piece, ...]]
     lock: Callable[[Solution], Brief]
     give_way: Callable[[Solution, Edited, set[str]], set[str]]
-    build: Callable[[Solution, int | None, int], Solution]
+    build: Callable[[Solution, int | None, int, Cancel], Solution]
 
 
 def adjust_ground(
@@ -58,7 +58,7 @@ def adjust_ground(
     else:
         held = {p.id for p in edited.pieces if p.category == "building"} - free
         standing = replace(solution, pieces=with_locks(edited.pieces, held))
-        found = rules.build(standing, steps, chosen)
+        found = rules.build(standing, steps, chosen, edits.cancel)
         after = replace(
             found,
             brief=rules.lock(standing),

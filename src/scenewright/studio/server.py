@@ -15,7 +15,7 @@ from starlette.requests import Request
 from starlette.responses import JSONResponse, Response, StreamingResponse
 from starlette.routing import Route
 
-from scenewright.core.errors import InputError
+from scenewright.core.errors import CancelledError, InputError
 from scenewright.formats import samples
 from scenewright.formats.table import formats
 from scenewright.studio.drawable import Json
@@ -153,7 +153,7 @@ async def _answer(verb: Callable[..., Json], session: Session, body: bytes, *mor
     """What a verb answers, or its fault in one line."""
     try:
         return JSONResponse(await run_in_threadpool(verb, session, body, *more))
-    except InputError as error:
+    except (InputError, CancelledError) as error:
         return JSONResponse({"fault": str(error)}, 422)
 
 

@@ -154,7 +154,9 @@ class Session:
         function like it); every change with its reason."""
         with self._turn():
             shown = self._must_show()
-            adjusted = by(shown.solution, plan=shown.plan, **edits)
+            self.stopping.clear()
+            more = {"cancel": self.stopping.is_set} if by is domains.adjust else {}
+            adjusted = by(shown.solution, plan=shown.plan, **edits, **more)
             same = adjusted.solution.brief is shown.solution.brief
             plan = shown.plan if same else domains.plan_of(adjusted.solution.brief)
             self._keep(shown.version, what, adjusted.solution, plan)

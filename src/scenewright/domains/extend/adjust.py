@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from scenewright.core.edits import Adjusted, Edits
+from scenewright.core.edits import Adjusted, Cancel, Edits
 from scenewright.core.errors import InputError
 from scenewright.core.piece_edits import find_piece
 from scenewright.core.plan import Plan
@@ -39,14 +39,16 @@ def adjust(
     return adjust_ground(solution, made, edits, rules, steps, seed)
 
 
-def _grow_again(standing: Solution, steps: int | None, seed: int) -> Solution:
+def _grow_again(standing: Solution, steps: int | None, seed: int, cancel: Cancel) -> Solution:
     """Areas with as many buildings as they had; those that are not locked find a place."""
     brief = lock_extension(standing)
     names = assign_ids(brief.part.areas, "area", "areas")
     areas = count_buildings(standing, brief.part.areas, names)
     counted = brief.model_copy(update={"part": brief.part.model_copy(update={"areas": areas})})
     solver = solver_again(EXTEND_SOLVERS, standing.solver)
-    return solve(counted, preset=standing.preset, solver=solver, steps=steps, seed=seed)
+    return solve(
+        counted, preset=standing.preset, solver=solver, steps=steps, seed=seed, cancel=cancel
+    )
 
 
 def _find_building(pieces: Sequence[Piece], name: str) -> tuple[Piece, ...]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import partial
 from typing import Protocol, TypeVar
 
 import numpy as np
@@ -62,7 +63,8 @@ def adjust(
         held = {p.id for p in edited.pieces if p.fixed or p.space not in touched}
         brief = lock_halls(replace(solution, pieces=with_locks(edited.pieces, held)))
         solver = solver_again(HALL_SOLVERS, solution.solver)
-        found = solve(brief, preset=solution.preset, solver=solver, steps=steps, seed=chosen)
+        again = partial(solve, brief, preset=solution.preset, solver=solver)
+        found = again(steps=steps, seed=chosen, cancel=edits.cancel)
         after = _merge_halls(
             after, replace(found, pieces=with_locks(found.pieces, locked)), touched
         )

@@ -16,6 +16,8 @@ def compose(
 ) -> tuple[Fitted, MeasuredLayout, tuple[LeftOut, ...]]:
     """The layout with seats before what they look at, its main exhibit in its place and what
     retouching mends, and what is ``missing`` with the seats that no rows hold."""
+    if search.passes.cancelled():
+        return fitted, layout, missing
     fitted, layout, unseated = seat_audiences(search, fitted, layout)
     layout = place_exhibit(search, fitted, layout)
     layout = retouch_layout(fitted.problem, layout, search.passes, search.hall.space.id)

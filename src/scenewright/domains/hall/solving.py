@@ -123,6 +123,7 @@ def solve(
     """
     started, chosen = time.perf_counter(), preset_named(PRESETS, preset)
     named = solver or chosen.solver
+    passes = passes._replace(cancelled=cancel) if cancel is not None else passes
     catalog, rooms = catalog_of(brief.catalogs), (plan or plan_rooms(brief)).spaces
     threads = min(threads or os.cpu_count() or 1, 16)
     zoning = chosen.settings.zoning

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import shapely
 
-from scenewright.core.edits import Adjusted, Edits
+from scenewright.core.edits import Adjusted, Cancel, Edits
 from scenewright.core.errors import InputError
 from scenewright.core.piece_edits import Edited, find_piece
 from scenewright.core.piece_outlines import polygons_of
@@ -40,10 +40,12 @@ def adjust(
     return adjust_ground(solution, made, edits, rules, steps, seed)
 
 
-def _build_again(standing: Solution, steps: int | None, seed: int) -> Solution:
+def _build_again(standing: Solution, steps: int | None, seed: int, cancel: Cancel) -> Solution:
     brief = lock_sites(standing)
     solver = solver_again(SITE_SOLVERS, standing.solver)
-    return solve(brief, preset=standing.preset, solver=solver, steps=steps, seed=seed)
+    return solve(
+        brief, preset=standing.preset, solver=solver, steps=steps, seed=seed, cancel=cancel
+    )
 
 
 def _find_building(pieces: Sequence[Piece], name: str) -> tuple[Piece, ...]:

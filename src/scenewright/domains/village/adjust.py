@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from scenewright.core.edits import Adjusted, Edits
+from scenewright.core.edits import Adjusted, Cancel, Edits
 from scenewright.core.piece_edits import find_piece
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
@@ -36,14 +36,16 @@ def adjust(
     return adjust_ground(solution, made, edits, rules, steps, seed)
 
 
-def _fill_again(standing: Solution, steps: int | None, seed: int) -> Solution:
+def _fill_again(standing: Solution, steps: int | None, seed: int, cancel: Cancel) -> Solution:
     """Blocks with as many houses as they had; those that are not locked find a place."""
     brief = lock_village(standing)
     names = [space.id for space in plan_village(standing.brief).spaces]
     blocks = count_buildings(standing, brief.part.blocks, names)
     counted = brief.model_copy(update={"part": brief.part.model_copy(update={"blocks": blocks})})
     solver = solver_again(VILLAGE_SOLVERS, standing.solver)
-    return solve(counted, preset=standing.preset, solver=solver, steps=steps, seed=seed)
+    return solve(
+        counted, preset=standing.preset, solver=solver, steps=steps, seed=seed, cancel=cancel
+    )
 
 
 def _find_house(pieces: Sequence[Piece], name: str) -> tuple[Piece, ...]:

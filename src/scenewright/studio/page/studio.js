@@ -11,7 +11,8 @@ const NUDGE = 0.05, QUARTER = Math.PI / 2;
 let doc = { version: 0 }, level = "", picked = "", more = new Set(), placing = "", view = null, drag = null, touched = false, changes = [];
 
 async function change(verb, keys = {}) {
-  const said = await send(verb, keys, inWords);
+  const slow = setTimeout(() => { $("stop").hidden = false; }, 400);
+  const said = await send(verb, keys, inWords).finally(() => clearTimeout(slow));
   changes = said.changes ?? [];
   await refresh();
   return said;

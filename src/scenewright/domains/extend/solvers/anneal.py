@@ -41,8 +41,13 @@ class UndoneMove(NamedTuple):
 Move = Callable[[Canvas, np.random.Generator], "UndoneMove | None"]
 
 
-def anneal(canvas: Canvas, rng: np.random.Generator, steps: int) -> GrownLayout:
-    """The best layout of ``steps`` moves."""
+def anneal(
+    canvas: Canvas,
+    rng: np.random.Generator,
+    steps: int,
+    cancelled: Callable[[], bool] = lambda: False,
+) -> GrownLayout:
+    """The best layout of ``steps`` moves, or of those made until ``cancelled``."""
     best = canvas.layout()
     if len(canvas.movable()) < 3 or len(best.poses) > LARGEST:
         return best
@@ -50,6 +55,8 @@ def anneal(canvas: Canvas, rng: np.random.Generator, steps: int) -> GrownLayout:
     energy = least = _energy(canvas, source, best)
     moves: tuple[Move, ...] = (slide_row, slide_one, replace_one, move_worst, move_worst)
     for step in range(steps):
+        if cancelled():
+            break
         undo = moves[int(rng.integers(len(moves)))](canvas, rng)
         if undo is None:
             continue

@@ -63,7 +63,7 @@ def grow_area(
             if watch.cancelled():
                 return Found(tuple(found), len(found))
             best = [
-                polish(problem, layout, np.random.default_rng([seed, 1, 1 + k]))
+                polish(problem, layout, np.random.default_rng([seed, 1, 1 + k]), watch.cancelled)
                 for k, layout in enumerate(found[: 1 if each == 1 else POLISHED])
             ]
             best.sort(key=lambda layout: layout.score["energy"])
@@ -116,8 +116,13 @@ def grow_once(
     return canvas.layout()
 
 
-def polish(problem: ExtendProblem, layout: GrownLayout, rng: np.random.Generator) -> GrownLayout:
-    """The layout annealed, if that is better."""
+def polish(
+    problem: ExtendProblem,
+    layout: GrownLayout,
+    rng: np.random.Generator,
+    cancelled: Cancel = lambda: False,
+) -> GrownLayout:
+    """The layout annealed, if that is better, until ``cancelled``."""
     if not problem.settings.polish:
         return layout
     canvas = Canvas(problem)
@@ -125,5 +130,5 @@ def polish(problem: ExtendProblem, layout: GrownLayout, rng: np.random.Generator
         canvas.add(pose, origin, how)
     many = max(len(layout.poses), 1)
     moves = round(problem.settings.polish * np.clip((ANNEALED / many) ** 1.5, 1.0, MOST_TIMES))
-    made = rate_layout(problem, turn_fronts(problem, anneal(canvas, rng, moves)))
+    made = rate_layout(problem, turn_fronts(problem, anneal(canvas, rng, moves, cancelled)))
     return made if made.score["energy"] < layout.score["energy"] else layout

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import NamedTuple
 
 import shapely
 
 from scenewright.core.catalog import Catalog, footprint_of
 from scenewright.core.scene import Piece, Pose, Size
-from scenewright.core.solution import LeftOut
+from scenewright.core.solution import STOPPED, LeftOut
 from scenewright.domains.hall.accessories import ACCESSORIES
 from scenewright.domains.hall.accessories.place import Placed, StandingHall, place_accessories
 from scenewright.domains.hall.accessories.stools import STOOL
@@ -35,17 +36,20 @@ class SmallGroup(NamedTuple):
     boxes: tuple[Floats, ...]
 
 
-def furnish_accessories(there: StandingHall, catalog: Catalog) -> Furnished:
+def furnish_accessories(
+    there: StandingHall, catalog: Catalog, stopped: Callable[[], bool] = lambda: False
+) -> Furnished:
     """The demands ``set_last`` in a hall that stands otherwise; the objects of one in one zone are
-    a group."""
+    a group. Once ``stopped``, those not placed are listed so."""
     small = [w for w in there.wishes if w.set_last and w.category in ACCESSORIES]
     if not small:
         return (), (), ()
-    placed = place_accessories(there, small)
+    placed = place_accessories(there, small, stopped)
+    why = STOPPED if stopped() else REASON
     groups = _share_out(there, small, placed)
     made = [_make_pieces(there.hall.space.id, one, catalog) for one in groups]
     rows = [_group(there.hall.space.id, *row) for row in zip(groups, made, strict=True)]
-    return sum(made, ()), tuple(rows), _report(there, small, placed)
+    return sum(made, ()), tuple(rows), _report(there, small, placed, why)
 
 
 def _share_out(there: StandingHall, small: list[HallDemand], placed: Placed) -> list[SmallGroup]:
@@ -109,7 +113,9 @@ def _group(space: str, group: SmallGroup, pieces: tuple[Piece, ...]) -> PlacedGr
     return PlacedGroup(group.id, group.wish.id, space, group.zone, "single", pose, parts, names)
 
 
-def _report(there: StandingHall, small: list[HallDemand], placed: Placed) -> tuple[LeftOut, ...]:
+def _report(
+    there: StandingHall, small: list[HallDemand], placed: Placed, why: str
+) -> tuple[LeftOut, ...]:
     """Objects without a spot, by name."""
     found = []
     for wish, boxes in zip(small, placed, strict=True):
@@ -117,6 +123,6 @@ def _report(there: StandingHall, small: list[HallDemand], placed: Placed) -> tup
         if absent:
             what = f"{absent} of {many} {wish.name}" if many > 1 else wish.name
             remedy = REMEDIES.get(wish.category)
-            reason = f"{REASON}: {remedy}" if remedy else REASON
+            reason = f"{why}: {remedy}" if remedy and why == REASON else why
             found.append(LeftOut(there.hall.space.id, what, reason, wish.required))
     return tuple(found)

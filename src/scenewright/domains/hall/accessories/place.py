@@ -67,20 +67,28 @@ Placed = list[list[Floats | None]]
 """The box (5,) of each object of each demand, None without a spot."""
 
 
-def place_accessories(there: StandingHall, small: list[HallDemand]) -> Placed:
+def place_accessories(
+    there: StandingHall, small: list[HallDemand], stopped: Callable[[], bool] = lambda: False
+) -> Placed:
     """Where the objects of some demands stand, each demand after those before it, those used at
     another once all the rest stands; none where it bars a way, or where no route would lead to it
-    or to one set before it."""
+    or to one set before it. Once ``stopped`` no more are placed."""
     order = sorted(range(len(small)), key=lambda k: ACCESSORIES[small[k].category].used_at)
-    boxes = _place_in_order(there, [small[k] for k in order])
+    boxes = _place_in_order(there, [small[k] for k in order], stopped)
     return [boxes[order.index(k)] for k in range(len(small))]
 
 
-def _place_in_order(there: StandingHall, small: list[HallDemand]) -> Placed:
-    boxes = _place_all(there, small, lambda _: True)
+def _place_in_order(
+    there: StandingHall, small: list[HallDemand], stopped: Callable[[], bool]
+) -> Placed:
+    boxes = _place_all(there, small, lambda _: True, stopped)
+    if stopped():
+        return [[None] * len(wish.sizes) for wish in small]
     least = _measure_ways(there, small, [])
     if not _as_open(there, small, boxes, least):
-        boxes = _place_all(there, small, lambda placed: _as_open(there, small, placed, least))
+        boxes = _place_all(
+            there, small, lambda placed: _as_open(there, small, placed, least), stopped
+        )
     return _spread_stools(there, small, boxes, least)
 
 
@@ -157,14 +165,20 @@ def _may_use(category: str, side: str) -> bool:
 
 
 def _place_all(
-    there: StandingHall, small: list[HallDemand], accept: Callable[[Placed], bool]
+    there: StandingHall,
+    small: list[HallDemand],
+    accept: Callable[[Placed], bool],
+    stopped: Callable[[], bool],
 ) -> Placed:
-    """A box for each object of some demands, one after another."""
+    """A box for each object of some demands, one after another; none once ``stopped``."""
     doorways, walls = find_doorways(there.hall.space), find_walls(there.hall)
     space, route = there.hall.space, there.problem.route
     standing = shapely.buffer(shapely.Polygon(space.outline, space.holes), -0.5 * route)
     keep_free, found = there.problem.ground.keep_free, list[list[Floats | None]]()
     for wish in small:
+        if stopped():
+            found.append([None] * len(wish.sizes))
+            continue
         free = find_floor(there.hall, wish.zones, there.pieces, there.wishes, keep_free)
         mine = list[Floats | None]()
         found.append(mine)

@@ -7,8 +7,9 @@ from typing import NamedTuple
 
 from scenewright._version import __version__
 from scenewright.core.brief import Brief
+from scenewright.core.brief.zones import Demand
 from scenewright.core.scene import Piece
-from scenewright.core.solution import LeftOut, Solution, TermValue
+from scenewright.core.solution import STOPPED, LeftOut, Solution, TermValue
 from scenewright.domains.hall.build_problem import HallContext
 from scenewright.domains.hall.floors import least_energies
 from scenewright.domains.hall.hall_layout import HallDetail, HallLayout, PlacedGroup, Tour, Zone
@@ -62,7 +63,10 @@ def assemble_solution(
         pieces=tuple(pieces),
         patches=(),
         terms=terms,
-        left_out=tuple(out for answer in done for out in answer.left_out),
+        left_out=(
+            *(out for answer in done for out in answer.left_out),
+            *_list_untouched(brief, halls, laid),
+        ),
         energies={
             hall.space.id: answer.energy
             for hall, answer in zip(halls, found, strict=True)
@@ -82,6 +86,20 @@ def assemble_solution(
             _shifts_of(halls, found),
         ),
     )
+
+
+def _list_untouched(brief: Brief, halls: list[HallContext], laid: dict[int, Laid]) -> list[LeftOut]:
+    """What halls that were not begun are to hold."""
+    return [
+        LeftOut(halls[k].space.id, _word(wish), STOPPED, wish.required)
+        for k, room in enumerate(brief.rooms)
+        for wish in room.demands
+        if k not in laid
+    ]
+
+
+def _word(wish: Demand) -> str:
+    return f"{wish.count or ''} {wish.name or wish.category.replace('_', ' ')}".strip()
 
 
 def _layout_of(halls: list[HallContext], found: list[Laid | None]) -> HallLayout:

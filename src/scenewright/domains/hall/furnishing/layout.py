@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 
 from scenewright.core.catalog import Catalog
@@ -49,8 +51,9 @@ def furnish_guided(
 ) -> Laid:
     """A furnished hall without gates beside which the way stays open and ropes before nothing."""
     hall, wishes, catalog = search.hall, search.wishes, search.catalog
-    laid = furnish_layout(hall, wishes, fitted, best, locked, missing, seen, catalog)
-    if not may_retry(search):
+    stopped = search.passes.cancelled
+    laid = furnish_layout(hall, wishes, fitted, best, locked, missing, seen, catalog, stopped)
+    if not may_retry(search) or stopped():
         return laid
     served = find_served_at(laid.pieces)
     idle = find_barring(search, fitted, best, served) | find_idle(wishes, fitted, best, laid.pieces)
@@ -59,7 +62,7 @@ def furnish_guided(
     fitted, best, idle, fewer = place_fewer_of_each(search, fitted, best, idle, served)
     missing = (*missing, *fewer, *report_idle(hall, wishes, fitted, idle))
     fitted, best = drop_units(hall, wishes, fitted, best, idle, catalog)
-    return furnish_layout(hall, wishes, fitted, best, locked, missing, seen, catalog)
+    return furnish_layout(hall, wishes, fitted, best, locked, missing, seen, catalog, stopped)
 
 
 def furnish_layout(
@@ -71,8 +74,10 @@ def furnish_layout(
     missing: tuple[LeftOut, ...],
     evaluations: int,
     catalog: Catalog,
+    stopped: Callable[[], bool] = lambda: False,
 ) -> Laid:
-    """A hall with the objects of a layout, its walls, chairs, groups, terms and tour."""
+    """A hall with the objects of a layout, its walls, chairs, groups, terms and tour; once
+    ``stopped``, without what is set last."""
     p, s, lost = measure_layout(fitted.problem, best)
     objects = furnish_hall(hall, wishes, fitted.units, fitted.problem, best.boxes, catalog)
     walls = partitions(hall, fitted.problem, best.kept, best.boxes, catalog)
@@ -102,7 +107,7 @@ def furnish_layout(
     grown = (grow_to_floor(piece, known[piece.function], catalog) for piece in objects)
     every = (*around, *grown, *low, *rails)
     standing_hall = StandingHall(hall, fitted.problem, best, wishes, every)
-    small, more, lost_small = furnish_accessories(standing_hall, catalog)
+    small, more, lost_small = furnish_accessories(standing_hall, catalog, stopped)
     groups = (*groups, *more)
     layout = HallLayout(hall.plan.zones, hall.plan.links, groups, tuple(w.id for w in walls))
     way = tour(hall.space, (*every, *small), layout, catalog, hall.route)

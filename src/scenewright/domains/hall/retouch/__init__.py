@@ -198,11 +198,11 @@ def retouch_layout(
 ) -> MeasuredLayout:
     """A layout of patterns with as little of each fault as it costs no more to mend; ``passes``
     switches touches off or hears what each changed in the hall ``space``."""
-    if layout.loose or not len(layout.boxes):
+    if layout.loose or not len(layout.boxes) or passes.cancelled():
         return layout
     made = [each for each in RETOUCHES if not {each.name, each.group} & passes.off]
     touches = {each.name: SeenTouch(each.run, each.run.look(problem)) for each in made}
-    mended = mend_layout(problem, layout.kept, touches)
+    mended = mend_layout(problem, layout.kept, touches, passes.cancelled)
     if mended.found.steps:
         layout = layout_of(begin_chain(problem, mended.found.state, streams(0, 1)[0]))
     if passes.hear is not None:

@@ -8,7 +8,7 @@ A layout of infinite energy breaks a hard rule.
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from functools import partial
 from typing import NamedTuple
 
@@ -41,17 +41,20 @@ class Mended(NamedTuple):
     seconds: Mapping[str, float]
 
 
-def mend_layout(problem: HallProblem, kept: Kept, touches: Touches) -> Mended:
+def mend_layout(
+    problem: HallProblem, kept: Kept, touches: Touches, stopped: Callable[[], bool] = lambda: False
+) -> Mended:
     """The layout with the touches made that gain, the worst row first; those that fill the floor
-    only then. A row is not looked at again until its fault is another."""
+    only then. A row is not looked at again until its fault is another; none is once ``stopped``."""
     chain = begin_chain(problem, kept, streams(0, 1)[0])
     tried, seconds = {name: list[float]() for name in touches}, dict.fromkeys(touches, 0.0)
-    moves = {name: partial(_propose, chain, touches, tried, seconds) for name in touches}
+    propose = partial(_propose, chain, touches, tried, seconds)
+    moves = {name: lambda kept, row: [] if stopped() else propose(kept, row) for name in touches}
     rows = {name: (name,) for name in touches} | {ENERGY: (), PASSAGE: ()}
     begun, steps = judge_layout(chain, touches, kept).cost, list[Step]()
     for some in ({name: touches[name] for name in touches if name not in LAST}, touches):
         by = Repair(partial(judge_layout, chain, some), moves, rows, _identify, GAIN)
-        found = repair(by, kept, BUDGET)
+        found = repair(by, kept, BUDGET, stopped)
         kept, steps = found.state, [*steps, *found.steps]
     return Mended(found._replace(steps=tuple(steps)), begun, seconds)
 

@@ -14,7 +14,7 @@ from scenewright.building.plan import plan_rooms
 from scenewright.building.standing import is_item, lock_item, reaching_in
 from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief, Room
-from scenewright.core.edits import Adjusted, Edits
+from scenewright.core.edits import Adjusted, Cancel, Edits
 from scenewright.core.piece_edits import frame_of, transfer_frame
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
@@ -111,7 +111,8 @@ def _revise_room(
     firm = [p for p in here if p.fixed or p.group in groups or _plain(p)]
     household = decide_household(rooms, solution.brief.residents)
     library = _library_of(solution.brief, household, asked, room)
-    task_with = partial(_task_with, solution, rooms, number, library, change.pieces)
+    told = solution, rooms, number, library, change.pieces, edits.cancel
+    task_with = partial(_task_with, *told)
 
     bare = task_with([p for p in firm if p.function not in GROUPS])
     firm, given_up, reasons = _repair_fixed(bare, firm, change)
@@ -149,6 +150,7 @@ def _task_with(
     number: int,
     library: Library,
     pieces: Sequence[Piece],
+    cancel: Cancel,
     fixed: Sequence[Piece],
 ) -> RoomTask:
     """A room in which some pieces are ``fixed``, as a task; ``pieces`` are those of the home."""
@@ -165,6 +167,7 @@ def _task_with(
         preset,
         solver_again(SOLVERS, solution.solver) or preset.solver,
         solution.seed,
+        cancel,
         beside=reaching_in(others, rooms)[number],
         entered=entered_by(space, rooms),
         closet=has_closet(space, rooms),
