@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from scenewright.geometry.boxes import frames_of
-from scenewright.geometry.empty_circles import find_empty_circles
+from scenewright.geometry.empty_circles import add_far_floor, find_empty_circles
 
 
 def distances(points: np.ndarray, box: np.ndarray) -> np.ndarray:
@@ -29,3 +29,7 @@ def test_the_circles_are_those_of_looking_at_every_point_and_box() -> None:
             best = np.flatnonzero(parts == part)[radius[parts == part].argmax()]
             np.testing.assert_allclose(circles[part], (*points[best], radius[best]))
         assert not circles[3].any()
+        least, sums = np.array([1.0, 4.0, 0.0, 2.0]), np.zeros(4)
+        add_far_floor(points, parts, far, frames_of(boxes), least, sums)
+        beyond = np.maximum(radius - least[parts], 0.0)
+        np.testing.assert_allclose(sums, np.bincount(parts, beyond, 4), atol=1e-9)

@@ -1,4 +1,5 @@
-"""The largest circle of floor with nothing in it, part by part."""
+"""How empty floor is, part by part: the largest circle with nothing in it, and all that lies far
+from everything."""
 
 from __future__ import annotations
 
@@ -32,6 +33,20 @@ def find_empty_circles(
             circles[parts[i], 0] = points[i, 0]
             circles[parts[i], 1] = points[i, 1]
             circles[parts[i], 2] = radius
+
+
+@compiled
+def add_far_floor(
+    points: Floats, parts: Ints, far: Floats, frames: Floats, least: Floats, sums: Floats
+) -> None:
+    """Add to ``sums`` (z,), for each of some ``points`` (k, 2) of a part, the metres by which it is
+    farther than the ``least`` (z,) of its part from all boxes, whose frames are ``frames`` (n, 8);
+    at most ``far`` (k,); ``parts`` (k,) says whose each point is."""
+    nearest = 0
+    for i in range(points.shape[0]):
+        most = least[parts[i]]
+        radius, nearest = _clear_radius(points[i, 0], points[i, 1], far[i], most, frames, nearest)
+        sums[parts[i]] += max(radius - most, 0.0)
 
 
 @inlined

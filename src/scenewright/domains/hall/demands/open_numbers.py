@@ -35,9 +35,8 @@ from scenewright.domains.hall.demands.programme import (
 from scenewright.domains.hall.demands.themes import LINED, THEMES, guess_theme, read_theme
 from scenewright.domains.hall.problem import Floats
 
-FEWEST_LINING, FULL_WALLS = 3, 0.95
-"""How many more stand at walls at least where such things stand free else, and what share of walls
-all there take with what lies between them."""
+FEWEST_LINING = 3
+"""How many more stand at walls at least where such things stand free else."""
 
 
 def is_open(demand: Demand) -> bool:
@@ -130,10 +129,8 @@ def _line_walls(
     mine = zones_of(demand, hall)
     others = [d for k, d in enumerate(every) if k not in alike and fill_defaults(d, "").at_wall]
     sharing = [every[k] for k in alike if (zones_of(every[k], hall) * mine).any()]
-    every_wall = float((wall_lengths(hall) * mine).sum())
-    taken = sum(size[0] for d in others for size in sizes_of(d))
-    left = FULL_WALLS * every_wall - sum(len(sizes_of(d)) * _front(d) for d in others)
-    wall = min(walls * every_wall - taken, left)
+    taken = sum(len(sizes_of(d)) * _front(d) for d in others)
+    wall = walls * float((wall_lengths(hall) * mine).sum()) - taken
     floor = WALLS_OF_FILL * share * float((zone_areas(hall) * mine).sum())
     each = floor_needed(demand) / len(sizes_of(demand))
     most = int(min(wall / _front(demand), floor / each) / len(sharing))

@@ -70,7 +70,7 @@ THEMES: dict[str, Theme] = {
     ),
     "books": Theme(0.58, 0.8, RETAIL, "books bookshop newsagent stationery comics music"),
     "showcases": Theme(
-        *(0.58, 0.75, RETAIL),
+        *(0.58, 0.8, RETAIL),
         "jewelry jewellery jeweller watches optician mobile_phone perfumery cosmetics beauty "
         "chemist pharmacy sante hearing_aids electronics computer camera tobacco e-cigarette "
         "chocolate confectionery",

@@ -3,42 +3,49 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import product
 from typing import NamedTuple
 
 import numpy as np
 import shapely
 
-from scenewright.domains.hall.patterns import WALL
+from scenewright.core.layout import corners
+from scenewright.domains.hall.patterns import ACROSS, ALONG, CHAIN, GRID, WALL
 from scenewright.domains.hall.problem import Floats, HallProblem, Ints
-from scenewright.domains.hall.retouch.places import shift, widen
+from scenewright.domains.hall.retouch.lines import find_layers
+from scenewright.domains.hall.retouch.places import fill_floor, find_axes, shift, widen
 from scenewright.domains.hall.terms.state import Kept
 from scenewright.domains.hall.terms.visitors import FIRST, GUIDE, MAIN, SPEAKER, TILL
 from scenewright.geometry.boxes import frames_of
-from scenewright.geometry.empty_circles import find_empty_circles
+from scenewright.geometry.empty_circles import add_far_floor, find_empty_circles
 from scenewright.geometry.inside import lie_inside
 
 FLOOR_STEP, POINTS = 0.7, 20_000
 """Metres between the points at which floor is looked at, at least, and how many there are at
 most."""
-LEAST_CIRCLE, CIRCLE_SHARE, MOST_OF_CIRCLE = 3.0, 0.15, 2.0
+LEAST_CIRCLE, CIRCLE_SHARE = 2.4, 0.076
 """Radius of a circle of floor that may be empty, in metres and as a share of the root of the floor
-of its zone, and metres beyond which more count no more."""
+of its zone."""
 PART, NEAR = (0.5, 0.75, 1.0), (-1.5, 0.0, 1.5)
 """Parts of the way to the middle of an empty circle, and metres beside it, that are tried."""
-SMALL_FILLER = 2.5
+SMALL_FILLER = 1.2
 """Square metres that the objects of a group have to stand on, else they fill no floor."""
 WIDER = (0.4, 0.8, 1.2)
 """Metres by which gaps of rows are made wider."""
+INSETS, STRETCHED, MOST_STRETCHED, LOOSE_GAP = (0.9, 1.6, 2.4), (1.0, 0.6, 0.3), 4.0, 0.1
+"""Metres off the bounds of a zone to which all that may move is stretched, parts of that, and how
+many times as wide it becomes at most; the least that is a gap, in metres."""
 
 
 class BareFloor(NamedTuple):
-    """Points (k, 2) of the floor of a problem, the zone (k,) of each, and how far it is from walls
-    and from the main entrance (k,)."""
+    """Points (k, 2) of the floor of a problem, the zone (k,) of each, how far it is from walls
+    and from the main entrance (k,), and square metres of floor for each."""
 
     problem: HallProblem
     points: Floats
     zones: Ints
     walls: Floats
+    each: float
 
 
 def find_floor(problem: HallProblem) -> BareFloor:
@@ -56,7 +63,7 @@ def find_floor(problem: HallProblem) -> BareFloor:
     far = shapely.distance(shapely.points(points), shapely.multilinestrings(lines))
     for door in problem.visitors.entrances[:1]:
         far = np.minimum(far, np.hypot(*(points - door).T))
-    return BareFloor(problem, points, zones, far)
+    return BareFloor(problem, points, zones, far, step * step)
 
 
 def find_circles(floor: BareFloor, boxes: Floats) -> Floats:
@@ -69,12 +76,16 @@ def find_circles(floor: BareFloor, boxes: Floats) -> Floats:
 
 
 def measure_bare(floor: BareFloor, kept: Kept, boxes: Floats) -> float:
-    """Metres by which the largest empty circles of zones with groups that may move are too wide."""
+    """How wide empty circles of zones with groups that may move are beyond what they may be, in
+    metres: 2 ∛(Σ (r - r_0) a), where floor of a square metres is r from everything; of one circle
+    about its own excess, of several more."""
     movable = {int(floor.problem.units.zones[unit]) for unit in _find_movable(floor.problem, kept)}
     if not movable:
         return 0.0
-    beyond = find_circles(floor, boxes)[:, 2] - _find_allowed(floor.problem)
-    return float(sum(min(max(beyond[zone], 0.0), MOST_OF_CIRCLE) for zone in movable))
+    around = frames_of(np.concatenate([boxes, floor.problem.ground.obstacles]))
+    sums, allowed = np.zeros(len(floor.problem.ground.zone_areas)), _find_allowed(floor.problem)
+    add_far_floor(floor.points, floor.zones, floor.walls, around, allowed, sums)
+    return float(sum(2.0 * np.cbrt(floor.each * sums[zone]) for zone in movable))
 
 
 def _find_allowed(problem: HallProblem) -> Floats:
@@ -102,8 +113,11 @@ def propose_moves(floor: BareFloor, kept: Kept, boxes: Floats) -> Iterator[Kept]
     """Layouts with one group moved towards the largest empty circle of its zone, or its rows
     wider apart."""
     problem, circles = floor.problem, find_circles(floor, boxes)
-    allowed = _find_allowed(problem)
-    for unit in _find_movable(problem, kept):
+    allowed, movable = _find_allowed(problem), _find_movable(problem, kept)
+    for zone in np.flatnonzero(circles[:, 2] > allowed):
+        mine = [unit for unit in movable if int(problem.units.zones[unit]) == zone]
+        yield from _stretch(problem, kept, boxes, int(zone), mine)
+    for unit in movable:
         x, y, radius = circles[problem.units.zones[unit]]
         if radius <= allowed[problem.units.zones[unit]]:
             continue
@@ -113,3 +127,45 @@ def propose_moves(floor: BareFloor, kept: Kept, boxes: Floats) -> Iterator[Kept]
             for part in PART if form is kept else (0.25, 0.5):
                 for aside in NEAR if form is kept else (0.0,):
                     yield shift(form, unit, part * way + aside * left)
+        yield from fill_floor(problem, kept, boxes, unit)
+
+
+def _stretch(
+    problem: HallProblem, kept: Kept, boxes: Floats, zone: int, units: list[int]
+) -> Iterator[Kept]:
+    """Layouts with some units drawn apart over their zone, along x and y, their gaps as well."""
+    if not units:
+        return
+    mine = np.concatenate([boxes[slice(*problem.units.spans[unit])] for unit in units])
+    seen = corners(mine).reshape(-1, 2)
+    low, high = seen.min(0), seen.max(0)
+    bounds = problem.ground.zone_bounds[zone].reshape(2, 2)
+    for inset, part, axes in product(INSETS, STRETCHED, ((1, 1), (1, 0), (0, 1))):
+        wide = np.ptp(bounds, axis=0) - 2.0 * inset
+        most = np.clip(wide / np.maximum(high - low, 0.1), 1.0, MOST_STRETCHED)
+        by = 1.0 + part * np.array(axes) * (most - 1.0)
+        if by.max() > 1.0:
+            to = 0.5 * (low + high) + part * (bounds.mean(0) - 0.5 * (low + high))
+            pose, layers = kept.pose.copy(), kept.layers.copy()
+            pose[units, :2] = to + by * (pose[units, :2] - 0.5 * (low + high))
+            for unit in units:
+                _draw_apart(problem, kept, boxes, unit, by, layers)
+            yield kept._replace(pose=pose, layers=layers)
+
+
+def _draw_apart(
+    problem: HallProblem, kept: Kept, boxes: Floats, unit: int, by: Floats, layers: Floats
+) -> None:
+    """Widen the gaps of a unit in rows until it is ``by`` (2,) times as long along x and y, those
+    between its objects only where they have gaps."""
+    if int(kept.rows[unit, 0]) not in (CHAIN, GRID):
+        return
+    span, first = slice(*problem.units.spans[unit]), find_layers(problem, unit)[0]
+    axes = find_axes(float(kept.pose[unit, 2]))
+    long = np.ptp(boxes[span, :2] @ axes.T, axis=0) * (np.abs(axes) @ (by - 1.0))
+    rows = int(kept.rows[unit, 1])
+    many = np.array([-(-(span.stop - span.start) // rows), rows])
+    more = long / np.maximum(many - 1, 1)
+    mine = slice(first, first + rows)
+    layers[mine, ACROSS] += more[1]
+    layers[mine, ALONG] += more[0] * (kept.layers[mine, ALONG] > LOOSE_GAP)

@@ -26,7 +26,7 @@ from scenewright.domains.hall.terms.state import Kept
 from scenewright.engine.draws import streams
 
 Touches = Mapping[str, SeenTouch]
-BUDGET, ROUNDS, GAIN = 400, 4, 0.5
+BUDGET, ROUNDS, GAIN = 400, 6, 0.5
 """Layouts judged at most, how often a row is looked at, and what a change has to gain."""
 LAST = ("bare", "spread")
 """The rows that fill the floor that others leave."""
