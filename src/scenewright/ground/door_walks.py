@@ -20,7 +20,7 @@ Walk: TypeAlias = shapely.LineString
 
 AHEAD = (2.0, 1.2, 3.5, 5.0)
 """Metres from a door at which a walk may bend; the first that gets through is taken."""
-CELL, MOST_CELLS = 0.7, 250_000
+CELL, MOST_CELLS = 0.7, 60_000
 """Metres of the raster on which long walks are found, and of how many cells it is at most."""
 CLEAR, LONGEST, NEIGHBOURS = 0.6, 80.0, 12
 """Metres kept from houses and of a walk at most; how many neighbours are tried."""
@@ -61,7 +61,9 @@ def lay_long_walks(
     cells, open_, cell = _raster(ground.floor, polygons_of(standing))
     spots = shapely.points(cells)
     goals = shapely.union_all([ground.goals, *laid])
-    starts = np.flatnonzero(open_.reshape(-1) & shapely.dwithin(spots, goals, cell))
+    shapely.prepare(goals)
+    free = np.flatnonzero(open_)
+    starts = free[shapely.dwithin(spots[free], goals, cell)]
     slow = np.where(open_, 1.0, np.inf)
     times, before = find_quickest(slow, cell, starts.astype(np.int32))
     found = []
@@ -86,9 +88,9 @@ def _raster(
     x, y = np.arange(west, east + cell, cell), np.arange(south, north + cell, cell)
     cells = np.stack(np.meshgrid(x, y), -1).reshape(-1, 2)
     open_ = shapely.contains_xy(shapely.buffer(floor, 0.2), *cells.T)
-    tree = shapely.STRtree(shapes)
-    near = tree.query(shapely.points(cells), predicate="dwithin", distance=CLEAR)[0]
-    open_[np.unique(near)] = False
+    taken = shapely.union_all(shapely.buffer(shapes, CLEAR, quad_segs=2))
+    shapely.prepare(taken)
+    open_ &= ~shapely.contains_xy(taken, *cells.T)
     return cells, open_.reshape(len(y), len(x)), cell
 
 

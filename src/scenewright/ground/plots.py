@@ -173,7 +173,7 @@ def fence_lines(
     if not rings:
         return shapely.LineString(), shapely.LineString()
     whole = shapely.union_all([shapely.Polygon(row.outline) for row in plots], grid_size=1e-3)
-    rim = shapely.buffer(shapely.boundary(whole), 0.3)
+    rim = shapely.buffer(shapely.boundary(whole), 0.3, quad_segs=1)
     near = shapely.union_all(shapely.buffer(shapes, NARROW, join_style="mitre"))
     lines = shapely.union_all(rings, grid_size=1e-3)
     inner = shapely.difference(lines, shapely.union_all([rim, near, blocked]))

@@ -60,7 +60,7 @@ def enclose_plots(
     kinds = LOOKS[look]
     outer, inner = fence_lines(plots, shapes, blocked)
     ways = shapely.union_all([shapely.boundary(block.lanes), *shapely.linestrings(block.streets)])
-    along = shapely.buffer(ways, FRONTING)
+    along = shapely.buffer(ways, FRONTING, quad_segs=1)
     front, back = shapely.intersection(outer, along), shapely.difference(outer, along)
     held = shapely.union_all([shapely.Polygon(plot.outline) for plot in plots], grid_size=1e-3)
     street = _set_back(front, kinds.street.thick, shapely.difference(held, blocked))
@@ -78,7 +78,9 @@ def enclose_plots(
 def _set_back(line: shapely.Geometry, thick: float, ground: shapely.Geometry) -> shapely.Geometry:
     """A strip of some thickness behind a line, on some ground."""
     inner = shapely.buffer(line, SETBACK + thick, cap_style="flat", join_style="mitre")
-    strip = shapely.difference(inner, shapely.buffer(line, SETBACK, join_style="mitre"))
+    strip = shapely.difference(
+        inner, shapely.buffer(line, SETBACK, quad_segs=2, join_style="mitre")
+    )
     return shapely.intersection(strip, ground)
 
 
