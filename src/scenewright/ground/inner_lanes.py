@@ -29,6 +29,9 @@ DEPTHS = (24.0, 33.0, 42.0, 54.0)
 """Metres behind the street at which a lane may turn."""
 APART, ASIDE = 24.0, 0.6
 """Metres between the ends of a loop at least, and the least cosine to the street's normal."""
+SHARPEST, BESIDE, MIDDLE = -0.4, 14.0, np.linspace(0.3, 0.7, 5)
+"""Least cosine of a bend, metres that a lane keeps from other ways in its middle part, and the
+shares of its length at which that is looked at."""
 ROOM = (13.0, 7.0, 3.0)
 """Metres kept from other ground, the first with which a lane is found."""
 CLEAR, EACH = 1.5, 5.0
@@ -118,7 +121,7 @@ def _best_loop(
 ) -> LaidLane | None:
     """The loop that serves most, with as much room to other ground as can be."""
     at, into = _entries(floor, streets)
-    lines = _loops(at, into)
+    lines = _keep_apart(_loops(at, into), streets)
     for room in ROOM:
         free = _free_ground(floor, streets, taken, width, room)
         best = _best(floor, lines, free, deep)
@@ -171,8 +174,27 @@ def _loops(at: Floats, into: Floats) -> Shapes:
     straight = shapely.linestrings(np.stack([at[i], at[j]], 1)[ahead])
     bent = [np.stack([at[i], at[i] + d * into[i], at[j] + d * into[j], at[j]], 1) for d in DEPTHS]
     rows = np.concatenate([np.zeros((0, 4, 2)), *bent])
-    bows = shapely.linestrings(rows[np.hypot(*(rows[:, 2] - rows[:, 1]).T) >= APART])
+    bows = shapely.linestrings(rows[_turns_wide(rows)])
     return np.concatenate([straight, bows[shapely.is_simple(bows)]])
+
+
+def _turns_wide(rows: Floats) -> NDArray[np.bool_]:
+    """Which lines of two bends (k, 4, 2) are no hairpins and turn by no sharp angle."""
+    legs = np.diff(rows, axis=1)
+    long = np.hypot(legs[..., 0], legs[..., 1])
+    unit = legs / np.maximum(long, 1e-9)[..., None]
+    bends = (unit[:, 1:] * unit[:, :-1]).sum(2)
+    found: NDArray[np.bool_] = (long[:, 1] >= APART) & (bends >= SHARPEST).all(1)
+    return found
+
+
+def _keep_apart(lines: Shapes, streets: Points) -> Shapes:
+    """The lines whose middle parts run well off all streets: none runs beside or across one."""
+    if not len(lines):
+        return lines
+    at = shapely.line_interpolate_point(lines[:, None], MIDDLE[None], normalized=True)
+    away = shapely.distance(at, shapely.union_all(shapely.linestrings(streets))).min(1)
+    return lines[away >= BESIDE]
 
 
 def _free_ground(
