@@ -20,7 +20,7 @@ from scenewright.domains.hall.terms.visitors import FIRST
 
 MOST = 12
 """Gates of one row at most."""
-NEAREST, FARTHEST_GATE = 1.6, 3.5
+NEAREST, FARTHEST_GATE = 1.6, 3.1
 """Metres from a door or a border between which gates stand."""
 PER_GATE_ASIDE, MOST_ASIDE, GATES_ALONG, PER_ROW_OF_GATES = 0.5, 9.0, 2.0, 1.0
 """What a metre off the middle of the way counts and beyond how many more count no more, what a row
