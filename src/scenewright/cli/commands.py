@@ -20,7 +20,7 @@ from scenewright.cli import adjust as cli_adjust
 from scenewright.cli import batch as cli_batch
 from scenewright.cli import catalog as cli_catalog
 from scenewright.cli import compare as cli_compare
-from scenewright.cli import completion, listing, show, tables, terminal
+from scenewright.cli import completion, listing, schemes, show, tables, terminal
 from scenewright.cli import evolve as cli_evolve
 from scenewright.cli import fold as cli_fold
 from scenewright.cli import generate as cli_generate
@@ -288,9 +288,12 @@ def explain(
     if passes:
         print_passes(tables.output_console(), solution, plan, as_json)
     elif as_json:
-        tables.print_json(show.explained_document(solution, plan))
+        sites = schemes.find_schemes(solution, plan)
+        told = show.explained_document(solution, plan)
+        tables.print_json(told | ({"sites": sites} if sites else {}))
     else:
         show.print_explanation(tables.output_console(), solution, plan, with_terms)
+        schemes.print_schemes(tables.output_console(), schemes.find_schemes(solution, plan))
     return 0
 
 

@@ -33,7 +33,6 @@ from scenewright.domains.site.solvers.chosen import (
     AXES,
     GAPS,
     ORDERS,
-    QUEUES,
     BlockChoice,
     Fill,
     SiteChoice,
@@ -41,6 +40,7 @@ from scenewright.domains.site.solvers.chosen import (
     remember_fillings,
 )
 from scenewright.domains.site.solvers.outcome import SiteLayout
+from scenewright.domains.site.solvers.schemes import QUEUES
 from scenewright.domains.site.solving import Built, assemble_solution, build_site_problem, solve
 from scenewright.domains.site.variants import Variant
 from scenewright.ground.works import GroundWorks

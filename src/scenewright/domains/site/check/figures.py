@@ -28,6 +28,7 @@ from scenewright.domains.site.check.rules import (
     find_overlaps,
     find_too_close,
 )
+from scenewright.domains.site.check.schemes import measure_scheme
 from scenewright.domains.site.check.sun import find_sunless, sample_rows, sun_hours
 from scenewright.ground.plan import SitePlan
 from scenewright.ground.works import GroundWorks
@@ -84,6 +85,8 @@ def _judge(
         verdict.findings.extend(find_unserved_doors(ground, bodies, works))
         verdict.findings.extend(find_missing_areas(ground, bodies, works))
     figures = _figures(ground, bodies, got)
+    if works:
+        figures |= measure_scheme(ground, bodies, works, pieces, _floors(ground, bodies))
     verdict.findings.extend(find_sunless(ground, bodies) if ground.site.sun_required else ())
     verdict.figures[ground.plan.id] = figures | (
         _measure_service(ground, bodies, works) if works else {}

@@ -83,7 +83,8 @@ def _fill_lines(
         np.empty(most, np.int64),
     )
     count = set_along(lines, edges, floors, rule, np.zeros(len(floors), np.bool_), *found)
-    return AlongLines(*(row[:count] for row in found))
+    numbers, boxes, wide, owner = found
+    return AlongLines(numbers[:count], boxes[:count], wide[:count], owner[:count])
 
 
 def list_front_lines(edges: Floats) -> Floats:

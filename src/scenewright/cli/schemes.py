@@ -1,0 +1,55 @@
+"""Figures of schemes of sites: a table of them, one row a site or an alternative."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from rich.console import Console
+
+from scenewright.cli.tables import print_line, table
+from scenewright.core.plan import Plan
+from scenewright.core.solution import Solution
+
+
+def scheme_row(figures: Mapping[str, Any]) -> dict[str, Any]:
+    """The figures of one site in the words of a planner; none where ways are not laid out.
+
+    >>> scheme_row({"coverage": 0.2})
+    {}
+    """
+    if "dwellings" not in figures:
+        return {}
+    bays, green = figures["bays_per_dwelling"], figures["green_per_person"]
+    sun = figures["sun_mean"]
+    return {
+        "floor m²": f"{figures['floor_area']:.0f}",
+        "coverage": f"{figures['coverage']:.0%}",
+        "FAR": f"{figures['floor_area_ratio']:.2f}",
+        "dwellings": figures["dwellings"],
+        "bays each": "-" if bays is None else f"{bays:.2f}",
+        "green m²/person": "-" if green is None else f"{green:.0f}",
+        "trees": figures["trees"],
+        "sun h": "-" if sun is None else f"{sun:.1f}",
+    }
+
+
+def find_schemes(solution: Solution, plan: Plan) -> dict[str, Any]:
+    """The referee's figures of the sites of a solution; none of other kinds of scene."""
+    from scenewright.domains import check
+
+    if solution.brief.domain != "site":
+        return {}
+    return dict(check(solution, plan=plan).figures["sites"])
+
+
+def print_schemes(console: Console, sites: Mapping[str, Mapping[str, Any]]) -> None:
+    """A table of the schemes of some sites, then floor by use and dwellings by size."""
+    rows = [{"site": name} | scheme_row(row) for name, row in sites.items() if scheme_row(row)]
+    if rows:
+        table(console, rows, "scheme")
+    for name, row in sites.items():
+        for key, word in (("floor_by_use", "m² of floor"), ("dwellings_by_size", "dwellings")):
+            told = ", ".join(f"{what} {value:.0f}" for what, value in row.get(key, {}).items())
+            if told:
+                print_line(console, f"{name}, {word}: {told}", "dim")

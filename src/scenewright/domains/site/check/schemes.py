@@ -1,0 +1,91 @@
+"""Figures of a scheme: floor by use, dwellings by size, bays, green ground and trees.
+
+A storey of flats is shared among dwellings of about :data:`FLAT` square metres; terraces have one
+for every :data:`TERRACE` metres of front; other houses are one each. The net floor of a dwelling is
+:data:`NET` of its gross floor, and a person lives on :data:`PERSON` square metres of it (mean of
+Germany, Destatis 2021).
+"""
+
+from __future__ import annotations
+
+from collections import Counter, defaultdict
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+import shapely
+
+from scenewright.catalog.assets.building_styles import STYLES
+from scenewright.check.bodies import Floats
+from scenewright.core.scene import Piece
+from scenewright.domains.site.check.bodies import JudgedSite, SiteBodies
+from scenewright.ground.works import GroundWorks
+
+FLAT, TERRACE, NET, PERSON = 95.0, 6.0, 0.8, 47.0
+"""Square metres of gross floor of a flat, metres of front of a terraced house, net of gross floor,
+and net square metres a person."""
+FLATS, TERRACES = ("modern_residential", "point_tower"), ("row_houses",)
+SIZES = ((60.0, "to 60 m²"), (100.0, "60-100 m²"), (150.0, "100-150 m²"), (np.inf, "over 150 m²"))
+"""Classes of the net floor of a dwelling."""
+
+
+def measure_scheme(
+    ground: JudgedSite,
+    bodies: SiteBodies,
+    works: GroundWorks,
+    pieces: Sequence[Piece],
+    floors: Floats,
+) -> dict[str, Any]:
+    """The figures of one site; ``floors`` (n,) are the storeys of its bodies."""
+    area = np.asarray(shapely.area(bodies.footprints))
+    by_use: dict[str, float] = defaultdict(float)
+    sizes: list[float] = []
+    for row, piece in enumerate(bodies.pieces):
+        use = STYLES[piece.asset].use if piece.asset in STYLES else "other"
+        by_use[use] += float(area[row] * floors[row])
+        if use == "housing":
+            sizes += list_dwellings(piece, float(area[row]), int(floors[row]))
+    standing = float((area * floors)[len(bodies.pieces) :].sum())
+    by_use |= {"landmarks": standing} if standing else {}
+    people = sum(sizes) / PERSON
+    bays = sum(row.bays for row in works.areas if row.kind == "parking")
+    green = measure_green(ground, bodies, works)
+    return {
+        "floor_by_use": {use: round(by_use[use], 1) for use in sorted(by_use)},
+        "dwellings": len(sizes),
+        "dwellings_by_size": count_sizes(sizes),
+        "bays_per_dwelling": round(bays / len(sizes), 3) if sizes else None,
+        "green": round(green, 1),
+        "green_per_person": round(green / people, 1) if people else None,
+        "trees": sum(piece.category == "tree" for piece in pieces),
+    }
+
+
+def list_dwellings(piece: Piece, storey: float, floors: int) -> list[float]:
+    """The net floor of each dwelling of a building of housing, in square metres, from the ground of
+    a ``storey`` and its ``floors``."""
+    if piece.asset in FLATS:
+        on_each = max(round(storey / FLAT), 1)
+        return [NET * storey / on_each] * (on_each * floors)
+    count = max(round(piece.size.width / TERRACE), 1) if piece.asset in TERRACES else 1
+    return [NET * storey * floors / count] * count
+
+
+def count_sizes(sizes: Sequence[float]) -> dict[str, int]:
+    """Dwellings by class of size.
+
+    >>> count_sizes([55.0, 80.0, 90.0])
+    {'to 60 m²': 1, '60-100 m²': 2}
+    """
+    counted = Counter(next(name for most, name in SIZES if size <= most) for size in sizes)
+    return {name: counted[name] for _, name in SIZES if counted[name]}
+
+
+def measure_green(ground: JudgedSite, bodies: SiteBodies, works: GroundWorks) -> float:
+    """Square metres that are neither built on nor paved; courts count."""
+    paths = [
+        shapely.buffer(shapely.LineString(row.line), 0.5 * row.width) for row in works.pathways
+    ]
+    paved = [shapely.Polygon(row.outline) for row in works.areas if row.kind != "court"]
+    taken = shapely.union_all([*bodies.footprints, *ground.ways, *paths, *paved])
+    return float(shapely.difference(ground.floor, taken).area)
