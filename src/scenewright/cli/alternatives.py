@@ -8,7 +8,7 @@ from rich.console import Console
 
 from scenewright.cli import show
 from scenewright.cli.arrange import follow
-from scenewright.cli.schemes import scheme_row
+from scenewright.cli.schemes import find_schemes, scheme_row
 from scenewright.core.registry import domain_of
 from scenewright.workflow.alternatives import RankedSolution, arrange_alternatives
 from scenewright.workflow.request import ArrangeRequest
@@ -31,7 +31,7 @@ def row(plan: RankedSolution) -> dict[str, Any]:
     }
     if len(halls) == 1 and solution.detail is not None:
         values |= {key: halls[0][key] for key in ("aesthetic", "uniformity", "circulation")}
-    sites = list(plan.report.figures.get("sites", {}).values())
+    sites = list(find_schemes(solution, plan.plan, plan.report).values())
     return values | (scheme_row(sites[0]) if len(sites) == 1 else {})
 
 

@@ -9,11 +9,13 @@ from rich.console import Console
 
 from scenewright.cli.tables import print_line, table
 from scenewright.core.plan import Plan
+from scenewright.core.registry import domain_of
+from scenewright.core.report import Report
 from scenewright.core.solution import Solution
 
 
 def scheme_row(figures: Mapping[str, Any]) -> dict[str, Any]:
-    """The figures of one site in the words of a planner; none where ways are not laid out.
+    """The figures of one site in the words of a planner; none of what is no scheme.
 
     >>> scheme_row({"coverage": 0.2})
     {}
@@ -34,13 +36,19 @@ def scheme_row(figures: Mapping[str, Any]) -> dict[str, Any]:
     }
 
 
-def find_schemes(solution: Solution, plan: Plan) -> dict[str, Any]:
-    """The referee's figures of the sites of a solution; none of other kinds of scene."""
+def find_schemes(
+    solution: Solution, plan: Plan, report: Report | None = None
+) -> dict[str, dict[str, Any]]:
+    """The figures of the schemes of a solution, with those of the referee (asked for his ``report``
+    unless given); none of kinds of scene that have no schemes."""
     from scenewright.domains import check
 
-    if solution.brief.domain != "site":
+    domain = domain_of(solution.brief.domain)
+    if not domain.has("schemes"):
         return {}
-    return dict(check(solution, plan=plan).figures["sites"])
+    judged = (report or check(solution, plan=plan)).figures["sites"]
+    found = domain.verb("schemes")(solution, plan)
+    return {name: judged.get(name, {}) | row for name, row in found.items()}
 
 
 def print_schemes(console: Console, sites: Mapping[str, Mapping[str, Any]]) -> None:

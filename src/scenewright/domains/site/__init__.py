@@ -29,6 +29,7 @@ DOMAIN = Domain(
         "alternatives": ".alternatives:alternatives",
         "compare": ".alternatives:compare",
         "describe": ".alternatives:describe",
+        "schemes": ".schemes:measure_schemes",
         "adjust": ".adjust:adjust",
         "locked": ".locks:lock_sites",
         "detail_document": ".record:detail_document",

@@ -28,7 +28,6 @@ from scenewright.domains.site.check.rules import (
     find_overlaps,
     find_too_close,
 )
-from scenewright.domains.site.check.schemes import measure_scheme
 from scenewright.domains.site.check.sun import find_sunless, sample_rows, sun_hours
 from scenewright.ground.plan import SitePlan
 from scenewright.ground.works import GroundWorks
@@ -85,8 +84,6 @@ def _judge(
         verdict.findings.extend(find_unserved_doors(ground, bodies, works))
         verdict.findings.extend(find_missing_areas(ground, bodies, works))
     figures = _figures(ground, bodies, got)
-    if works:
-        figures |= measure_scheme(ground, bodies, works, pieces, _floors(ground, bodies))
     verdict.findings.extend(find_sunless(ground, bodies) if ground.site.sun_required else ())
     verdict.figures[ground.plan.id] = figures | (
         _measure_service(ground, bodies, works) if works else {}
@@ -118,7 +115,7 @@ def _figures(ground: JudgedSite, bodies: SiteBodies, got: Flags) -> dict[str, An
     area = ground.floor.area
     covered = float(shapely.union_all(bodies.footprints).intersection(ground.floor).area)
     footprint = np.asarray(shapely.area(bodies.footprints))
-    floor_area = float((footprint * _floors(ground, bodies)).sum())
+    floor_area = float((footprint * count_storeys(ground, bodies)).sum())
     off = np.abs(np.angle(np.exp(1j * (bodies.heading[own] - ground.site.facing))))
     return {
         "buildings": int(own.sum()),
@@ -140,7 +137,7 @@ def _share(flags: Flags) -> float:
     return round(float(flags.mean()), 4) if len(flags) else 1.0
 
 
-def _floors(ground: JudgedSite, bodies: SiteBodies) -> Floats:
+def count_storeys(ground: JudgedSite, bodies: SiteBodies) -> Floats:
     """Storeys: as the wish of the same model and nearest size says, else one for every 3 m."""
     floors = np.maximum(np.round((bodies.high - bodies.low) / STOREY), 1.0)
     known: dict[tuple[str, Size], int] = {}
