@@ -66,6 +66,8 @@ def patterns(plan: RankedSolution) -> str:
 def document(source: str, plan: RankedSolution) -> dict[str, Any]:
     """One plan as plain values."""
     code = 0 if plan.complete else 1
-    return {"plan": plan.rank} | show.arranged_document(
+    sites = find_schemes(plan.solution, plan.plan, plan.report)
+    told = {"plan": plan.rank} | ({"sites": sites} if sites else {})
+    return told | show.arranged_document(
         source, plan.outputs, plan.solution, plan.plan, plan.report, code
     )

@@ -72,7 +72,8 @@ Verb = Literal[
 """What can be asked of a domain. :data:`NEEDED` are those without which nothing can be arranged; of
 the others ``given`` (what a brief says stands, as pieces), ``validate``, ``refuse_style`` (a style
 named on the command line that it does not know), ``alternatives``, ``compare``, ``describe``,
-``schemes`` (figures by space, of a solution and its plan), ``locked``, ``groups``, ``styles`` (rows to list), ``plots`` (the ground of each building, of a
+``schemes`` (figures by space, of a solution and its plan), ``locked``,
+``groups``, ``styles`` (rows to list), ``plots`` (the ground of each building, of a
 solution and its plan), ``floors`` (the least the energy of each space
 could be), ``drawn_scale`` (how much too small or too large the plan is drawn, of a brief and its
 spaces), ``programme`` (what was decided for the whole, in words), ``ledger`` (what is owed to those
