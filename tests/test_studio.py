@@ -182,6 +182,7 @@ def test_arranging_streams_and_ends_in_a_version(client: TestClient, session: Se
         time.sleep(0.1)
     assert session.state()["history"][-1]["what"] == "arranged, seed 5"
     assert any("share" in event for event in events)
+    assert any(event.get("space") == "room" and event["boxes"] for event in events)
 
 
 def test_only_the_link_lets_in_and_only_once(session: Session, tmp_path: Path) -> None:

@@ -29,6 +29,7 @@ from scenewright.studio.draft_faults import DraftFault, read_draft
 from scenewright.studio.drafting import FORMAT, draw_act, new_draft
 from scenewright.studio.drawable import Json, describe_finding, draw
 from scenewright.studio.shelf import draw_shelf, list_shelf
+from scenewright.studio.streaming import stream_layouts
 
 Tell = Callable[[Json], None]
 """Called with every event: progress, and that another version is shown."""
@@ -136,6 +137,7 @@ class Session:
                 seed=seed,
                 progress=lambda share, what: self.tell({"share": share, "what": what}),
                 cancel=self.stopping.is_set,
+                watch=stream_layouts(self.tell),
             )
             with self.lock:
                 self._keep(shown.version, f"arranged, seed {seed}", solution, plan)

@@ -65,7 +65,25 @@ function drawPlan() {
     const [x, y] = one.label;
     element("text", { class: "room", x, y: -y, "font-size": view[2] / 55 }, plan, one.name);
   }
-  drawFindings(doc.findings ?? []);
+  drawFindings(toShow());
+  if (!doc.running) { streamed.clear(); plan.classList.remove("searching"); }
+  drawStreamed();
+}
+
+// The best layouts found so far while something is arranged: boxes, by space.
+const streamed = new Map();
+function drawStreamed() {
+  const plan = $("plan");
+  plan.querySelector("#streamed")?.remove();
+  if (!doc.running || !view) return;
+  const layer = element("g", { id: "streamed" }, plan), here = doc.levels.find((one) => one.id === level);
+  const inside = new Set(here?.spaces.map((one) => one.id));
+  for (const [space, boxes] of streamed) if (inside.has(space)) for (const [name, x, y, heading, width, depth] of boxes) {
+    const group = element("g", { transform: placed([x, y, 0, heading]) }, layer);
+    element("rect", { class: "searched", x: -width / 2, y: -depth / 2, width, height: depth }, group);
+    element("title", {}, group, name.replaceAll("_", " "));
+  }
+  plan.classList.toggle("searching", streamed.size > 0);
 }
 
 // Where findings lie: the part that is at fault, and what is looked at after a click.
@@ -80,6 +98,8 @@ function drawFindings(findings) {
   }
   return layer;
 }
+
+const toShow = () => (doc.findings ?? []).filter((found) => !isBare() || found.kind !== "missing");
 
 function lookAt(found) {
   if (!found.points.length) return;
@@ -142,9 +162,12 @@ function listFinding(found) {
   return row;
 }
 
+// Before anything is arranged all is missing, which says nothing.
+const isBare = () => (doc.levels ?? []).length > 0 && doc.pieces.every((piece) => piece.locked);
+
 function showLists() {
-  $("verdict").textContent = doc.verdict ?? "";
-  fill("findings", doc.findings ?? [], listFinding);
+  $("verdict").textContent = isBare() ? "nothing is arranged yet: press Arrange" : doc.verdict ?? "";
+  fill("findings", toShow(), listFinding);
   fill("left-out", doc.left_out ?? [], (out) => item(`${out.what.replaceAll("_", " ")}: ${out.reason}`, [], out.required));
   fill("changes", changes, (one) => item(inWords(`${one.piece} ${one.change}: ${one.reason}`).replaceAll("_", " "), [one.piece]));
   fill("history", doc.history ?? [], (step) => {
@@ -387,6 +410,7 @@ events.onmessage = (message) => {
   if (event.changed) refresh();
   if (event.bred) refreshBreeding();
   if (event.fault || event.notice) say(event.fault ?? event.notice);
+  if (event.boxes) { streamed.set(event.space, event.boxes); if (doc.running) drawStreamed(); }
   if (event.share !== undefined) { $("share").value = event.share; $("share").title = event.what; noteShare(event.share); }
 };
 events.onerror = () => say("the studio does not answer; start it again and use its new link");
