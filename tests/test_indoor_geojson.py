@@ -27,6 +27,7 @@ from indoor_maps import (
 from scenewright import formats
 from scenewright.building.plan import spaces
 from scenewright.domains.hall.indoor.geojson import read_report
+from thoroughness import only_thorough
 
 OFFICE = area("way/3", box(20, 0, 24, 8), indoor="room", room="office", ref="12", level="0")
 
@@ -156,14 +157,15 @@ FIGURES = {
     "gare-de-l-est": (2, 115, 62, 53, 16, 61, 33, 1),
     "apb": (5, 476, 1, 1, 526, 0, 1, 6),
 }
-
+SMALL = "caserne"
+NAMES = [SMALL, *(pytest.param(n, marks=only_thorough) for n in FIGURES if n != SMALL)]
 
 _report = cache(read_report)
 """What a file of a real building holds, read once."""
 
 
-@pytest.mark.realdata
-@pytest.mark.parametrize("name", FIGURES)
+@pytest.mark.realdata(quick=True)
+@pytest.mark.parametrize("name", NAMES)
 def test_real_buildings(name: str, real_data: Path) -> None:
     path = real_data / "indoor_osm" / f"{name}.geojson"
     found = _report(path)
@@ -187,7 +189,7 @@ def test_real_buildings(name: str, real_data: Path) -> None:
 
 
 @pytest.mark.realdata(quick=True)
-@pytest.mark.parametrize("name", FIGURES)
+@pytest.mark.parametrize("name", NAMES)
 def test_areas_of_real_rooms(name: str, real_data: Path) -> None:
     """Within a thousandth of those on the plane touching the earth at each room."""
     path = real_data / "indoor_osm" / f"{name}.geojson"
