@@ -15,6 +15,7 @@ from scenewright.catalog.classes import SOFT_SEATS
 from scenewright.core.catalog import Group
 from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import Missing, RoomAnswer, RoomTask
+from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.filling.bare_floor import SECOND_ZONE_FROM, pieces_of
 from scenewright.domains.home.composing.filling.voids import find_void
 from scenewright.domains.home.composing.homewide.settling import (
@@ -32,6 +33,7 @@ from scenewright.domains.home.needs.counting import count_eaters, count_sleepers
 from scenewright.domains.home.needs.forms import LEAST, list_seats, list_tables, measure_places
 from scenewright.domains.home.needs.proof import tell_proof
 from scenewright.domains.home.needs.searching import (
+    MADE_ROOM,
     PROVED,
     STAGES,
     NeedRoom,
@@ -58,6 +60,8 @@ GROWN = 0.15
 """Metres by which a wardrobe grows at least."""
 WIDE = 4
 """Wider forms of a wardrobe that are tried."""
+STORED = frozenset(("chest", "shelf", "sideboard"))
+"""What holds things and is looked for elsewhere if it made room for a need."""
 EATEN_IN: Tiers = (
     (frozenset(("living", "dining", "kitchen")), 4.0),
     (frozenset(("hall",)), 6.0),
@@ -69,8 +73,9 @@ SAT_IN: Tiers = (
     (frozenset(("kitchen", "hall")), 9.0),
 )
 HUNG_IN: Tiers = ((SLEPT_IN, 0.0),)
-"""Rooms that may have the table, the seat and clothes, and their least area in m², the more fitting
-first."""
+STORED_IN: Tiers = (*HUNG_IN, (frozenset(("living", "study", "dining", "hall")), 4.0))
+"""Rooms that may have the table, the seat, clothes and what holds things, and their least area in
+m², the more fitting first."""
 
 
 def set_table(home: HomeState, answers: list[RoomAnswer]) -> list[RoomAnswer]:
@@ -189,13 +194,16 @@ def add_soft_seat(home: HomeState, answers: list[RoomAnswer]) -> list[RoomAnswer
 
 
 def hang_clothes(home: HomeState, answers: list[RoomAnswer]) -> list[RoomAnswer]:
-    """The answers with wider wardrobes where a home owes more rail than it has."""
+    """The answers with wider wardrobes where a home owes more rail than it has, or something that
+    holds things made room for a need; and with that elsewhere."""
     found, wardrobe = answers, frozenset(("wardrobe",))
     rail = measure_widths(wardrobe)
     if home.household is None or not may_settle(home):
         return answers
+    lost = [m.wish.group for a in answers for m in a.missing if MADE_ROOM in m.reason]
+    lost = [group for group in lost if group in STORED]
     for room in range(len(home.tasks)):
-        if _count(rail, found) >= RAIL * home.household.residents:
+        if _count(rail, found) >= RAIL * home.household.residents and not lost:
             break
         rooms = list_need_rooms(home, found, HUNG_IN, "wardrobe", wardrobe)
         own = [g for g in found[room].placed if g.wish.group == "wardrobe"]
@@ -205,9 +213,22 @@ def hang_clothes(home: HomeState, answers: list[RoomAnswer]) -> list[RoomAnswer]
         least = own[0].pieces[0].size.width + GROWN
         known = list_forms(home.tasks[room], own[0])
         wide = [c for c in known if c.members[0].size.width >= least][:WIDE]
-        more = settle_need(home, found, (place,), (Stage(),), lambda *_, w=wide: iter(w), None)
-        found = more if is_roomy(home.tasks[room], found[room].placed, more[room].placed) else found
+        found = _settle_roomy(home, found, (place,), wide)
+    for group in lost:
+        rooms = list_need_rooms(home, found, STORED_IN, group, frozenset())
+        forms = sorted(cases(group).groups, key=lambda case: -case.width)
+        found = _settle_roomy(home, found, rooms, forms)
     return found
+
+
+def _settle_roomy(
+    home: HomeState, answers: list[RoomAnswer], rooms: Sequence[NeedRoom], forms: Sequence[Group]
+) -> list[RoomAnswer]:
+    """The answers with one of the forms in one of the rooms beside all else, if nothing would be
+    left out for it."""
+    found = settle_need(home, answers, rooms, (Stage(),), lambda *_: iter(forms), None)
+    each = zip(home.tasks, answers, found, strict=True)
+    return found if all(is_roomy(t, old.placed, new.placed) for t, old, new in each) else answers
 
 
 def _say_why(
