@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import json
 import random
+import signal
 import sys
 from pathlib import Path
 from time import process_time
@@ -19,6 +20,8 @@ CORNERS = [(x, y, z) for x in (-0.5, 0.5) for y in (-0.5, 0.5) for z in (-0.5, 0
 SIDES = [0, 1, 3, 0, 3, 2, 4, 6, 7, 4, 7, 5, 0, 4, 5, 0, 5, 1]
 SIDES += [2, 3, 7, 2, 7, 6, 0, 2, 6, 0, 6, 4, 1, 5, 7, 1, 7, 3]
 """A box of side 1 and its triangles."""
+LONGEST = 60.0
+"""Seconds of the processor after which a house is given up: some never end."""
 
 
 class BoxController:
@@ -116,20 +119,28 @@ def label(objects: list[Any], known: dict[str, Any]) -> None:
         label(one.get("children") or [], known)
 
 
+def give_up(*_: Any) -> None:
+    """End a house that takes too long."""
+    raise TimeoutError(f"not made in {LONGEST:.0f} s")
+
+
 def main(folder: Path, count: int) -> None:
     """Write the houses of the first seeds and how long each took."""
     from procthor.databases import asset_id_database
 
     sizes = {name: row["boundingBox"] for name, row in asset_id_database.items()}
     controller, seconds = BoxController(sizes), []
+    signal.signal(signal.SIGPROF, give_up)
     for seed in range(count):
         random.seed(seed)
         before = process_time()
+        signal.setitimer(signal.ITIMER_PROF, LONGEST)
         try:
             house = make_house(seed, controller)
         except Exception as error:  # its own faults: counted as no house
             print(seed, type(error).__name__, error, file=sys.stderr)
             house = None
+        signal.setitimer(signal.ITIMER_PROF, 0.0)
         if house is not None:
             seconds.append(process_time() - before)
             label(house["objects"], asset_id_database)

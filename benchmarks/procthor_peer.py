@@ -1,7 +1,7 @@
 """ProcTHOR's generator beside ours: ``scenewright bench procthor_peer``.
 
 Both make homes by seed; a referee that neither knows judges both, as homes of placed furniture.
-ProcTHOR (``pip install procthor ai2thor python-fcl``) asks Unity for the meshes of grouped
+ProcTHOR (``pip install procthor ai2thor python-fcl pandas attrs 'moviepy<2'``) asks Unity for the meshes of grouped
 furniture and for where small objects fall; here Unity is not run: a mesh is the box that ProcTHOR's
 own database states, and there are no small objects. A house that its code ends with an error is
 counted as none. Not asked, of both: what furniture is missing and what floats (their counters hold
@@ -90,13 +90,14 @@ def _their_homes(folder: Path, number: int) -> tuple[list[Solution], float]:
     python = os.environ.get("PROCTHOR_PYTHON", sys.executable)
     words = [python, "-P", str(CODE), str(folder), str(number)]  # its folder shadows modules
     done = subprocess.run(words, capture_output=True, text=True, check=False)
-    if done.returncode:
+    made = folder / "seconds.json"
+    seconds = json.loads(made.read_text("utf-8")) if made.exists() else []
+    if done.returncode or not seconds:
         last = (done.stderr.strip().splitlines() or ["it ended without a word"])[-1]
         raise InputError(
             f"ProcTHOR cannot be run: {last[:200]}",
-            "pip install procthor ai2thor python-fcl, and name that Python in PROCTHOR_PYTHON",
+            "pip install procthor ai2thor python-fcl pandas attrs 'moviepy<2', and name that Python in PROCTHOR_PYTHON",
         )
-    seconds = json.loads((folder / "seconds.json").read_text("utf-8"))
     homes = [placed_home(path) for path in sorted(folder.glob("*.procthor.json"))]
     return homes, statistics.median(seconds)
 
