@@ -1,10 +1,9 @@
 """ProcTHOR's generator beside ours: ``scenewright bench procthor_peer``.
 
 Both make homes by seed; a referee that neither knows judges both, as homes of placed furniture.
-ProcTHOR (``pip install procthor ai2thor python-fcl pandas attrs 'moviepy<2'``) asks Unity for the meshes of grouped
-furniture and for where small objects fall; here Unity is not run: a mesh is the box that ProcTHOR's
-own database states, and there are no small objects. A house that its code ends with an error is
-counted as none. Not asked, of both: what furniture is missing and what floats (their counters hold
+ProcTHOR (:data:`PACKAGES`) asks Unity for the meshes of grouped furniture and for where small
+objects fall; here Unity is not run: a mesh is the box that ProcTHOR's own database states, and
+there are no small objects. A house that its code ends with an error is counted as none. Not asked, of both: what furniture is missing and what floats (their counters hold
 their sinks, their screens hang on walls; the translation knows neither). Its
 interpreter is ``PROCTHOR_PYTHON``, else ours.
 """
@@ -33,6 +32,7 @@ from scenewright.workflow.generate import generate
 
 Record = dict[str, Any]
 Progress = Callable[[float, str], None]
+PACKAGES = "procthor ai2thor python-fcl pandas attrs 'moviepy<2'"
 USUAL, QUICK = 50, 4
 UNASKED = {"missing", "floating"}
 """Kinds of findings that the translation of their furniture would cause."""
@@ -96,7 +96,7 @@ def _their_homes(folder: Path, number: int) -> tuple[list[Solution], float]:
         last = (done.stderr.strip().splitlines() or ["it ended without a word"])[-1]
         raise InputError(
             f"ProcTHOR cannot be run: {last[:200]}",
-            "pip install procthor ai2thor python-fcl pandas attrs 'moviepy<2', and name that Python in PROCTHOR_PYTHON",
+            f"pip install {PACKAGES}, and name that Python in PROCTHOR_PYTHON",
         )
     homes = [placed_home(path) for path in sorted(folder.glob("*.procthor.json"))]
     return homes, statistics.median(seconds)
