@@ -11,6 +11,8 @@ import json
 import random
 import signal
 import sys
+from collections.abc import Iterator
+from itertools import count
 from pathlib import Path
 from time import process_time
 from types import SimpleNamespace
@@ -108,15 +110,15 @@ def make_house(seed: int, controller: BoxController) -> dict[str, Any] | None:
     return dict(house.to_house_dict())
 
 
-def label(objects: list[Any], known: dict[str, Any]) -> None:
-    """The type of each object before its id, as in ProcTHOR's sets of houses, and its size beside
-    it, for a reader that has no such database."""
+def label(objects: list[Any], known: dict[str, Any], numbers: Iterator[int]) -> None:
+    """The type of each object before a number of its own, as in ProcTHOR's sets of houses, and its
+    size beside it, for a reader that has no such database."""
     for one in objects:
         asset = known[one["assetId"]]
         size = asset["boundingBox"]
-        one["id"] = f"{asset['objectType']}|{one['id'].partition('|')[2] or one['id']}"
+        one["id"] = f"{asset['objectType']}|{next(numbers)}"
         one["scenewright"] = {"size": [size["x"], size["z"], size["y"]]}
-        label(one.get("children") or [], known)
+        label(one.get("children") or [], known, numbers)
 
 
 def give_up(*_: Any) -> None:
@@ -124,14 +126,14 @@ def give_up(*_: Any) -> None:
     raise TimeoutError(f"not made in {LONGEST:.0f} s")
 
 
-def main(folder: Path, count: int) -> None:
+def main(folder: Path, number: int) -> None:
     """Write the houses of the first seeds and how long each took."""
     from procthor.databases import asset_id_database
 
     sizes = {name: row["boundingBox"] for name, row in asset_id_database.items()}
     controller, seconds = BoxController(sizes), []
     signal.signal(signal.SIGPROF, give_up)
-    for seed in range(count):
+    for seed in range(number):
         random.seed(seed)
         before = process_time()
         signal.setitimer(signal.ITIMER_PROF, LONGEST)
@@ -143,7 +145,7 @@ def main(folder: Path, count: int) -> None:
         signal.setitimer(signal.ITIMER_PROF, 0.0)
         if house is not None:
             seconds.append(process_time() - before)
-            label(house["objects"], asset_id_database)
+            label(house["objects"], asset_id_database, count())
             text = json.dumps(house, default=float)
             (folder / f"{seed:04}.procthor.json").write_text(text, encoding="utf-8")
     (folder / "seconds.json").write_text(json.dumps(seconds), encoding="utf-8")

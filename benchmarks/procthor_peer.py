@@ -3,9 +3,10 @@
 Both make homes by seed; a referee that neither knows judges both, as homes of placed furniture.
 ProcTHOR (:data:`PACKAGES`) asks Unity for the meshes of grouped furniture and for where small
 objects fall; here Unity is not run: a mesh is the box that ProcTHOR's own database states, and
-there are no small objects. A house that its code ends with an error is counted as none. Not asked, of both: what furniture is missing and what floats (their counters hold
-their sinks, their screens hang on walls; the translation knows neither). Its
-interpreter is ``PROCTHOR_PYTHON``, else ours.
+there are no small objects. A house that its code ends with an error, or not within a minute, is
+counted as none. Not asked, of both: what furniture is missing and what floats (their counters hold
+their sinks, their screens hang on walls; the translation knows neither). Its interpreter is
+``PROCTHOR_PYTHON``, else ours.
 """
 
 from __future__ import annotations
