@@ -13,7 +13,7 @@ import shapely
 from scenewright.domains.extend.problem import ExtendProblem, GrownLayout, shapes_at
 from scenewright.ground.built import wrap_angles
 
-BY, SAME = 16.0, 0.02
+BY, SAME = 16.0, 0.001
 """Metres from a street within which a front looks at it, and the share of a footprint that may
 differ once it is turned round."""
 
