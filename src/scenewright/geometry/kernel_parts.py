@@ -14,7 +14,6 @@ from __future__ import annotations
 
 from typing import Any
 
-from numba.core import types
 from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler import CompilerBase
 from numba.core.compiler_machinery import PassManager
@@ -25,6 +24,7 @@ from numba.core.typed_passes import (
     NopythonTypeInference,
     PreLowerStripPhis,
 )
+from numba.core.types.misc import unliteral
 from numba.core.untyped_passes import (
     FixupArgs,
     GenericRewrites,
@@ -105,8 +105,8 @@ def take_constants_by_type(kernel: Any) -> Any:
 
     def get_call_template(args: Any, kws: Any) -> Any:
         """What numba asks of a function that is called."""
-        plain = {name: types.unliteral(value) for name, value in kws.items()}
-        return template(tuple(map(types.unliteral, args)), plain)
+        plain = {name: unliteral(value) for name, value in kws.items()}
+        return template(tuple(map(unliteral, args)), plain)
 
     kernel.get_call_template = get_call_template
     return kernel
