@@ -74,13 +74,15 @@ def _find_pairs(shapes: Shapes) -> list[tuple[int, int]]:
 
 def measure_shared(shared: Shape) -> tuple[float, float]:
     """The short side of the least rectangle about a shape, in metres, and the area of the shape;
-    a side of 0 where it holds none.
+    a side of 0 where it is nowhere 1 cm thick, as two walls along a corner.
 
     >>> measure_shared(shapely.box(0, 0, 3, 0.5))
     (0.5, 1.5)
+    >>> measure_shared(shapely.box(0, 0, 3, 3) - shapely.box(0.005, 0.005, 4, 4))[0]
+    0.0
     """
     area = float(shared.area)
-    if area <= TOLERANCE**2:
+    if area <= TOLERANCE**2 or shared.buffer(-TOLERANCE / 2, join_style="mitre").is_empty:
         return 0.0, area
     frame = shapely.get_coordinates(shapely.minimum_rotated_rectangle(shared))
     return float(np.hypot(*np.diff(frame[:3], axis=0).T).min()), area
