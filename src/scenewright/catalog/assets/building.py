@@ -57,8 +57,23 @@ def _obstacle(size: Size) -> Parts:
     return parts(size, {GREY: [block((-w, w), (-d, d), (0, h))]})
 
 
+PARCEL = 0.7
+"""Longest side in metres that a parcel has; larger boxes stand for furniture of the user's own."""
+
+
 def _box(size: Size) -> Parts:
+    """A parcel with tape; if large a plain body on a recessed foot, under a top."""
     w, d, h = size.width / 2, size.depth / 2, size.height
+    if max(size.width, size.depth) > PARCEL:
+        foot, top = min(0.08, 0.1 * h), min(0.04, 0.1 * h)
+        return parts(
+            size,
+            {
+                SLATE: [block((-w + 0.03, w - 0.03), (-d + 0.03, d - 0.03), (0, foot))],
+                PLASTER: [block((-w + 0.01, w - 0.01), (-d + 0.01, d - 0.01), (foot, h - top))],
+                OAK: [block((-w, w), (-d, d), (h - top, h))],
+            },
+        )
     tape = min(0.025, 0.2 * d)
     return parts(
         size,

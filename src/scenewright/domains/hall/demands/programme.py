@@ -141,7 +141,7 @@ PROGRAMMES: dict[str, tuple[Fixture, ...]] = {
         _COUNTER._replace(each=60),
         usual_fixture("lounge_seat", 20),
         usual_fixture("desk", share=0.6, fills=True),
-        _WALL._replace(share=0.3),
+        usual_fixture("bookcase", share=0.15),
     ),
     "waiting": (
         Fixture(

@@ -80,7 +80,7 @@ THEMES: dict[str, Theme] = {
         "restaurant fast_food cafe bar pub ice_cream biergarten bakery coffee pastry tea juice_bar",
     ),
     "service": Theme(
-        *(0.45, 0.65, ("lounge_seat", "desk")),
+        *(0.45, 0.3, ("lounge_seat", "desk")),
         "bank travel_agency car_rental bureau_de_change post_office ticket tickets post_pickup "
         "money_transfer money_lender hairdresser laundry dry_cleaning copyshop estate_agent "
         "insurance employment_agency locksmith",
