@@ -67,7 +67,7 @@ def tables_with_stools() -> Iterator[Group]:
         Member("dining_table", 0, 0, 0, pi / 2, Size(length, deep, 0.74)),
         Member("vase", 0, -length / 4, 0.74, 0, Size(0.14, 0.14, 0.26), on=0),
         *(
-            Member("stool", x, length / 4, 0, turn, STOOL)
+            Member("stool", x, _aside(length), 0, turn, STOOL)
             for x, turn in (
                 (deep / 2 + PUSHED - STOOL.depth / 2, pi / 2),
                 (STOOL.depth / 2 - deep / 2 - PUSHED, -pi / 2),
@@ -83,11 +83,16 @@ def tables_with_stools() -> Iterator[Group]:
             Member("dining_table", 0, y, 0, 0, Size(length, deep, 0.74)),
             Member("vase", 0, y - deep / 5, 0.74, 0, Size(0.14, 0.14, 0.26), on=0),
             *(
-                Member("stool", side * length / 4, depth / 2 - STOOL.depth / 2, 0, pi, STOOL)
+                Member("stool", side * _aside(length), depth / 2 - STOOL.depth / 2, 0, pi, STOOL)
                 for side in (1, -1)
             ),
         )
         yield Group("dining_wall", f"{length:.1f} m table, two stools", length, depth, members)
+
+
+def _aside(length: float) -> float:
+    """How far from the middle of a table a stool stands, between the legs."""
+    return min(length / 4, length / 2 - LEG - STOOL.width / 2)
 
 
 def further_tables() -> Iterator[Group]:
@@ -152,6 +157,7 @@ def _corner_table(length: float, deep: float, side: int) -> Group:
 def _chairs_along(length: float, count: int, y: float, heading: float) -> list[Member]:
     step = length / max(count, 1)
     chair = CHAIR if step > 2 * LEG + SMALL.width else SMALL
+    step = min(step, (length - 2 * LEG - chair.width) / max(count - 1, 1))  # between the legs
     y += (chair.depth - CHAIR.depth) / 2 * (1 if y > 0 else -1)
     return [
         Member("dining_chair", (i - (count - 1) / 2) * step, y, 0, heading, chair)
