@@ -134,7 +134,8 @@ def test_progress_is_heard_and_cancelling_keeps_what_was_found() -> None:
     heard = iter(range(10))
     part = answer(brief, steps=20_000, threads=1, cancel=lambda: next(heard, None) is None)
     assert 0 < part.evaluations < whole.evaluations
-    assert _standing(part) == _standing(whole)
+    assert 0.9 * _standing(whole) < _standing(part) <= _standing(whole)
+    assert part.left_out or _standing(part) == _standing(whole)
     nothing = answer(brief, cancel=lambda: True)
     assert (nothing.evaluations, nothing.energies) == (0, {})
 

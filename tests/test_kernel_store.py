@@ -154,7 +154,8 @@ from scenewright.geometry.boxes import wrap
 from scenewright.domains.home.terms.packing import size
 from scenewright.domains.site.solvers.perimeter_block import set_along
 few, none, no = np.zeros((1, 4)), np.zeros((0, 5)), np.zeros(0, np.int64)
-calls = (wrap, (7.0,)), (size, (4.5, 10.0)), (set_along, (few, no, few, 1.0, none, none, no))
+along = few, few, few, (1.0, 1.0, 1.0), no > 0, no, none, np.zeros((0, 8)), no
+calls = (wrap, (7.0,)), (size, (4.5, 10.0)), (set_along, along)
 for kernel, given in calls:
     with compile_clock() as clock:
         kernel(*given)

@@ -74,7 +74,7 @@ def test_roads_are_one_piece_and_cover_what_the_plan_says(street: Solution) -> N
 
 
 def test_a_site_without_roads_has_only_lanes_and_walks_on_the_ground() -> None:
-    assert set(shapes_of(solved([], buildings=BUILDINGS))) == {"lane", "walk"}
+    assert {"walk"} <= set(shapes_of(solved([], buildings=BUILDINGS))) <= {"lane", "walk"}
 
 
 def test_walks_lead_from_doors_to_ways_past_all_buildings(street: Solution) -> None:

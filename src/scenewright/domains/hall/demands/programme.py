@@ -278,7 +278,7 @@ def shop_programme(kind: str, area: float, perimeter: float) -> list[Demand]:
     little less below 60 m², where single things count. Nothing for unknown kinds and under 30 m².
 
     >>> [(d.category, d.count) for d in shop_programme("grocery", 100.0, 40.0)]
-    [('checkout', 1), ('fridge_shelf', 7), ('wall_shelving', 18), ('gondola', 5)]
+    [('checkout', 1), ('fridge_shelf', 8), ('wall_shelving', 18), ('gondola', 6)]
     """
     if area < SMALLEST_SHOP or kind not in PROGRAMMES:
         return []

@@ -189,7 +189,7 @@ def _list_in(
         wish = place.wish._replace(group=case)
         there = {p.name for p in placed}
         gone += tuple(p.wish for p in bare if p.name not in there)
-        lost = tuple(Missing(w, f"{MADE_ROOM} the {USES[case]} of the home") for w in gone)
+        lost = tuple(Missing(w, f"it makes room for the {USES[case]} of the home") for w in gone)
         served = (m for m in answer.missing if not _is_served(m, wish))
         yield place.room, answer._replace(placed=whole, missing=(*served, *lost))
 
