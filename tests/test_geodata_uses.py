@@ -108,6 +108,8 @@ def test_a_village_and_an_extension_are_written_and_read_again(
     assert report.features == sum(counts.values())
     assert report.system.startswith("EPSG:4326")
     assert not [row for row in report.rows if row.outcome == "left out"]
+    (plots,) = [row for row in report.rows if row.kind.startswith("plot")]
+    assert plots.count == counts["plots"] == len(sw.plots_of(solution))
     before, after = (getattr(brief.part, ground) for brief in (solution.brief, again))
     areas = [[shapely.Polygon(row.outline).area for row in rows] for rows in (before, after)]
     assert areas[1] == pytest.approx(areas[0], rel=2e-3)

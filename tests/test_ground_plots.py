@@ -77,6 +77,29 @@ def test_plots_are_written_and_drawn(dense: sw.Solution, tmp_path) -> None:
     assert {"white_wall", "coping", "walk"} <= kinds
 
 
+@pytest.mark.parametrize("tag", ["block", "extend"])
+def test_of_drawn_plots_those_with_a_building_that_is_kept_are_laid_anew(
+    tag: str, tmp_path
+) -> None:
+    def area(name: str, box: tuple[float, ...], **tags: str) -> dict[str, object]:
+        ring = [[x * 1e-5, y * 1e-5] for x, y in BOX(*box).exterior.coords]
+        shape = {"type": "Polygon", "coordinates": [ring]}
+        return {"type": "Feature", "id": name, "properties": tags, "geometry": shape}
+
+    rows = [
+        area("ground", (0, 0, 90, 60), **{tag: "yes"}),
+        area("house", (5, 5, 15, 15), building="yes"),
+        area("barn", (60, 30, 75, 40), building="yes"),
+        area("held", (0, 0, 20, 20), place="plot", area="500"),
+        area("empty", (30, 0, 50, 20), place="plot"),
+    ]
+    path = tmp_path / "map.geojson"
+    path.write_text(json.dumps({"type": "FeatureCollection", "features": rows}))
+    report = sw.read(path).input_report
+    found = {row.outcome: row.examples for row in report.rows if row.kind == "plot"}
+    assert found == {"changed": ["held"], "left out": ["empty"]}
+
+
 def test_a_use_in_the_brief_decides_what_serves() -> None:
     row = {"name": "Hut", "footprint": [[0, 0], [6, 0], [6, 5], [0, 5]], "levels": 1}
     block = {"outline": [[0, 0], [60, 0], [60, 40], [0, 40]], "streets": [0], "count": 9}

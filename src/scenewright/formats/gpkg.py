@@ -33,6 +33,7 @@ LAYERS = (
     ("building", "buildings"),
     ("laid_out", "laid_out"),
     ("highway", "roads"),
+    ("plot", "plots"),
 )
 """The first tag that a feature has, and its layer."""
 NOW = "1970-01-01T00:00:00.000Z"

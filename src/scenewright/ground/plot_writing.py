@@ -12,13 +12,18 @@ from scenewright.ground.plots import Plot
 
 
 def plot_features(plots: Iterable[Plot], map_: Projection) -> list[dict[str, Any]]:
-    """A polygon for each plot, tagged ``plot`` with the house it is of; not read again."""
+    """A polygon for each plot, with ``place=plot`` of OpenStreetMap and in ``plot`` its house."""
     return [
         write_feature(
             f"{row.house}/plot",
             "Polygon",
             [write_ring(row.outline, map_)],
-            {"plot": row.house, "area": round(row.area, 2), "outbuildings": len(row.outbuildings)},
+            {
+                "place": "plot",
+                "plot": row.house,
+                "area": round(row.area, 2),
+                "outbuildings": len(row.outbuildings),
+            },
         )
         for row in plots
     ]

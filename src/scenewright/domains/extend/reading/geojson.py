@@ -16,7 +16,7 @@ from scenewright.core.projection import Projection, metres
 from scenewright.ground.built import BuiltRoad
 from scenewright.ground.fates import Note
 from scenewright.ground.map_features import Collection, Feature, in_degrees
-from scenewright.ground.map_footprints import PARCEL, UNTAGGED, find_footprints
+from scenewright.ground.map_footprints import PARCEL, UNTAGGED, find_footprints, note_plots
 from scenewright.ground.map_kinds import stands
 from scenewright.ground.map_place import projection_of
 from scenewright.ground.map_report import report_map
@@ -110,7 +110,7 @@ def note_features(
             read = any(True for _ in roads_of(feature, map_))
             why = "" if read else "is no line with a length"
             notes.append(Note(feature.id, "used" if read else "left out", why))
-    return notes
+    return [*notes, *note_plots(found.features, notes)]
 
 
 def _area(feature: Feature, map_: Projection) -> dict[str, Any]:

@@ -23,7 +23,7 @@ from scenewright.core.space import Points
 from scenewright.domains.village.house import rectangle_about
 from scenewright.ground.fates import Note
 from scenewright.ground.map_features import Collection, Feature, in_degrees
-from scenewright.ground.map_footprints import PARCEL, UNTAGGED, find_footprints
+from scenewright.ground.map_footprints import PARCEL, UNTAGGED, find_footprints, note_plots
 from scenewright.ground.map_kinds import stands, use_of
 from scenewright.ground.map_place import projection_of
 from scenewright.ground.map_report import report_map
@@ -83,7 +83,7 @@ def brief_of(found: Collection, name: str) -> Brief:
     }
     if map_.where:
         document["origin"] = map_.where
-    notes += _note_others(found, blocks)
+    notes += [*_note_others(found, blocks), *note_plots(found.features, notes)]
     document["input_report"] = report_map(given, map_, notes, otherwise_of(given))
     return Brief.model_validate(document)
 
