@@ -22,7 +22,7 @@ from scenewright.core.solution import LeftOut, TermValue
 DOMAINS = Path(sw.__file__).parent / "domains"
 GIVEN_UP = {"Missing": 1, "Refused": 0, "LeftOut": 2}
 """The argument that is the reason, by what is made."""
-NAMED = re.compile(r"REASON|BARRING|LONE|STRAY|FEWER|LESS|reason|full")
+NAMED = re.compile(r"REASON|BARRING|LONE|STRAY|FEWER|LESS|MADE_ROOM|reason|full")
 
 
 def text_of(node: ast.AST | None) -> str:

@@ -1,4 +1,4 @@
-"""A need and up to two groups of a room put down together: of all their places the best.
+"""A need and up to three groups of a room put down together: of all their places the best.
 
 What is put down after the others misses a place that is only there while one of them stands
 elsewhere. So places of the need in all its forms, and of every group that may move in the forms
@@ -210,7 +210,7 @@ def _combine(
     spare: float,
 ) -> list[tuple[float, tuple[int, ...]]]:
     free = [_stand_free(options, clash, k, moved) for k in moved]
-    if len(moved) > 3:
+    if len(moved) > TOGETHER:
         free = [at[:: -(-len(at) // FEW) or 1] for at in free]
     if not all(map(len, free)):
         return []

@@ -46,7 +46,7 @@ JOINED = 3
 """Rooms in which something else moves for a need, the best."""
 PROVED = 2
 """Rooms that are laid out anew for a need, the best."""
-MADE_ROOM = "it makes room for"
+MADE_ROOM = "it makes room for the {} of the home"
 USES = {"dining": "table", "dining_wall": "table", "reading": "soft seat", "wardrobe": "wardrobe"}
 """What a need is called."""
 Tiers = tuple[tuple[frozenset[str], float], ...]
@@ -189,7 +189,7 @@ def _list_in(
         wish = place.wish._replace(group=case)
         there = {p.name for p in placed}
         gone += tuple(p.wish for p in bare if p.name not in there)
-        lost = tuple(Missing(w, f"it makes room for the {USES[case]} of the home") for w in gone)
+        lost = tuple(Missing(w, MADE_ROOM.format(USES[case])) for w in gone)
         served = (m for m in answer.missing if not _is_served(m, wish))
         yield place.room, answer._replace(placed=whole, missing=(*served, *lost))
 
@@ -223,6 +223,11 @@ def _list_standing(
             found = (g for g in found if may_stand_free(task, there, g.dressed.box))
         for placed in islice(list_sound(task, before, rest, found, stage.spare), 1):
             yield case.function, placed
+
+
+def has_made_room(missing: Missing) -> bool:
+    """Whether something went for a need."""
+    return missing.reason.startswith(MADE_ROOM.partition("{")[0])
 
 
 def _is_served(missing: Missing, wish: Wish) -> bool:

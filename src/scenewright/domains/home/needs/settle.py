@@ -33,12 +33,12 @@ from scenewright.domains.home.needs.counting import count_eaters, count_sleepers
 from scenewright.domains.home.needs.forms import LEAST, list_seats, list_tables, measure_places
 from scenewright.domains.home.needs.proof import tell_proof
 from scenewright.domains.home.needs.searching import (
-    MADE_ROOM,
     PROVED,
     STAGES,
     NeedRoom,
     Stage,
     Tiers,
+    has_made_room,
     list_need_rooms,
     list_serving,
     may_settle,
@@ -200,7 +200,7 @@ def hang_clothes(home: HomeState, answers: list[RoomAnswer]) -> list[RoomAnswer]
     rail = measure_widths(wardrobe)
     if home.household is None or not may_settle(home):
         return answers
-    lost = [m.wish.group for a in answers for m in a.missing if MADE_ROOM in m.reason]
+    lost = [m.wish.group for a in answers for m in a.missing if has_made_room(m)]
     lost = [group for group in lost if group in STORED]
     for room in range(len(home.tasks)):
         if _count(rail, found) >= RAIL * home.household.residents and not lost:
