@@ -33,12 +33,15 @@ class WalkGround(NamedTuple):
     goals: shapely.Geometry
 
 
-def lay_walks_to_doors(ground: WalkGround, houses: Sequence[Piece]) -> tuple[Walk, ...]:
-    """The middle lines of walks of one bend; houses that none can reach have none."""
+def lay_walks_to_doors(
+    ground: WalkGround, houses: Sequence[Piece], others: Sequence[Piece] = ()
+) -> tuple[Walk, ...]:
+    """The middle lines of walks of one bend, clear of ``others`` too; houses that none can reach
+    have none."""
     standing = [p for p in houses if np.isfinite([*p.pose, *p.size]).all()]
     if not standing:
         return ()
-    taken = shapely.STRtree(polygons_of(standing))
+    taken = shapely.STRtree(polygons_of([*standing, *others]))
     shapely.prepare(ground.floor)
     doors, ways = _doors(standing)
     found: dict[int, Walk] = {}
@@ -119,12 +122,12 @@ def _lay(
     away = shapely.length(direct)
     first = shapely.covers(floor, shapely.linestrings(np.stack([doors, knees], 1)))
     through = first & shapely.covers(floor, direct) & _free(taken, direct) & (away <= LONGEST)
-    near = np.argsort(np.hypot(*(knees[:, None] - knees[None]).transpose(2, 0, 1)), axis=1)
     for i in (int(i) for i in np.argsort(away, kind="stable") if int(i) not in found):
         if through[i]:
             found[i] = _line(doors[i], knees[i], shapely.get_coordinates(direct[i])[-1])
             continue
-        others = [int(j) for j in near[i, 1 : NEIGHBOURS + 1] if int(j) in found]
+        near = np.argsort(np.hypot(*(knees - knees[i]).T))[1 : NEIGHBOURS + 1].tolist()
+        others = [j for j in near if j in found]
         bends = [shapely.get_coordinates(found[j])[1] for j in others]
         ways = [Walk([knees[i], bend]) for bend in bends]
         for bend, way, free in zip(bends, ways, _free(taken, ways), strict=True):

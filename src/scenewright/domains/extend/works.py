@@ -30,17 +30,26 @@ larger or higher ones stand on common ground."""
 
 
 def lay_walks(plan: ExtendPlan, pieces: Sequence[Piece]) -> GroundWorks:
-    """A walk from the middle of each front to a street."""
+    """A walk from the middle of each front to a street; from outbuildings to the nearest walk too,
+    so that none crosses another."""
     houses = sound_buildings(pieces)
     streets = _streets(plan)
     if not houses or streets.is_empty:
         return GroundWorks("ground")
     floor = shapely.Polygon(plan.ground.outline, plan.ground.holes)
     ground = WalkGround(floor, streets)
-    lines = lay_walks_to_doors(ground, houses)
+    small = [p for p, shape in zip(houses, polygons_of(houses), strict=True) if _serves(shape)]
+    large = [piece for piece in houses if piece not in small]
+    lines = lay_walks_to_doors(ground, large, small)
+    nearer = WalkGround(floor, shapely.union_all([streets, *lines]))
+    lines = (*lines, *lay_walks_to_doors(nearer, small, large))
     lines = (*lines, *lay_long_walks(ground, houses, lines))
     corners = (corners_of_line(line) for line in lines)
     return GroundWorks("ground", tuple(Pathway("walk", WIDE, c) for c in corners if len(c) > 1))
+
+
+def _serves(shape: shapely.Polygon) -> bool:
+    return bool(shape.area < OUTBUILDING)
 
 
 def sound_buildings(pieces: Sequence[Piece]) -> list[Piece]:
@@ -67,7 +76,7 @@ def _lay_all_plots(solution: Solution, plan: Plan) -> tuple[Plot, ...]:
         houses = [p for p in sound_buildings(solution.pieces) if p.space == name]
         if houses:
             shapes = polygons_of(houses)
-            serving = np.asarray(shapely.area(shapes) < OUTBUILDING)
+            serving = np.array([_serves(shape) for shape in shapes])
             found += lay_plots(ground, [piece.id for piece in houses], shapes, serving)
     return tuple(found)
 

@@ -174,7 +174,7 @@ def _note_flat(flat: _Flat, ground: shapely.Polygon) -> Iterator[Note]:
             if area.is_empty:
                 yield Note(key, "left out", "covers no ground")
             elif not shapely.intersects(area, ground):
-                yield Note(key, "left out", "lies outside the ground")
+                yield Note(key, "left out", OUTSIDE)
             else:
                 yield Note(key, "changed" if about else "used", about)
 
