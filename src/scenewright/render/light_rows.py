@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
@@ -20,6 +21,8 @@ from scenewright.render.lamps import Lamp, color_of_kelvin
 LARGE, LUX, COOL = 60.0, 300.0, 3500.0
 """Rooms larger than this, m², have rows of lights that give this illuminance (EN 12464-1, sales
 areas and exhibitions: 300 lx) of this colour temperature."""
+DIM = 50.0
+"""Lumens a square metre: half of what corridors are lit with (EN 12464-1: 100 lx)."""
 ROWS, MOST_LIGHTS = 3.0, 48
 """Distance of lights in metres, and the most of them in a room."""
 BELOW = 0.12
@@ -60,10 +63,21 @@ def light_rows(
 def dark_rows(
     spaces: Sequence[Space], lamps: Iterable[Lamp], most: int = MOST_LIGHTS
 ) -> Iterator[LightRow]:
-    """The rows of large rooms that no lamp stands or hangs in; ``most`` lights a room."""
-    lit = {lamp.item.space for lamp in lamps}
-    dark = [space for space in spaces if space.id not in lit]
+    """The rows of large rooms in :func:`find_dark`; ``most`` lights a room."""
+    dark = find_dark(spaces, lamps)
     yield from light_rows(dark, frozenset(space.id for space in dark), most)
+
+
+def find_dark(spaces: Sequence[Space], lamps: Iterable[Lamp]) -> list[Space]:
+    """The rooms whose own lamps give less than :data:`DIM` lumens a square metre."""
+    given = Counter[str]()
+    for lamp in lamps:
+        given[lamp.item.space] += lamp.lumens
+    return [
+        space
+        for space in spaces
+        if given[space.id] < DIM * shapely.Polygon(space.outline, space.holes).area
+    ]
 
 
 def row_item(row: LightRow) -> RenderItem:

@@ -20,7 +20,7 @@ from scenewright.render.colour import linear_of
 from scenewright.render.daylight import HOURS, towards
 from scenewright.render.items import to_level_coordinates
 from scenewright.render.lamps import Lamp
-from scenewright.render.light_rows import light_rows
+from scenewright.render.light_rows import find_dark, light_rows
 from scenewright.render.observations.ceilings import CEILING
 from scenewright.render.observations.floor import WalkableFloor
 from scenewright.render.observations.world import VisibleWorld
@@ -70,7 +70,7 @@ def find_sources(
     windows = np.array([*_windows(scene, floor, numbers)]).reshape(-1, 11)
     windows[:, 1] *= float(np.mean(light.horizon))
     lamps = np.array([*_lamps(scene, lit, numbers)]).reshape(-1, 11)
-    lamps = np.vstack([lamps, *_light_rows(floor, lamps, windows)])
+    lamps = np.vstack([lamps, *_light_rows(floor, lit, lamps, windows)])
     side = _sun_side(windows, numbers.get(room, -1))
     return Sources(
         np.vstack([_sun_towards(side, light.height), [light.sun]]).astype(np.float32),
@@ -152,12 +152,13 @@ def _lamps(scene: Scene, lit: Sequence[Lamp], numbers: Mapping[str, int]) -> Ite
             yield [numbers[lamp.item.space], candela, x, y, z, lamp.radius, *light, 0.0, 0.0]
 
 
-def _light_rows(floor: WalkableFloor, lamps: Floats, windows: Floats) -> Iterator[Floats]:
-    """Rows of lights under the ceilings of rooms without lamps that are large or have no window."""
+def _light_rows(
+    floor: WalkableFloor, lit: Sequence[Lamp], lamps: Floats, windows: Floats
+) -> Iterator[Floats]:
+    """Rows of lights under the ceilings of dark rooms that are large or have no other light."""
     numbers = {space.id: number for number, space in enumerate(floor.spaces)}
-    dark = [space for space in floor.spaces if numbers[space.id] not in lamps[:, 0]]
-    bright = frozenset(space.id for space in dark if numbers[space.id] in windows[:, 0])
-    for row in light_rows(dark, bright):
+    known = frozenset(floor.spaces[int(k)].id for k in {*lamps[:, 0], *windows[:, 0]})
+    for row in light_rows(find_dark(floor.spaces, lit), known):
         light = row.candela / 1000 * np.array(row.color)
         for x, y, z in row.places:
             place = [numbers[row.space.id], row.candela / 1000, x, y, floor.elevation + z]
