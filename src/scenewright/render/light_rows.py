@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections import Counter
+from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
@@ -70,7 +70,7 @@ def dark_rows(
 
 def find_dark(spaces: Sequence[Space], lamps: Iterable[Lamp]) -> list[Space]:
     """The rooms whose own lamps give less than :data:`DIM` lumens a square metre."""
-    given = Counter[str]()
+    given = defaultdict[str, float](float)
     for lamp in lamps:
         given[lamp.item.space] += lamp.lumens
     return [
