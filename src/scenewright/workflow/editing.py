@@ -84,10 +84,9 @@ def edit_pieces(
     for name, model in (exchange or {}).items():
         piece = _named(pieces, name)
         other = _exchanged(piece, find_asset(catalog, model))
-        pieces[pieces.index(piece)] = other
-        changes.append(
-            Change(piece.id, piece.id, "exchanged", piece.space, "another model, by hand")
-        )
+        for one in _with_carried(pieces, name):
+            pieces[pieces.index(one)] = other if one is piece else _lifted(one, piece, other)
+        changes.append(Change(piece.id, piece.id, "exchanged", piece.space, EXCHANGED))
     for free in _list_new(pieces, made, catalog, duplicate, add):
         new = _choose(replace(solution, left_out=tuple(left_out)), made, pieces, free)
         pieces += new
@@ -153,6 +152,13 @@ def _exchanged(piece: Piece, asset: Asset) -> Piece:
     footprint = footprint_of(asset, size)
     model = replace(piece, category=asset.category, asset=asset.id, size=size)
     return replace(model, footprint=footprint, fixed=True)
+
+
+def _lifted(one: Piece, before: Piece, after: Piece) -> Piece:
+    """What stands on top of a piece at the height of the one that takes its place."""
+    top, rise = before.pose.z + before.size.height, after.size.height - before.size.height
+    on_top = one.pose.z >= top - TOUCH
+    return replace(one, pose=one.pose._replace(z=one.pose.z + rise)) if on_top else one
 
 
 def _fit(asset: Asset, wanted: Size) -> Size:
