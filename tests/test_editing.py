@@ -85,7 +85,7 @@ def test_only_homes_are_edited_so() -> None:
 def test_what_stands_on_a_piece_stands_on_the_one_in_its_place(room: Solution) -> None:
     on_top = [p for p in room.pieces if p.on]
     under = next(p for p in room.pieces if p.id == on_top[0].on)
-    edited = sw.edit_pieces(room, exchange={under.id: "chest_of_drawers"}).solution
+    edited = sw.edit_pieces(room, exchange={under.id: "wardrobe"}).solution
     other = next(p for p in edited.pieces if p.id == under.id)
     assert other.size.height > under.size.height + 0.1
     lying = next(p for p in edited.pieces if p.id == on_top[0].id)
