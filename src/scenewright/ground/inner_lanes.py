@@ -22,9 +22,9 @@ Shapes = NDArray[np.object_]
 
 REACH, WORTH = 26.0, 900.0
 """Metres from a way within which ground is served; square metres of deep ground worth a lane."""
-STEP, CELL, MOST_CELLS = 9.0, 3.0, 600
+STEP, CELL, MOST_CELLS, MOST_PLACES = 9.0, 3.0, 600, 160
 """Metres between the places on streets tried and between the points of ground looked at, and how
-many of these at most."""
+many of these and of those there are at most: lanes between all pairs of places are tried."""
 DEPTHS = (24.0, 33.0, 42.0, 54.0)
 """Metres behind the street at which a lane may turn."""
 APART, ASIDE = 24.0, 0.6
@@ -148,9 +148,10 @@ def _best_end(
 def _entries(floor: shapely.Polygon, streets: Points) -> tuple[Floats, Floats]:
     """Places (k, 2) on streets and the directions (k, 2) from there onto the floor."""
     places, ways = [np.zeros((0, 2))], [np.zeros((0, 2))]
-    for start, end in streets:
-        long = float(np.hypot(*(end - start)))
-        count = int(long // STEP) + (long > 6.0)
+    lengths = np.hypot(*(streets[:, 1] - streets[:, 0]).T)
+    step = max(STEP, float(lengths.sum()) / MOST_PLACES)
+    for (start, end), long in zip(streets, lengths.tolist(), strict=True):
+        count = int(long // step) + (long > 0.67 * step)
         if not count:
             continue
         along = (end - start) / long
