@@ -6,14 +6,14 @@ import numpy as np
 import pytest
 
 from scenewright.catalog.assets import shipped
-from scenewright.catalog.assets.building_styles import (
+from scenewright.catalog.assets.buildings.building_styles import (
     STYLES,
     facade,
     facade_of_style,
     floors_of,
     lightness,
 )
-from scenewright.catalog.assets.roofs import gable
+from scenewright.catalog.assets.buildings.roofs import gable
 from scenewright.catalog.kinds import SIZES
 from scenewright.core.catalog import Material, Part
 from scenewright.core.scene import Size

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from scenewright.catalog.assets import shipped
 from scenewright.catalog.assets.objects import Stuff
-from scenewright.catalog.assets.wares import goods, levels_of, volumes
+from scenewright.catalog.assets.public.wares import goods, levels_of, volumes
 from scenewright.catalog.kinds import ELSE, KINDS, hall_use
 from scenewright.core.scene import Size
 from scenewright.domains.hall.patterns import PATTERNS

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 import shapely
 
-from scenewright.catalog.assets.house_shapes import inset
-from scenewright.catalog.assets.house_walls import front_of, openings
+from scenewright.catalog.assets.buildings.house_shapes import inset
+from scenewright.catalog.assets.buildings.house_walls import front_of, openings
+from scenewright.catalog.assets.buildings.rural_houses import LOOKS, SHED, build_house
 from scenewright.catalog.assets.materials import TILES
-from scenewright.catalog.assets.rural_houses import LOOKS, SHED, build_house
 from scenewright.core.footprint import Footprint, read_footprint
 from scenewright.core.scene import Size
 from scenewright.geometry import rays

@@ -7,7 +7,7 @@ import pytest
 import shapely
 
 from scenewright.catalog.assets import shipped
-from scenewright.catalog.assets.house_shapes import (
+from scenewright.catalog.assets.buildings.house_shapes import (
     hips,
     inset,
     list_rectangles,

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from benchmarks import composition_kitchen
 
-from scenewright.catalog.assets import cooking
+from scenewright.catalog.assets.furniture import cooking
 from scenewright.catalog.assets.materials import STONE
 from scenewright.core.brief import Brief, Room
 from scenewright.core.scene import Size

@@ -22,7 +22,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.catalog.assets import shipped
-from scenewright.catalog.assets.building_styles import facade
+from scenewright.catalog.assets.buildings.building_styles import facade
 from scenewright.core.atomic_file import write_atomically
 from scenewright.core.catalog import Asset, Part
 from scenewright.geometry.mesh import Mesh, merge

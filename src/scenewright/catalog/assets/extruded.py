@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from scenewright.catalog.assets.facades import bays, storeys
+from scenewright.catalog.assets.buildings.facades import bays, storeys
 from scenewright.catalog.assets.materials import PANE, TIMBER
 from scenewright.catalog.assets.model import Parts, parts
 from scenewright.core.catalog import Material

@@ -25,7 +25,7 @@ KINDS = (
         ),
         essential=("basin or washing machine",),
         forms="washer",
-        drawn_by=(".appliances",),
+        drawn_by=(".furniture.appliances",),
     ),
     Kind(
         "dryer",
@@ -44,7 +44,7 @@ KINDS = (
                 ja="乾燥機",
             ),
         ),
-        drawn_by=(".appliances",),
+        drawn_by=(".furniture.appliances",),
     ),
     Kind(
         "tv",
@@ -63,7 +63,7 @@ KINDS = (
             ),
         ),
         essential=("screen or focal point",),
-        drawn_by=(".appliances",),
+        drawn_by=(".furniture.appliances",),
     ),
     Kind(
         "monitor",
@@ -79,7 +79,7 @@ KINDS = (
                 ja="モニター",
             ),
         ),
-        drawn_by=(".appliances",),
+        drawn_by=(".furniture.appliances",),
     ),
     Kind(
         "laptop",
@@ -96,7 +96,7 @@ KINDS = (
                 ja="ノートパソコン",
             ),
         ),
-        drawn_by=(".appliances",),
+        drawn_by=(".furniture.appliances",),
     ),
     Kind(
         "speaker",
@@ -111,6 +111,6 @@ KINDS = (
                 ja="スピーカー",
             ),
         ),
-        drawn_by=(".appliances",),
+        drawn_by=(".furniture.appliances",),
     ),
 )

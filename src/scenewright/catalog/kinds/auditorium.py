@@ -23,7 +23,7 @@ KINDS = (
                 ja="劇場椅子, シアターシート",
             ),
         ),
-        drawn_by=(".auditorium",),
+        drawn_by=(".public.auditorium",),
     ),
     Kind(
         "pew",
@@ -42,7 +42,7 @@ KINDS = (
                 ja="教会の長椅子",
             ),
         ),
-        drawn_by=(".auditorium",),
+        drawn_by=(".public.auditorium",),
     ),
     Kind(
         "lectern",
@@ -60,7 +60,7 @@ KINDS = (
                 ja="演台, 講演台",
             ),
         ),
-        drawn_by=(".auditorium",),
+        drawn_by=(".public.auditorium",),
     ),
     Kind(
         "stage",
@@ -78,7 +78,7 @@ KINDS = (
                 ja="ステージ, 舞台",
             ),
         ),
-        drawn_by=(".auditorium",),
+        drawn_by=(".public.auditorium",),
     ),
     Kind(
         "screen",
@@ -95,6 +95,6 @@ KINDS = (
                 ja="プロジェクタースクリーン, 投影スクリーン",
             ),
         ),
-        drawn_by=(".auditorium",),
+        drawn_by=(".public.auditorium",),
     ),
 )

@@ -24,7 +24,7 @@ KINDS = (
         ),
         essential=("bath, shower or toilet", "toilet"),
         forms="toilet",
-        drawn_by=(".sanitary",),
+        drawn_by=(".furniture.sanitary",),
     ),
     Kind(
         "basin",
@@ -54,7 +54,7 @@ KINDS = (
         ),
         essential=("basin", "basin or washing machine"),
         forms="basin",
-        drawn_by=(".sanitary",),
+        drawn_by=(".furniture.sanitary",),
     ),
     Kind(
         "pedestal_basin",
@@ -72,7 +72,7 @@ KINDS = (
         ),
         essential=("basin", "basin or washing machine"),
         forms="basin",
-        drawn_by=(".sanitary",),
+        drawn_by=(".furniture.sanitary",),
     ),
     Kind(
         "bathtub",
@@ -91,7 +91,7 @@ KINDS = (
         ),
         essential=("bath, shower or toilet",),
         forms="bath",
-        drawn_by=(".sanitary",),
+        drawn_by=(".furniture.sanitary",),
     ),
     Kind(
         "shower",
@@ -110,7 +110,7 @@ KINDS = (
         ),
         essential=("bath, shower or toilet",),
         forms="shower",
-        drawn_by=(".sanitary",),
+        drawn_by=(".furniture.sanitary",),
     ),
     Kind(
         "wall_shower",
@@ -129,7 +129,7 @@ KINDS = (
         ),
         essential=("bath, shower or toilet",),
         forms="shower",
-        drawn_by=(".sanitary",),
+        drawn_by=(".furniture.sanitary",),
     ),
     Kind(
         "mirror",
@@ -139,7 +139,7 @@ KINDS = (
         words=(
             words(en="mirror", fr="miroir", de="spiegel", es="espejo", zh="镜, 鏡", ja="ミラー"),
         ),
-        drawn_by=(".sanitary",),
+        drawn_by=(".furniture.sanitary",),
     ),
     Kind(
         "towel_rail",
@@ -156,6 +156,6 @@ KINDS = (
                 ja="タオル掛け",
             ),
         ),
-        drawn_by=(".sanitary",),
+        drawn_by=(".furniture.sanitary",),
     ),
 )

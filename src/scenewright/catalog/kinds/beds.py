@@ -24,7 +24,7 @@ KINDS = (
         ),
         essential=("bed", "double bed"),
         forms="sleeping",
-        drawn_by=(".beds", ".styled.beds"),
+        drawn_by=(".furniture.beds", ".styled.beds"),
     ),
     Kind(
         "single_bed",
@@ -43,7 +43,7 @@ KINDS = (
         ),
         essential=("bed",),
         forms="single",
-        drawn_by=(".beds", ".styled.beds"),
+        drawn_by=(".furniture.beds", ".styled.beds"),
     ),
     Kind(
         "bunk_bed",
@@ -61,7 +61,7 @@ KINDS = (
         ),
         essential=("bed",),
         forms="bunk",
-        drawn_by=(".beds",),
+        drawn_by=(".furniture.beds",),
     ),
     Kind(
         "cot",
@@ -79,7 +79,7 @@ KINDS = (
         ),
         essential=("bed",),
         alone=OwnGroup("cot"),
-        drawn_by=(".beds",),
+        drawn_by=(".furniture.beds",),
     ),
     Kind(
         "nightstand",
@@ -99,6 +99,6 @@ KINDS = (
             ),
         ),
         essential=("nightstand",),
-        drawn_by=(".beds", ".styled.cases"),
+        drawn_by=(".furniture.beds", ".styled.cases"),
     ),
 )

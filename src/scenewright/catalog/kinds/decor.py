@@ -19,7 +19,7 @@ KINDS = (
                 ja="ラグ, カーペット",
             ),
         ),
-        drawn_by=(".textiles",),
+        drawn_by=(".furniture.textiles",),
     ),
     Kind(
         "curtain",
@@ -35,7 +35,7 @@ KINDS = (
                 ja="カーテン",
             ),
         ),
-        drawn_by=(".textiles",),
+        drawn_by=(".furniture.textiles",),
     ),
     Kind(
         "blind",
@@ -51,7 +51,7 @@ KINDS = (
                 ja="ロールスクリーン",
             ),
         ),
-        drawn_by=(".textiles",),
+        drawn_by=(".furniture.textiles",),
     ),
     Kind(
         "picture",
@@ -68,7 +68,7 @@ KINDS = (
                 ja="絵",
             ),
         ),
-        drawn_by=(".decor",),
+        drawn_by=(".furniture.decor",),
     ),
     Kind(
         "wall_clock",
@@ -84,7 +84,7 @@ KINDS = (
                 ja="時計",
             ),
         ),
-        drawn_by=(".decor",),
+        drawn_by=(".furniture.decor",),
     ),
     Kind(
         "books",
@@ -95,7 +95,7 @@ KINDS = (
                 en="book, books", fr="livre, livres", de="bucher", es="libros", zh="书籍", ja="本"
             ),
         ),
-        drawn_by=(".decor",),
+        drawn_by=(".furniture.decor",),
     ),
     Kind(
         "plant",
@@ -117,7 +117,7 @@ KINDS = (
             ),
         ),
         in_rooms=(("exterior", ("tree",)),),
-        drawn_by=(".greenery",),
+        drawn_by=(".furniture.greenery",),
     ),
     Kind(
         "potted_tree",
@@ -135,7 +135,7 @@ KINDS = (
         ),
         in_rooms=(("exterior", ("tree",)),),
         forms="plant",
-        drawn_by=(".greenery",),
+        drawn_by=(".furniture.greenery",),
     ),
     Kind(
         "vase",
@@ -151,7 +151,7 @@ KINDS = (
                 ja="花瓶",
             ),
         ),
-        drawn_by=(".greenery",),
+        drawn_by=(".furniture.greenery",),
     ),
     Kind(
         "bowl",
@@ -167,6 +167,6 @@ KINDS = (
                 ja="ボウル",
             ),
         ),
-        drawn_by=(".greenery",),
+        drawn_by=(".furniture.greenery",),
     ),
 )

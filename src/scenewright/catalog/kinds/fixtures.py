@@ -22,7 +22,7 @@ KINDS = (
             ),
         ),
         in_rooms=(("bathroom", ("towel_rail", "radiator")),),
-        drawn_by=(".building",),
+        drawn_by=(".furniture.building",),
     ),
     Kind(
         "column",
@@ -37,7 +37,7 @@ KINDS = (
                 ja="柱",
             ),
         ),
-        drawn_by=(".building",),
+        drawn_by=(".furniture.building",),
     ),
     Kind(
         "staircase",
@@ -54,7 +54,7 @@ KINDS = (
                 ja="階段",
             ),
         ),
-        drawn_by=(".building",),
+        drawn_by=(".furniture.building",),
     ),
     Kind(
         "fireplace",
@@ -73,7 +73,7 @@ KINDS = (
             ),
         ),
         essential=("screen or focal point",),
-        drawn_by=(".building",),
+        drawn_by=(".furniture.building",),
     ),
     Kind(
         "box",
@@ -88,9 +88,11 @@ KINDS = (
                 ja="箱",
             ),
         ),
-        drawn_by=(".building",),
+        drawn_by=(".furniture.building",),
     ),
     Kind(
-        "obstacle", sizes=size_range("2 60 1000", "2 60 1000", "1 100 600"), drawn_by=(".building",)
+        "obstacle",
+        sizes=size_range("2 60 1000", "2 60 1000", "1 100 600"),
+        drawn_by=(".furniture.building",),
     ),
 )

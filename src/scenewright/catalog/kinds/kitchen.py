@@ -25,7 +25,7 @@ KINDS = (
         in_rooms=(("bathroom", ("basin", "pedestal_basin")),),
         essential=("sink", "base units"),
         forms="kitchen",
-        drawn_by=(".cooking", ".styled.kitchens"),
+        drawn_by=(".furniture.cooking", ".styled.kitchens"),
     ),
     Kind(
         "drawer_cabinet",
@@ -45,7 +45,7 @@ KINDS = (
         ),
         essential=("base units",),
         forms="counter",
-        drawn_by=(".kitchen", ".styled.kitchens"),
+        drawn_by=(".furniture.kitchen", ".styled.kitchens"),
     ),
     Kind(
         "base_cabinet",
@@ -65,7 +65,7 @@ KINDS = (
         ),
         essential=("base units",),
         forms="counter",
-        drawn_by=(".kitchen", ".styled.kitchens"),
+        drawn_by=(".furniture.kitchen", ".styled.kitchens"),
     ),
     Kind(
         "filler_panel",
@@ -82,7 +82,7 @@ KINDS = (
                 ja="フィラー",
             ),
         ),
-        drawn_by=(".kitchen",),
+        drawn_by=(".furniture.kitchen",),
     ),
     Kind(
         "tall_cabinet",
@@ -101,7 +101,7 @@ KINDS = (
             ),
         ),
         essential=("storage",),
-        drawn_by=(".kitchen", ".styled.kitchens"),
+        drawn_by=(".furniture.kitchen", ".styled.kitchens"),
     ),
     Kind(
         "wall_cabinet",
@@ -121,7 +121,7 @@ KINDS = (
                 ja="吊戸棚",
             ),
         ),
-        drawn_by=(".kitchen", ".styled.kitchens"),
+        drawn_by=(".furniture.kitchen", ".styled.kitchens"),
     ),
     Kind(
         "hood",
@@ -138,7 +138,7 @@ KINDS = (
                 ja="レンジフード",
             ),
         ),
-        drawn_by=(".kitchen",),
+        drawn_by=(".furniture.kitchen",),
     ),
     Kind(
         "kitchen_island",
@@ -155,7 +155,7 @@ KINDS = (
                 ja="アイランドキッチン",
             ),
         ),
-        drawn_by=(".kitchen", ".styled.kitchens"),
+        drawn_by=(".furniture.kitchen", ".styled.kitchens"),
     ),
     Kind(
         "corner_cabinet",  # opens inwards, to who stands before the units beside it
@@ -171,7 +171,7 @@ KINDS = (
                 ja="コーナーキャビネット",
             ),
         ),
-        drawn_by=(".kitchen", ".styled.kitchens"),
+        drawn_by=(".furniture.kitchen", ".styled.kitchens"),
     ),
     Kind(
         "hob_cabinet",
@@ -191,7 +191,7 @@ KINDS = (
             ),
         ),
         essential=("hob", "base units"),
-        drawn_by=(".cooking", ".styled.kitchens"),
+        drawn_by=(".furniture.cooking", ".styled.kitchens"),
     ),
     Kind(
         "oven_cabinet",
@@ -210,7 +210,7 @@ KINDS = (
                 ja="オーブン",
             ),
         ),
-        drawn_by=(".cooking", ".styled.kitchens"),
+        drawn_by=(".furniture.cooking", ".styled.kitchens"),
     ),
     Kind(
         "dishwasher",
@@ -230,7 +230,7 @@ KINDS = (
             ),
         ),
         essential=("base units",),
-        drawn_by=(".cooking",),
+        drawn_by=(".furniture.cooking",),
     ),
     Kind(
         "fridge",
@@ -251,6 +251,6 @@ KINDS = (
         ),
         essential=("fridge",),
         forms="fridge",
-        drawn_by=(".cooking",),
+        drawn_by=(".furniture.cooking",),
     ),
 )

@@ -24,7 +24,7 @@ KINDS = (
         ),
         essential=("screen or focal point",),
         alone=OwnGroup("piano"),
-        drawn_by=(".leisure",),
+        drawn_by=(".furniture.leisure",),
     ),
     Kind(
         "exercise_bike",
@@ -42,7 +42,7 @@ KINDS = (
         ),
         forms="exercise",
         alone=OwnGroup("exercise", rooms=(("study", 18.0),)),
-        drawn_by=(".leisure",),
+        drawn_by=(".furniture.leisure",),
     ),
     Kind(
         "ironing_board",
@@ -60,6 +60,6 @@ KINDS = (
             ),
         ),
         alone=OwnGroup("ironing", back=0.5),
-        drawn_by=(".leisure",),
+        drawn_by=(".furniture.leisure",),
     ),
 )

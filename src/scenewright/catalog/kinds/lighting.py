@@ -21,7 +21,7 @@ KINDS = (
             ),
         ),
         lumens=1055.0,
-        drawn_by=(".lighting", ".styled.lamps"),
+        drawn_by=(".furniture.lighting", ".styled.lamps"),
     ),
     Kind(
         "table_lamp",
@@ -39,7 +39,7 @@ KINDS = (
             ),
         ),
         lumens=470.0,
-        drawn_by=(".lighting", ".styled.lamps"),
+        drawn_by=(".furniture.lighting", ".styled.lamps"),
     ),
     Kind(
         "desk_lamp",
@@ -56,7 +56,7 @@ KINDS = (
             ),
         ),
         lumens=470.0,
-        drawn_by=(".lighting",),
+        drawn_by=(".furniture.lighting",),
     ),
     Kind(
         "wall_lamp",
@@ -73,7 +73,7 @@ KINDS = (
             ),
         ),
         lumens=470.0,
-        drawn_by=(".lighting",),
+        drawn_by=(".furniture.lighting",),
     ),
     Kind(
         "pendant_lamp",
@@ -90,7 +90,7 @@ KINDS = (
             ),
         ),
         lumens=806.0,
-        drawn_by=(".lighting", ".styled.lamps"),
+        drawn_by=(".furniture.lighting", ".styled.lamps"),
     ),
     Kind(
         "ceiling_lamp",
@@ -107,6 +107,6 @@ KINDS = (
             ),
         ),
         lumens=1521.0,
-        drawn_by=(".lighting", ".styled.lamps"),
+        drawn_by=(".furniture.lighting", ".styled.lamps"),
     ),
 )

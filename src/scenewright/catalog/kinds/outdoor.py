@@ -23,7 +23,7 @@ KINDS = (
             ),
         ),
         forms="terrace",
-        drawn_by=(".outdoor",),
+        drawn_by=(".furniture.outdoor",),
     ),
     Kind(
         "outdoor_chair",
@@ -42,7 +42,7 @@ KINDS = (
                 ja="ガーデンチェア",
             ),
         ),
-        drawn_by=(".outdoor",),
+        drawn_by=(".furniture.outdoor",),
     ),
     Kind(
         "deck_chair",
@@ -64,7 +64,7 @@ KINDS = (
             ),
         ),
         forms="lounger",
-        drawn_by=(".outdoor",),
+        drawn_by=(".furniture.outdoor",),
     ),
     Kind(
         "planter",
@@ -81,7 +81,7 @@ KINDS = (
                 ja="プランター",
             ),
         ),
-        drawn_by=(".outdoor",),
+        drawn_by=(".furniture.outdoor",),
     ),
     Kind(
         "drying_rack",
@@ -98,6 +98,6 @@ KINDS = (
                 ja="物干し",
             ),
         ),
-        drawn_by=(".outdoor",),
+        drawn_by=(".furniture.outdoor",),
     ),
 )

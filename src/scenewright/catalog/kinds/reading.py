@@ -24,7 +24,7 @@ KINDS = (
                 ja="閲覧机, 閲覧テーブル",
             ),
         ),
-        drawn_by=(".reading",),
+        drawn_by=(".public.reading",),
     ),
     Kind(
         "reading_chair",
@@ -43,7 +43,7 @@ KINDS = (
                 ja="閲覧椅子",
             ),
         ),
-        drawn_by=(".reading",),
+        drawn_by=(".public.reading",),
     ),
     Kind(
         "carrel",
@@ -61,7 +61,7 @@ KINDS = (
                 ja="キャレル, 個人学習ブース",
             ),
         ),
-        drawn_by=(".reading",),
+        drawn_by=(".public.reading",),
     ),
     Kind(
         "lounge_seat",
@@ -79,7 +79,7 @@ KINDS = (
                 ja="ラウンジシート, 待合椅子",
             ),
         ),
-        drawn_by=(".reading",),
+        drawn_by=(".public.reading",),
     ),
     Kind(
         "catalogue_terminal",
@@ -97,6 +97,6 @@ KINDS = (
                 ja="検索端末, 情報端末",
             ),
         ),
-        drawn_by=(".reading",),
+        drawn_by=(".public.reading",),
     ),
 )

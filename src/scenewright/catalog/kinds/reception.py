@@ -23,7 +23,7 @@ KINDS = (
                 ja="受付台, 販売カウンター",
             ),
         ),
-        drawn_by=(".reception",),
+        drawn_by=(".public.reception",),
     ),
     Kind(
         "info_desk",
@@ -42,7 +42,7 @@ KINDS = (
                 ja="受付カウンター, インフォメーションデスク",
             ),
         ),
-        drawn_by=(".reception",),
+        drawn_by=(".public.reception",),
     ),
     Kind(
         "corner_counter",
@@ -60,7 +60,7 @@ KINDS = (
                 ja="コーナーカウンター, L字カウンター",
             ),
         ),
-        drawn_by=(".reception",),
+        drawn_by=(".public.reception",),
     ),
     Kind(
         "ticket_gate",
@@ -78,7 +78,7 @@ KINDS = (
                 ja="改札機, 自動改札",
             ),
         ),
-        drawn_by=(".reception",),
+        drawn_by=(".public.reception",),
     ),
     Kind(
         "rope_barrier",
@@ -94,12 +94,12 @@ KINDS = (
                 ja="ロープパーテーション, ベルトパーテーション",
             ),
         ),
-        drawn_by=(".reception",),
+        drawn_by=(".public.reception",),
     ),
     Kind(
         "partition",
         sizes=size_range("30 200 3000", "10 15 25", "200 300 600"),
-        drawn_by=(".reception",),
+        drawn_by=(".public.reception",),
     ),
     Kind(
         "glass_barrier",
@@ -114,7 +114,7 @@ KINDS = (
                 ja="ガラス柵, ガラス手摺",
             ),
         ),
-        drawn_by=(".barriers",),
+        drawn_by=(".public.barriers",),
     ),
     Kind(
         "gate_leaf",
@@ -130,7 +130,7 @@ KINDS = (
                 ja="改札扉",
             ),
         ),
-        drawn_by=(".barriers",),
+        drawn_by=(".public.barriers",),
     ),
     Kind(
         "gate_post",
@@ -145,7 +145,7 @@ KINDS = (
                 ja="改札柱",
             ),
         ),
-        drawn_by=(".barriers",),
+        drawn_by=(".public.barriers",),
     ),
     Kind(
         "litter_bin",
@@ -163,7 +163,7 @@ KINDS = (
                 ja="ごみ箱",
             ),
         ),
-        drawn_by=(".reception",),
+        drawn_by=(".public.reception",),
     ),
     Kind(
         "sign_totem",
@@ -179,7 +179,7 @@ KINDS = (
                 ja="サインポール, 案内サイン",
             ),
         ),
-        drawn_by=(".reception",),
+        drawn_by=(".public.reception",),
     ),
     Kind(
         "lockers",
@@ -197,7 +197,7 @@ KINDS = (
                 ja="ロッカー, コインロッカー",
             ),
         ),
-        drawn_by=(".reception",),
+        drawn_by=(".public.reception",),
     ),
     Kind(
         "vending_machine",
@@ -215,7 +215,7 @@ KINDS = (
                 ja="自動販売機, 自販機",
             ),
         ),
-        drawn_by=(".reception", ".machines"),
+        drawn_by=(".public.reception", ".public.machines"),
     ),
     Kind(
         "cash_machine",
@@ -233,7 +233,7 @@ KINDS = (
                 ja="現金自動預払機",
             ),
         ),
-        drawn_by=(".machines",),
+        drawn_by=(".public.machines",),
     ),
     Kind(
         "ticket_machine",
@@ -251,7 +251,7 @@ KINDS = (
                 ja="券売機",
             ),
         ),
-        drawn_by=(".machines",),
+        drawn_by=(".public.machines",),
     ),
     Kind(
         "copier",
@@ -269,6 +269,6 @@ KINDS = (
                 ja="コピー機, 複合機, プリンター",
             ),
         ),
-        drawn_by=(".machines",),
+        drawn_by=(".public.machines",),
     ),
 )

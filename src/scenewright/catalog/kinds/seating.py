@@ -22,7 +22,7 @@ KINDS = (
         ),
         essential=("seat",),
         forms="seating",
-        drawn_by=(".seating", ".styled.seats"),
+        drawn_by=(".furniture.seating", ".styled.seats"),
     ),
     Kind(
         "sofa",
@@ -44,7 +44,7 @@ KINDS = (
         in_rooms=(("exterior", ("other",)),),
         essential=("seat",),
         forms="seating",
-        drawn_by=(".seating", ".styled.seats"),
+        drawn_by=(".furniture.seating", ".styled.seats"),
     ),
     Kind(
         "loveseat",
@@ -63,7 +63,7 @@ KINDS = (
         ),
         essential=("seat",),
         forms="seating",
-        drawn_by=(".seating", ".styled.seats"),
+        drawn_by=(".furniture.seating", ".styled.seats"),
     ),
     Kind(
         "armchair",
@@ -85,7 +85,7 @@ KINDS = (
         in_rooms=(("office", ("office_chair", "armchair")), ("exterior", ("outdoor_chair",))),
         essential=("seat",),
         forms="reading",
-        drawn_by=(".seating", ".styled.seats"),
+        drawn_by=(".furniture.seating", ".styled.seats"),
     ),
     Kind(
         "dining_chair",
@@ -108,7 +108,7 @@ KINDS = (
         ),
         in_rooms=(("office", ("office_chair", "dining_chair")), ("exterior", ("outdoor_chair",))),
         essential=("two chairs", "chair"),
-        drawn_by=(".seating", ".styled.chairs"),
+        drawn_by=(".furniture.seating", ".styled.chairs"),
     ),
     Kind(
         "office_chair",
@@ -129,7 +129,7 @@ KINDS = (
             ),
         ),
         essential=("chair",),
-        drawn_by=(".seating",),
+        drawn_by=(".furniture.seating",),
     ),
     Kind(
         "stool",
@@ -150,7 +150,7 @@ KINDS = (
         ),
         in_rooms=(("kitchen", ("bar_stool", "stool")),),
         essential=("two chairs", "chair"),
-        drawn_by=(".seating",),
+        drawn_by=(".furniture.seating",),
     ),
     Kind(
         "bar_stool",
@@ -169,7 +169,7 @@ KINDS = (
             ),
         ),
         essential=("two chairs",),
-        drawn_by=(".seating", ".styled.chairs"),
+        drawn_by=(".furniture.seating", ".styled.chairs"),
     ),
     Kind(
         "bench",
@@ -189,7 +189,7 @@ KINDS = (
         ),
         in_rooms=(("exterior", ("site_bench", "bench")),),
         essential=("two chairs", "somewhere for coats or shoes"),
-        drawn_by=(".seating",),
+        drawn_by=(".furniture.seating",),
     ),
     Kind(
         "pouf",
@@ -206,6 +206,6 @@ KINDS = (
                 ja="オットマン",
             ),
         ),
-        drawn_by=(".seating",),
+        drawn_by=(".furniture.seating",),
     ),
 )

@@ -22,7 +22,7 @@ KINDS = (
                 ja="ゴンドラ什器, 商品棚",
             ),
         ),
-        drawn_by=(".gondolas",),
+        drawn_by=(".public.gondolas",),
     ),
     Kind(
         "wall_shelving",
@@ -40,7 +40,7 @@ KINDS = (
                 ja="壁面什器",
             ),
         ),
-        drawn_by=(".gondolas",),
+        drawn_by=(".public.gondolas",),
     ),
     Kind(
         "ring_shelf",
@@ -58,7 +58,7 @@ KINDS = (
                 ja="曲線棚",
             ),
         ),
-        drawn_by=(".gondolas",),
+        drawn_by=(".public.gondolas",),
     ),
     Kind(
         "fridge_shelf",
@@ -77,7 +77,7 @@ KINDS = (
                 ja="冷蔵ショーケース",
             ),
         ),
-        drawn_by=(".gondolas",),
+        drawn_by=(".public.gondolas",),
     ),
     Kind(
         "book_stack",
@@ -95,7 +95,7 @@ KINDS = (
                 ja="図書館書架",
             ),
         ),
-        drawn_by=(".gondolas",),
+        drawn_by=(".public.gondolas",),
     ),
     Kind(
         "clothes_rail",
@@ -113,7 +113,7 @@ KINDS = (
                 ja="ハンガーラック",
             ),
         ),
-        drawn_by=(".shop",),
+        drawn_by=(".public.shop",),
     ),
     Kind(
         "round_rack",
@@ -131,7 +131,7 @@ KINDS = (
                 ja="丸ハンガーラック",
             ),
         ),
-        drawn_by=(".shop",),
+        drawn_by=(".public.shop",),
     ),
     Kind(
         "mannequin",
@@ -147,7 +147,7 @@ KINDS = (
                 ja="マネキン",
             ),
         ),
-        drawn_by=(".shop",),
+        drawn_by=(".public.shop",),
     ),
     Kind(
         "display_table",
@@ -165,7 +165,7 @@ KINDS = (
                 ja="陳列台, ディスプレイテーブル",
             ),
         ),
-        drawn_by=(".shop",),
+        drawn_by=(".public.shop",),
     ),
     Kind(
         "checkout",
@@ -184,7 +184,7 @@ KINDS = (
                 ja="レジカウンター, レジ台",
             ),
         ),
-        drawn_by=(".shop",),
+        drawn_by=(".public.shop",),
     ),
     Kind(
         "fitting_room",
@@ -202,7 +202,7 @@ KINDS = (
                 ja="試着室, フィッティングルーム",
             ),
         ),
-        drawn_by=(".shop",),
+        drawn_by=(".public.shop",),
     ),
     Kind(
         "basket_stack",
@@ -220,6 +220,6 @@ KINDS = (
                 ja="買い物かご",
             ),
         ),
-        drawn_by=(".shop",),
+        drawn_by=(".public.shop",),
     ),
 )

@@ -61,7 +61,7 @@ _SOFT = (
     ("hat", "24 32 40", "22 30 38", "9 12 16"),
 )
 KINDS = (
-    *(_small(category, ".tableware", *size) for category, *size in _TABLE),
-    *(_small(category, ".belongings", *size) for category, *size in _OWN),
-    *(_small(category, ".soft_goods", *size) for category, *size in _SOFT),
+    *(_small(category, ".furniture.tableware", *size) for category, *size in _TABLE),
+    *(_small(category, ".furniture.belongings", *size) for category, *size in _OWN),
+    *(_small(category, ".furniture.soft_goods", *size) for category, *size in _SOFT),
 )

@@ -24,7 +24,7 @@ KINDS = (
         ),
         essential=("wardrobe", "storage", "somewhere for coats or shoes"),
         forms="wardrobe",
-        drawn_by=(".storage", ".styled.cases"),
+        drawn_by=(".furniture.storage", ".styled.cases"),
     ),
     Kind(
         "chest_of_drawers",
@@ -44,7 +44,7 @@ KINDS = (
         ),
         essential=("wardrobe", "storage"),
         forms="chest",
-        drawn_by=(".storage", ".styled.cases"),
+        drawn_by=(".furniture.storage", ".styled.cases"),
     ),
     Kind(
         "sideboard",
@@ -63,7 +63,7 @@ KINDS = (
         ),
         essential=("screen or focal point", "somewhere for coats or shoes"),
         forms="sideboard",
-        drawn_by=(".storage", ".styled.cases"),
+        drawn_by=(".furniture.storage", ".styled.cases"),
     ),
     Kind(
         "tv_stand",
@@ -82,7 +82,7 @@ KINDS = (
         ),
         essential=("screen or focal point",),
         forms="media",
-        drawn_by=(".storage", ".styled.cases"),
+        drawn_by=(".furniture.storage", ".styled.cases"),
     ),
     Kind(
         "shoe_cabinet",
@@ -102,7 +102,7 @@ KINDS = (
         ),
         essential=("storage", "somewhere for coats or shoes"),
         forms="shoes",
-        drawn_by=(".storage", ".styled.cases"),
+        drawn_by=(".furniture.storage", ".styled.cases"),
     ),
     Kind(
         "toy_box",
@@ -118,7 +118,7 @@ KINDS = (
                 ja="おもちゃ箱",
             ),
         ),
-        drawn_by=(".storage",),
+        drawn_by=(".furniture.storage",),
     ),
     Kind(
         "display_cabinet",
@@ -138,7 +138,7 @@ KINDS = (
         ),
         in_rooms=(("kitchen", ("wall_cabinet", "display_cabinet")),),
         essential=("screen or focal point",),
-        drawn_by=(".storage",),
+        drawn_by=(".furniture.storage",),
     ),
     Kind(
         "bathroom_cabinet",
@@ -155,7 +155,7 @@ KINDS = (
                 ja="浴室収納, バスルームキャビネット",
             ),
         ),
-        drawn_by=(".storage",),
+        drawn_by=(".furniture.storage",),
     ),
     Kind(
         "laundry_basket",
@@ -170,7 +170,7 @@ KINDS = (
                 ja="ランドリーバスケット",
             ),
         ),
-        drawn_by=(".storage",),
+        drawn_by=(".furniture.storage",),
     ),
     Kind(
         "bookcase",
@@ -191,7 +191,7 @@ KINDS = (
         ),
         essential=("screen or focal point", "storage"),
         forms="shelf",
-        drawn_by=(".shelves", ".styled.cases"),
+        drawn_by=(".furniture.shelves", ".styled.cases"),
     ),
     Kind(
         "shelf_unit",
@@ -211,7 +211,7 @@ KINDS = (
             ),
         ),
         essential=("screen or focal point", "storage"),
-        drawn_by=(".shelves",),
+        drawn_by=(".furniture.shelves",),
     ),
     Kind(
         "storage_shelf",
@@ -232,7 +232,7 @@ KINDS = (
             ),
         ),
         essential=("storage", "somewhere for coats or shoes"),
-        drawn_by=(".shelves",),
+        drawn_by=(".furniture.shelves",),
     ),
     Kind(
         "coat_rack",
@@ -250,7 +250,7 @@ KINDS = (
         ),
         essential=("somewhere for coats or shoes",),
         forms="coats",
-        drawn_by=(".shelves",),
+        drawn_by=(".furniture.shelves",),
     ),
     Kind(
         "wall_shelf",
@@ -267,6 +267,6 @@ KINDS = (
                 ja="ウォールシェルフ",
             ),
         ),
-        drawn_by=(".shelves",),
+        drawn_by=(".furniture.shelves",),
     ),
 )

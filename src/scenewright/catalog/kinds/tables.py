@@ -35,7 +35,7 @@ KINDS = (
         in_rooms=(("exterior", ("outdoor_table",)),),
         essential=("table", "dining table"),
         forms="dining",
-        drawn_by=(".tables", ".styled.tops"),
+        drawn_by=(".furniture.tables", ".styled.tops"),
     ),
     Kind(
         "round_table",
@@ -57,7 +57,7 @@ KINDS = (
         in_rooms=(("exterior", ("outdoor_table",)),),
         essential=("table", "dining table"),
         forms="dining",
-        drawn_by=(".tables", ".styled.tops"),
+        drawn_by=(".furniture.tables", ".styled.tops"),
     ),
     Kind(
         "coffee_table",
@@ -76,7 +76,7 @@ KINDS = (
             ),
         ),
         essential=("table",),
-        drawn_by=(".tables", ".styled.tops"),
+        drawn_by=(".furniture.tables", ".styled.tops"),
     ),
     Kind(
         "side_table",
@@ -94,7 +94,7 @@ KINDS = (
             ),
         ),
         essential=("table",),
-        drawn_by=(".tables", ".styled.tops"),
+        drawn_by=(".furniture.tables", ".styled.tops"),
     ),
     Kind(
         "desk",
@@ -116,7 +116,7 @@ KINDS = (
         ),
         essential=("desk",),
         forms="desk",
-        drawn_by=(".tables", ".styled.tops"),
+        drawn_by=(".furniture.tables", ".styled.tops"),
     ),
     Kind(
         "corner_desk",
@@ -137,7 +137,7 @@ KINDS = (
         ),
         essential=("desk",),
         forms="corner_desk",
-        drawn_by=(".tables", ".styled.tops"),
+        drawn_by=(".furniture.tables", ".styled.tops"),
     ),
     Kind(
         "kids_desk",
@@ -157,7 +157,7 @@ KINDS = (
         ),
         essential=("desk",),
         forms="kids_desk",
-        drawn_by=(".tables",),
+        drawn_by=(".furniture.tables",),
     ),
     Kind(
         "console_table",
@@ -176,7 +176,7 @@ KINDS = (
         ),
         essential=("somewhere for coats or shoes",),
         forms="console",
-        drawn_by=(".tables",),
+        drawn_by=(".furniture.tables",),
     ),
     Kind(
         "vanity",
@@ -196,6 +196,6 @@ KINDS = (
         ),
         in_rooms=(("bathroom", ("basin",)),),
         forms="vanity",
-        drawn_by=(".tables",),
+        drawn_by=(".furniture.tables",),
     ),
 )

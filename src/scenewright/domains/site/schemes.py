@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 import shapely
 
-from scenewright.catalog.assets.building_styles import STYLES, floors_of
+from scenewright.catalog.assets.buildings.building_styles import STYLES, floors_of
 from scenewright.core.piece_outlines import polygons_of
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece

@@ -7,7 +7,7 @@ from math import pi
 
 import numpy as np
 
-from scenewright.catalog.assets.beds import HEAD, bed_symbol, make_bedding
+from scenewright.catalog.assets.furniture.beds import HEAD, bed_symbol, make_bedding
 from scenewright.catalog.assets.joinery import spread
 from scenewright.catalog.assets.materials import (
     BLACK,

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from scenewright.catalog.assets.bodies import Opens
+from scenewright.catalog.assets.furniture.storage import draw_front_line, draw_hangers
 from scenewright.catalog.assets.joinery import corpus, spread
 from scenewright.catalog.assets.materials import BLACK, CREAM, OAK, RUBBER, WALNUT
 from scenewright.catalog.assets.model import Parts, parts
 from scenewright.catalog.assets.objects import Stuff, book_rows
-from scenewright.catalog.assets.storage import draw_front_line, draw_hangers
 from scenewright.catalog.assets.styled.forms import (
     Form,
     add,

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from scenewright.catalog.assets.furniture.seating import chair_symbol
 from scenewright.catalog.assets.joinery import bent, four_legs, spread
 from scenewright.catalog.assets.materials import BLACK, FABRIC, LEATHER, OAK, RATTAN, WALNUT
 from scenewright.catalog.assets.model import Parts, parts
 from scenewright.catalog.assets.objects import Stuff
-from scenewright.catalog.assets.seating import chair_symbol
 from scenewright.catalog.assets.styled.forms import Form, add, draw_forms, stand
 from scenewright.core.catalog import Material
 from scenewright.core.scene import Size

@@ -5,9 +5,9 @@ from __future__ import annotations
 from functools import partial
 from math import pi
 
-from scenewright.catalog.assets import cooking, kitchen
 from scenewright.catalog.assets.bodies import attach_joint
 from scenewright.catalog.assets.drawing import Drawing
+from scenewright.catalog.assets.furniture import cooking, kitchen
 from scenewright.catalog.assets.joinery import GAP
 from scenewright.catalog.assets.materials import BLACK, CREAM, SAGE
 from scenewright.catalog.assets.model import Parts, parts

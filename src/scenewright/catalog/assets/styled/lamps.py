@@ -6,7 +6,7 @@ from math import cos, pi, sin
 
 import numpy as np
 
-from scenewright.catalog.assets.lighting import draw_lamp, shade
+from scenewright.catalog.assets.furniture.lighting import draw_lamp, shade
 from scenewright.catalog.assets.materials import (
     BLACK,
     BRASS,

@@ -4,7 +4,15 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from scenewright.catalog.assets.corners import cover, mirror_drawing
+from scenewright.catalog.assets.furniture.corners import cover, mirror_drawing
+from scenewright.catalog.assets.furniture.seating import (
+    LOOSE,
+    SOFT,
+    corner_sofa_outline,
+    corner_sofa_symbol,
+    sofa_symbol,
+    throw_pillow,
+)
 from scenewright.catalog.assets.joinery import spread
 from scenewright.catalog.assets.materials import (
     FABRIC,
@@ -19,14 +27,6 @@ from scenewright.catalog.assets.materials import (
 )
 from scenewright.catalog.assets.model import Parts, parts
 from scenewright.catalog.assets.objects import Stuff
-from scenewright.catalog.assets.seating import (
-    LOOSE,
-    SOFT,
-    corner_sofa_outline,
-    corner_sofa_symbol,
-    sofa_symbol,
-    throw_pillow,
-)
 from scenewright.catalog.assets.styled.forms import Form, add, draw_forms, stand
 from scenewright.core.catalog import Material
 from scenewright.core.scene import Size

@@ -4,7 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from scenewright.catalog.assets.corners import cover, mirror_drawing
+from scenewright.catalog.assets.furniture.corners import cover, mirror_drawing
+from scenewright.catalog.assets.furniture.tables import (
+    corner_desk_outline,
+    corner_desk_symbol,
+    drawers_wide,
+)
 from scenewright.catalog.assets.joinery import spread
 from scenewright.catalog.assets.materials import BLACK, BRASS, CLEAR, OAK, STONE, WALNUT, WHITE
 from scenewright.catalog.assets.model import Parts, parts
@@ -18,7 +23,6 @@ from scenewright.catalog.assets.styled.forms import (
     stand,
 )
 from scenewright.catalog.assets.symbols import Lines, path, rectangle, round_plain
-from scenewright.catalog.assets.tables import corner_desk_outline, corner_desk_symbol, drawers_wide
 from scenewright.core.catalog import Material
 from scenewright.core.scene import Size
 from scenewright.geometry.mesh import Mesh, extrude

@@ -12,7 +12,7 @@ from functools import lru_cache
 from itertools import combinations
 from math import cos, hypot, pi, remainder, sin
 
-from scenewright.catalog.assets.cooking import UNDER_WORKTOP
+from scenewright.catalog.assets.furniture.cooking import UNDER_WORKTOP
 from scenewright.catalog.classes import RUN, WORKTOP
 from scenewright.core.catalog import Group, Member
 from scenewright.domains.home.least_sizes import WARDROBE

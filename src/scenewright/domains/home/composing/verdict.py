@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator, Mapping
 import numpy as np
 
 from scenewright.arranging.verdict import LEAST, Verdict
-from scenewright.catalog.assets.cooking import UNDER_WORKTOP
+from scenewright.catalog.assets.furniture.cooking import UNDER_WORKTOP
 from scenewright.catalog.classes import BEDS, TABLE_SEATS, WORKTOP
 from scenewright.core.same import once
 from scenewright.core.scene import Piece

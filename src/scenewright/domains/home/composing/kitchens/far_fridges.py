@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scenewright.catalog.assets.cooking import UNDER_WORKTOP
+from scenewright.catalog.assets.furniture.cooking import UNDER_WORKTOP
 from scenewright.catalog.classes import RUN
 from scenewright.core.scene import Piece
 from scenewright.domains.home.composing.judging import Placed

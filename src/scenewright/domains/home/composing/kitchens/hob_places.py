@@ -12,7 +12,7 @@ from itertools import combinations, islice
 from math import ceil, cos, sin
 from typing import NamedTuple
 
-from scenewright.catalog.assets.cooking import UNDER_WORKTOP
+from scenewright.catalog.assets.furniture.cooking import UNDER_WORKTOP
 from scenewright.catalog.classes import PLAIN_CABINETS
 from scenewright.core.catalog import Group, Member
 from scenewright.domains.home.attempt import FurnishedGroup, RoomTask

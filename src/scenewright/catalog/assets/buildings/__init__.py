@@ -1,0 +1,1 @@
+"""Buildings, what they are put together from, and what stands between them."""

@@ -1,0 +1,1 @@
+"""Large single things to be shown: vehicles, skeletons, sculptures, stands."""

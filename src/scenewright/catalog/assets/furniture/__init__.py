@@ -1,0 +1,1 @@
+"""What homes hold, and the small things on it."""

@@ -1,0 +1,1 @@
+"""What shops, exhibitions, reading rooms and other halls hold."""
