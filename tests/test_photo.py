@@ -20,12 +20,14 @@ from scenewright.render.observations.world import VisibleWorld, build_world
 from scenewright.render.photo.denoising import smooth_film
 from scenewright.render.photo.developing import develop
 from scenewright.render.photo.following import Exposure, expose
+from scenewright.render.photo.photograph import views_of
 from scenewright.render.photo.sources import Sources, find_sources
 from scenewright.render.photo.standpoints import EYE, frame_of, stand_in_rooms
 from scenewright.render.picture import PAGE, build_casters
 from scenewright.render.stage import PartTriangles, stage_of
 from scenewright.render.textures.table import bake, texture_of
 from scenewright.render.textures.worn import wear_textures
+from scenewright.workflow.cycles import job_of
 
 GREY = Material("grey", (0.5, 0.5, 0.5), roughness=1.0)
 ALBEDO = float(((0.5 + 0.055) / 1.055) ** 2.4)
@@ -201,6 +203,7 @@ def test_rooms_are_written_and_what_cannot_be_is_refused(room: sw.Solution, tmp_
         ("--size", {"size": (4, 4)}),
         ("--samples", {"samples": 0}),
         ("hour", {"hour": "teatime"}),
+        ("renderer", {"renderer": "crayons"}),
         ("no room", {"rooms": ["cellar"]}),
     ):
         with pytest.raises(InputError, match=fault):
@@ -208,3 +211,33 @@ def test_rooms_are_written_and_what_cannot_be_is_refused(room: sw.Solution, tmp_
     with pytest.raises(InputError, match="rooms"):
         sw.photograph("sample:site-120", tmp_path / "c.png")
     assert sorted(path.name for path in tmp_path.iterdir()) == ["a.png", "all"]
+
+
+def test_blender_is_named_where_it_is_missing(
+    room: sw.Solution, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("PATH", str(tmp_path))
+    with pytest.raises(InputError, match="Blender") as fault:
+        sw.photograph(room, tmp_path / "a.png", renderer="cycles")
+    assert "apt-get install blender" in str(fault.value.remedy)
+
+
+def test_blender_is_asked_for_the_same_picture(room: sw.Solution, tmp_path: Path) -> None:
+    """Its camera sees a point where ours does, by the rule of its manual: the shift is a share of
+    the wider side."""
+    catalog = catalog_of(room.brief.catalogs)
+    world = build_world(scene_of(room), catalog)
+    (view,) = views_of(world, catalog, size=(64, 40))
+    (asked,) = job_of([view], tmp_path / "a.glb", 4, 0)["views"]
+    eye, axes = np.array(asked["eye"]), np.array(asked["axes"])
+    right, up, ahead = axes @ (eye + 3 * axes[2] + 0.4 * axes[0] - 0.6 * axes[1] - eye)
+    tangent = 2 * np.tan(asked["wide"] / 2)
+    column = 64 * (0.5 + right / ahead / tangent)
+    row = 20 - 64 * (up / ahead / tangent - asked["shift"])
+    left, top, step = view.camera.frame
+    assert (column, row) == pytest.approx(
+        ((right / ahead - left) / step, (top - up / ahead) / step), abs=0.01
+    )
+    lit = len(asked["lamps"]) + len(asked["portals"])
+    assert lit == len(view.sources.sources)
+    assert asked["portals"], "the room has a window"

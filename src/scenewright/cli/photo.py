@@ -22,6 +22,9 @@ def photo(
     hour: Annotated[str, typer.Option(help="morning, noon, day (late), dusk, night.")] = "",
     size: Annotated[str, typer.Option(metavar="WxH", help="Pixels.")] = "1280x800",
     samples: Annotated[int, typer.Option(help="Paths of light a pixel; more, less noise.")] = 8,
+    renderer: Annotated[
+        str, typer.Option("--photo", metavar="RENDERER", help="own, or cycles: by Blender.")
+    ] = "own",
     seed: Annotated[int, typer.Option(help="Same seed, same pictures.")] = 0,
     steps: Annotated[int | None, typer.Option(help="Search budget where it is arranged.")] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON document only.")] = False,
@@ -41,6 +44,7 @@ def photo(
             hour=hour,
             size=size_of(size),
             samples=samples,
+            renderer=renderer,
             seed=seed,
             steps=steps,
             progress=watch.progress,

@@ -18,10 +18,13 @@ from scenewright.render.daylight import HOURS
 from scenewright.render.observations.world import build_world
 from scenewright.render.photo.photograph import SAMPLES, SIZE, Photo
 from scenewright.render.photo.photograph import photograph as photograph_world
+from scenewright.workflow.cycles import find_program, photograph_by_cycles
 from scenewright.workflow.observe import SOLVING, Tell, check_rooms, named_rooms, solve_source
 from scenewright.workflow.request import check_name
 
 LEAST, MOST, MOST_SAMPLES = 16, 4096, 4096
+RENDERERS = {"own": photograph_world, "cycles": photograph_by_cycles}
+"""What follows light: our own tracer, or the path tracer of Blender."""
 
 
 class Photographs(NamedTuple):
@@ -39,6 +42,7 @@ def photograph(
     hour: str = "",
     size: tuple[int, int] = SIZE,
     samples: int = SAMPLES,
+    renderer: str = "own",
     seed: int = 0,
     steps: int | None = None,
     progress: Tell | None = None,
@@ -47,7 +51,8 @@ def photograph(
     """Photograph the ``rooms`` (none named: all) of a solution, a saved one, or a brief that is
     arranged first, at an ``hour`` of :data:`~scenewright.render.daylight.HOURS` (none named: that
     of the brief, else ``day``): one room into the picture ``output``, or each into a folder of that
-    name. Raises :class:`InputError` for what cannot be photographed.
+    name. Light is followed by a ``renderer`` of :data:`RENDERERS`. Raises :class:`InputError` for
+    what cannot be photographed.
 
     >>> import tempfile
     >>> with tempfile.TemporaryDirectory() as folder:
@@ -57,6 +62,9 @@ def photograph(
     (['room.png'], ())
     """
     check_photo(hour, size, samples, seed)
+    check_name("renderer", renderer, [*RENDERERS])
+    if renderer == "cycles":
+        find_program()
     tell = progress or (lambda _share, _words: None)
     with recorded_run():
         tell(0.0, "reading")
@@ -71,7 +79,7 @@ def photograph(
             raise InputError(fault, "name one by --room, or give a folder", file=str(output))
         world = build_world(scene, catalog)
         lit = hour or scene.hour or "day"
-        photos = photograph_world(world, catalog, wanted, lit, size, samples, seed)
+        photos = RENDERERS[renderer](world, catalog, wanted, lit, size, samples, seed)
         told = _told(photos, len(wanted or scene.spaces), tell, cancel)
         written: dict[str, Path] = {}
         for one in told:

@@ -12,8 +12,8 @@ from scenewright.render.lamps import lamps_of
 from scenewright.render.observations.world import VisibleWorld, solid_parts
 from scenewright.render.photo.denoising import take_out_noise
 from scenewright.render.photo.developing import develop
-from scenewright.render.photo.following import expose
-from scenewright.render.photo.sources import find_sources
+from scenewright.render.photo.following import PhotoFrame, expose
+from scenewright.render.photo.sources import Sources, find_sources
 from scenewright.render.photo.standpoints import stand_in_rooms
 from scenewright.render.picture import Pixels
 from scenewright.render.textures.worn import wear_textures
@@ -21,11 +21,35 @@ from scenewright.render.textures.worn import wear_textures
 SIZE, SAMPLES = (1280, 800), 8
 
 
+class View(NamedTuple):
+    """A room, its camera and the light there."""
+
+    space: Space
+    camera: PhotoFrame
+    sources: Sources
+
+
 class Photo(NamedTuple):
     """A room and its picture ``(height, width, 3)`` in sRGB."""
 
     space: Space
     pixels: Pixels
+
+
+def views_of(
+    world: VisibleWorld,
+    catalog: Catalog,
+    rooms: frozenset[str] = frozenset(),
+    hour: str = "day",
+    size: tuple[int, int] = SIZE,
+    seed: int = 0,
+) -> Iterator[View]:
+    """The best view of each room by id (none given: all), in the order of the scene; a room
+    without a free place is left out. ``hour`` is one of
+    :data:`scenewright.render.daylight.HOURS`."""
+    lit = [*lamps_of(things(world.scene, catalog), catalog)]
+    for space, floor, camera in stand_in_rooms(world, rooms, size, seed):
+        yield View(space, camera, find_sources(world, floor, lit, hour, space.id))
 
 
 def photograph(
@@ -37,12 +61,9 @@ def photograph(
     samples: int = SAMPLES,
     seed: int = 0,
 ) -> Iterator[Photo]:
-    """Each room by id (none given: all) from its best standpoint, in the order of the scene; a
-    room without a free place is left out. ``samples`` paths are followed a pixel; ``hour`` is one
-    of :data:`scenewright.render.daylight.HOURS`. The same seed gives the same picture."""
-    lit = [*lamps_of(things(world.scene, catalog), catalog)]
+    """A picture of each of :func:`views_of`; ``samples`` paths are followed a pixel. The same seed
+    gives the same picture."""
     worn = wear_textures(solid_parts(world.scene, catalog), len(world.stage.corners))
-    for space, floor, camera in stand_in_rooms(world, rooms, size, seed):
-        sources = find_sources(world, floor, lit, hour, space.id)
+    for space, camera, sources in views_of(world, catalog, rooms, hour, size, seed):
         film = expose(world, sources, camera, samples, worn)
         yield Photo(space, develop(take_out_noise(film)))
