@@ -17,6 +17,7 @@ from rich.console import Console
 
 from scenewright._version import __version__
 from scenewright.cli import adjust as cli_adjust
+from scenewright.cli import agents as cli_agents
 from scenewright.cli import batch as cli_batch
 from scenewright.cli import catalog as cli_catalog
 from scenewright.cli import compare as cli_compare
@@ -300,7 +301,7 @@ def explain(
 for verb in (
     *(cli_adjust.adjust, cli_evolve.evolve, cli_compare.compare, cli_fold.fold),
     *(cli_generate.generate, cli_learn.learn, cli_plan.plan, cli_render.render, cli_photo.photo),
-    *(cli_sets.batch, cli_studio.studio, cli_warm.warm),
+    *(cli_sets.batch, cli_studio.studio, cli_agents.mcp, cli_warm.warm),
 ):
     app.command()(verb)
 app.command("list")(listing.list_)

@@ -11,6 +11,7 @@ EXTRAS = {
     "dxf": ("ezdxf",),
     "gis": ("pyogrio", "osmium"),
     "learn": ("torch",),
+    "mcp": ("mcp",),
     "mujoco": ("mujoco",),
     "parquet": ("pyarrow",),
     "photo": ("pyoidn",),

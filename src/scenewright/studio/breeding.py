@@ -32,6 +32,7 @@ class Breeding:
         self.beside, self.tell = beside, tell
         self.lock, self.stopping = RLock(), Event()
         self.running = False
+        self.worker: Thread | None = None
         self.evolution: Evolution | None = None
         self.cards: dict[int, Json] = {}
         self.early: list[Json] = []
@@ -53,7 +54,8 @@ class Breeding:
             evolution = self._must_breed()
             self.running, self.early = True, []
         self.stopping.clear()
-        Thread(target=self._ask, args=(evolution,), daemon=True).start()
+        self.worker = Thread(target=self._ask, args=(evolution,), daemon=True)
+        self.worker.start()
 
     def stop(self) -> None:
         """Give up the sheet that is being bred."""

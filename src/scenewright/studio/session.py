@@ -61,6 +61,7 @@ class Session:
         self.db, self.tell = db, tell
         self.lock, self.stopping = RLock(), Event()
         self.running = False
+        self.worker: Thread | None = None
         self.breeding = Breeding(project.path_of(db), tell)
         self.shown: Shown | None = None
         self.drawn: Drawn | None = None
@@ -106,25 +107,32 @@ class Session:
     def arrange(self, seed: int = 0) -> None:
         """Furnish the plan anew in a thread of its own; locked pieces stay."""
         with self._turn():
-            shown = self._must_show()
+            shown = self.must_show()
             self.running = True
         self.stopping.clear()
-        Thread(target=self._arrange, args=(shown, seed), daemon=True).start()
+        self.worker = Thread(target=self._arrange, args=(shown, seed), daemon=True)
+        self.worker.start()
 
     def stop(self) -> None:
         """Ask the search that runs to end with the best so far."""
         self.stopping.set()
         self.breeding.stop()
 
+    def wait(self) -> None:
+        """Wait for what a verb began: a search, a sheet."""
+        for worker in (self.worker, self.breeding.worker):
+            if worker is not None:
+                worker.join()
+
     def breed(self) -> None:
         """Breed layouts of the plan shown, with what is locked in it: the sheet, or the first."""
         with self._turn():
-            self.breeding.begin(_keep_locked(self._must_show().solution))
+            self.breeding.begin(_keep_locked(self.must_show().solution))
 
     def choose(self, number: int) -> None:
         """Take over a layout that was bred."""
         with self._turn():
-            parent = self._must_show().version
+            parent = self.must_show().version
             self._keep(parent, f"took layout {number + 1}", *self.breeding.choose(number))
 
     def _arrange(self, shown: Shown, seed: int) -> None:
@@ -155,7 +163,7 @@ class Session:
         """Change the scene by hand (the edits of :func:`scenewright.domains.adjust`, or of another
         function like it); every change with its reason."""
         with self._turn():
-            shown = self._must_show()
+            shown = self.must_show()
             self.stopping.clear()
             more = {"cancel": self.stopping.is_set} if by is domains.adjust else {}
             adjusted = by(shown.solution, plan=shown.plan, **edits, **more)
@@ -166,7 +174,7 @@ class Session:
 
     def judge(self, poses: Mapping[str, Sequence[float]]) -> list[Json]:
         """What the referee would say if pieces, with all that lies on them, were put there."""
-        shown = self._must_show()
+        shown = self.must_show()
         moved = shown.solution
         for piece, pose in poses.items():
             moved = put(moved, piece, pose)
@@ -201,15 +209,15 @@ class Session:
 
     def shelf(self) -> list[Json]:
         """What can be put in, by the catalog of the brief."""
-        return list_shelf(self._must_show().solution.brief) if self.shown else []
+        return list_shelf(self.must_show().solution.brief) if self.shown else []
 
     def thumb(self, asset: str) -> bytes:
         """The picture of a model of the shelf."""
-        return draw_shelf(self._must_show().solution.brief, asset)
+        return draw_shelf(self.must_show().solution.brief, asset)
 
     def export(self, endings: Sequence[str] = FORMATS) -> bytes:
         """The scene in several formats as one zip archive; what cannot be written is told in it."""
-        shown = self._must_show()
+        shown = self.must_show()
         kept, faults = BytesIO(), []
         with tempfile.TemporaryDirectory() as folder, zipfile.ZipFile(kept, "w") as archive:
             for ending in endings:
@@ -226,7 +234,7 @@ class Session:
 
     def file(self, ending: str) -> bytes:
         """The scene in one format: its picture from above at an angle, its model."""
-        shown = self._must_show()
+        shown = self.must_show()
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder, f"scene.{ending}")
             write(shown.solution, path)
@@ -240,7 +248,8 @@ class Session:
                 raise BUSY
             yield
 
-    def _must_show(self) -> Shown:
+    def must_show(self) -> Shown:
+        """What is shown, if it can be furnished; InputError otherwise."""
         if self.shown is None:
             faults = [one.message for one in self.drawn.faults] if self.drawn else []
             fault = f"the plan is not ready: {faults[0]}" if faults else "nothing is drawn or open"

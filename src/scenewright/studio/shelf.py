@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import lru_cache
 from io import BytesIO
 
@@ -35,6 +36,20 @@ def list_shelf(brief: Brief) -> list[Json]:
         if asset.category in catalog.kinds and catalog.kinds[asset.category].support == "floor"
     ]
     return sorted(rows, key=lambda row: (row["kind"], row["name"]))
+
+
+def find_models(rows: Sequence[Json], words: str) -> list[Json]:
+    """The rows of a shelf whose kind or name holds every word.
+
+    >>> find_models([{"kind": "sofa", "name": "Corner"}, {"kind": "desk", "name": "Oak"}], "corner")
+    [{'kind': 'sofa', 'name': 'Corner'}]
+    """
+    wanted = words.lower().split()
+    return [
+        row
+        for row in rows
+        if all(word in f"{row['kind']} {row['name']}".lower() for word in wanted)
+    ]
 
 
 @lru_cache(maxsize=1024)

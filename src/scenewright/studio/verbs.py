@@ -1,11 +1,15 @@
-"""The verbs of the studio: one JSON object each, checked before it reaches the session."""
+"""The verbs of the studio: one row each, for the page and for agents.
+
+A verb is a JSON object, ``{"verb": "move", "piece": "sofa", "pose": [x, y, heading]}``. Its row
+says in a sentence what it does, its keys as JSON Schema, and who may use it.
+"""
 
 from __future__ import annotations
 
 import json
 import math
-from collections.abc import Collection
-from typing import Any
+from collections.abc import Callable, Collection, Mapping
+from typing import Any, NamedTuple
 
 from scenewright.core.errors import InputError
 from scenewright.formats import samples
@@ -15,78 +19,250 @@ from scenewright.workflow.editing import Addition, edit_pieces
 
 MOST = 500
 """Pieces that one verb may name."""
+VIEW, RATE, EDIT = RIGHTS = ("view", "rate", "edit")
+"""What a person may do, each with what those before it may."""
+PIECE: Json = {"type": "string", "description": "id of a piece"}
+PIECES: Json = {"type": "array", "items": {"type": "string"}, "description": "ids of pieces"}
+POSE: Json = {
+    "type": "array",
+    "items": {"type": "number"},
+    "minItems": 3,
+    "maxItems": 3,
+    "description": "x, y in metres and the heading of the front in radians, from +x to the left",
+}
+POSES: Json = {"type": "object", "additionalProperties": POSE, "description": "poses by id"}
+AT: Json = {
+    "type": "array",
+    "items": {"type": "number"},
+    "minItems": 2,
+    "maxItems": 2,
+    "description": "x, y in metres",
+}
+SEED: Json = {"type": "integer", "minimum": 0, "description": "another one, another answer"}
+ASSET: Json = {"type": "string", "description": "id of a model, from the shelf"}
+NUMBER: Json = {"type": "integer", "minimum": 0, "description": "number of a layout"}
 
 
-def do_verb(session: Session, body: bytes) -> Json:
-    """Do what a request asks: ``{"verb": "move", "piece": "sofa", "pose": [x, y, heading]}``."""
+class Verb(NamedTuple):
+    """What a verb does, in a sentence; its keys by JSON Schema; what does it; which keys it cannot
+    do without; what one must be allowed; and whether it goes on after it has answered."""
+
+    about: str
+    keys: Mapping[str, Json]
+    do: Callable[[Session, Json], Json | None]
+    needed: tuple[str, ...] = ()
+    right: str = EDIT
+    goes_on: bool = False
+
+    def schema(self) -> Json:
+        """The JSON Schema of its keys."""
+        keys = {"type": "object", "properties": dict(self.keys), "additionalProperties": False}
+        return keys | ({"required": [*self.needed]} if self.needed else {})
+
+
+def do_verb(session: Session, body: bytes, right: str = EDIT) -> Json:
+    """Do what a request asks of those who may; InputError in one line for what cannot be done."""
     asked = read_request(body)
-    verb, piece = asked.get("verb"), str(asked.get("piece", ""))
-    match verb:
-        case "open":
-            session.open(_sample(asked))
-        case "arrange":
-            session.arrange(_whole(asked, "seed"))
-        case "stop":
-            session.stop()
-        case "undo" | "redo":
-            getattr(session, verb)()
-        case "go":
-            session.go(_whole(asked, "version"))
-        case "judge":
-            return {"findings": session.judge(_poses(asked))}
-        case "move":
-            poses = _poses(asked)
-            return session.change(f"moved {_list(poses)}", {"move": poses})
-        case "swap":
-            other = str(asked.get("other", ""))
-            return session.change(f"swapped {_list([piece, other])}", {"swap": [(piece, other)]})
-        case "lock" | "unlock":
-            names = _names(asked)
-            return session.change(f"{verb}ed {_list(names)}", {verb: names})
-        case "remove" | "duplicate":
-            names, done = _names(asked), verb.removesuffix("e") + "ed"
-            return session.change(f"{done} {_list(names)}", {verb: names}, edit_pieces)
-        case "exchange":
-            model = str(asked.get("asset", ""))
-            done = f"exchanged {_word(piece)}"
-            return session.change(done, {"exchange": {piece: model}}, edit_pieces)
-        case "add":
-            x, y, _ = _pose([*_listed(asked.get("at")), 0.0])
-            new = Addition(str(asked.get("asset", "")), x, y)
-            return session.change(f"added {_word(new.asset)}", {"add": [new]}, edit_pieces)
-        case "again":
-            space, seed = str(asked.get("space", "")), _whole(asked, "seed")
-            done = f"arranged {space} again, seed {seed}"
-            return session.change(done, {"again": [space], "seed": seed})
-        case "begin":
-            session.begin()
-        case "draw":
-            session.sketch(asked)
-        case "breed":
-            session.breed()
-        case "next":
-            session.breeding.next()
-        case "say":
-            session.breeding.say(str(asked.get("line", "")), _whole(asked, "sheet"))
-        case "compare":
-            pair = _whole(asked, "one"), _whole(asked, "other")
-            return {"differences": session.breeding.compare(*pair)}
-        case "choose":
-            session.choose(_whole(asked, "number"))
-        case _:
-            raise InputError(f"there is no verb {verb!r}", "see the page's requests")
-    return {}
+    row = VERBS.get(str(asked.get("verb")))
+    if row is None:
+        raise InputError(f"there is no verb {asked.get('verb')!r}", f"use {', '.join(VERBS)}")
+    if not may(right, row.right):
+        raise InputError(f"your link does not let you {asked['verb']}", "ask whoever sent it")
+    return row.do(session, asked) or {}
+
+
+def may(right: str, needed: str) -> bool:
+    """Whether someone of a right may do what needs another.
+
+    >>> may("edit", "rate"), may("view", "rate")
+    (True, False)
+    """
+    return RIGHTS.index(right) >= RIGHTS.index(needed)
 
 
 def read_request(body: bytes) -> Json:
     """The JSON object that a request brings; InputError for anything else."""
     try:
         asked = json.loads(body)
-    except ValueError:
+    except (ValueError, RecursionError):
         asked = None
     if not isinstance(asked, dict):
         raise InputError("the request is no JSON object", "send one verb with its keys")
     return asked
+
+
+def _move(session: Session, asked: Json) -> Json:
+    poses = _poses(asked)
+    return session.change(f"moved {_list(poses)}", {"move": poses})
+
+
+def _swap(session: Session, asked: Json) -> Json:
+    pair = _text(asked, "piece"), _text(asked, "other")
+    return session.change(f"swapped {_list(pair)}", {"swap": [pair]})
+
+
+def _by_name(verb: str, **more: Any) -> Callable[[Session, Json], Json]:
+    """A verb about pieces by id, which :mod:`scenewright.domains` or ``by`` calls alike."""
+
+    def do(session: Session, asked: Json) -> Json:
+        names = _names(asked)
+        return session.change(f"{verb.removesuffix('e')}ed {_list(names)}", {verb: names}, **more)
+
+    return do
+
+
+def _exchange(session: Session, asked: Json) -> Json:
+    piece = _text(asked, "piece")
+    edits = {"exchange": {piece: _text(asked, "asset")}}
+    return session.change(f"exchanged {_word(piece)}", edits, edit_pieces)
+
+
+def _add(session: Session, asked: Json) -> Json:
+    x, y, _ = _pose([*_listed(asked.get("at")), 0.0])
+    new = Addition(_text(asked, "asset"), x, y)
+    return session.change(f"added {_word(new.asset)}", {"add": [new]}, edit_pieces)
+
+
+def _again(session: Session, asked: Json) -> Json:
+    space, seed = _text(asked, "space"), _whole(asked, "seed")
+    edits = {"again": [space], "seed": seed}
+    return session.change(f"arranged {space} again, seed {seed}", edits)
+
+
+def _judge(session: Session, asked: Json) -> Json:
+    return {"findings": session.judge(_poses(asked))}
+
+
+def _compare(session: Session, asked: Json) -> Json:
+    return {"differences": session.breeding.compare(_whole(asked, "one"), _whole(asked, "other"))}
+
+
+def _say(session: Session, asked: Json) -> None:
+    session.breeding.say(_text(asked, "line"), _whole(asked, "sheet"))
+
+
+SHEET: Json = {"type": "integer", "minimum": 0, "description": "the sheet it is said of, from 0"}
+LINE: Json = {
+    "type": "string",
+    "description": "by places from 1: 3 (the best) · worst 5 · 3 > 7 · 3=5 (stars) · "
+    "why 3 REASON · lock NAME · keep · undo",
+}
+VERBS: Mapping[str, Verb] = {
+    "open": Verb(
+        "begin with a sample",
+        {"source": {"type": "string", "description": "sample:NAME"}},
+        lambda session, asked: session.open(_sample(asked)),
+        ("source",),
+    ),
+    "arrange": Verb(
+        "furnish the plan anew; what is locked stays",
+        {"seed": SEED},
+        lambda session, asked: session.arrange(_whole(asked, "seed")),
+        goes_on=True,
+    ),
+    "stop": Verb("end the search with the best so far", {}, lambda session, _: session.stop()),
+    "undo": Verb("go back to the version before", {}, lambda session, _: session.undo()),
+    "redo": Verb("go forward to what was undone last", {}, lambda session, _: session.redo()),
+    "go": Verb(
+        "show another version of the history",
+        {"version": {"type": "integer", "minimum": 1}},
+        lambda session, asked: session.go(_whole(asked, "version")),
+        ("version",),
+    ),
+    "judge": Verb(
+        "what the referee would say if pieces were put there; nothing is changed",
+        {"poses": POSES, "piece": PIECE, "pose": POSE},
+        _judge,
+    ),
+    "move": Verb(
+        "put pieces, with what lies on them, at places; the rest gives way as little as it can",
+        {"poses": POSES, "piece": PIECE, "pose": POSE},
+        _move,
+    ),
+    "swap": Verb(
+        "two pieces change places", {"piece": PIECE, "other": PIECE}, _swap, ("piece", "other")
+    ),
+    "lock": Verb(
+        "keep pieces where they are", {"pieces": PIECES, "piece": PIECE}, _by_name("lock")
+    ),
+    "unlock": Verb(
+        "let pieces be moved again", {"pieces": PIECES, "piece": PIECE}, _by_name("unlock")
+    ),
+    "remove": Verb(
+        "take pieces away (homes)",
+        {"pieces": PIECES, "piece": PIECE},
+        _by_name("remove", by=edit_pieces),
+    ),
+    "duplicate": Verb(
+        "put in the same pieces once more, beside (homes)",
+        {"pieces": PIECES, "piece": PIECE},
+        _by_name("duplicate", by=edit_pieces),
+    ),
+    "exchange": Verb(
+        "another model in the place of a piece (homes)",
+        {"piece": PIECE, "asset": ASSET},
+        _exchange,
+        ("piece", "asset"),
+    ),
+    "add": Verb(
+        "put in a model near a place; it is locked there (homes)",
+        {"asset": ASSET, "at": AT},
+        _add,
+        ("asset", "at"),
+    ),
+    "again": Verb(
+        "another answer for one room, around what is locked",
+        {"space": {"type": "string", "description": "id of the room"}, "seed": SEED},
+        _again,
+        ("space",),
+    ),
+    "begin": Verb("begin a plan to be drawn", {}, lambda session, _: session.begin()),
+    "draw": Verb(
+        "change the drawn plan: room, opening, column, move, length, set, remove",
+        {
+            "act": {"type": "string"},
+            "outline": {"type": "array", "description": "[[x, y], …], metres, middles of walls"},
+            "name": {"type": "string", "description": "what the room is for: Bedroom, Kitchen …"},
+            "kind": {"type": "string", "description": "of an opening: door, passage, window"},
+            "at": AT,
+            "points": {"type": "array", "description": "corners, or two ends of a wall, to move"},
+            "by": AT,
+            "id": {"type": "string"},
+            "edge": {"type": "integer"},
+            "metres": {"type": "number"},
+            "key": {"type": "string", "description": "what of it to set"},
+            "value": {},
+        },
+        lambda session, asked: session.sketch(asked),
+        ("act",),
+    ),
+    "breed": Verb(
+        "breed twelve layouts of the plan to choose from",
+        {},
+        lambda session, _: session.breed(),
+        goes_on=True,
+    ),
+    "next": Verb(
+        "breed the next sheet towards what was said",
+        {},
+        lambda session, _: session.breeding.next(),
+        goes_on=True,
+    ),
+    "say": Verb("say what is liked of a sheet", {"line": LINE, "sheet": SHEET}, _say, ("line",)),
+    "compare": Verb(
+        "how one layout differs from another, in words",
+        {"one": NUMBER, "other": NUMBER},
+        _compare,
+        ("one", "other"),
+        VIEW,
+    ),
+    "choose": Verb(
+        "take a layout that was bred over to the plan",
+        {"number": NUMBER},
+        lambda session, asked: session.choose(_whole(asked, "number")),
+        ("number",),
+    ),
+}
 
 
 def _whole(asked: Json, key: str) -> int:
@@ -94,6 +270,10 @@ def _whole(asked: Json, key: str) -> int:
     if not isinstance(number, int) or not 0 <= number < 1 << 53:
         raise InputError(f"{key}: {number!r} is no whole number", "give one from 0 on")
     return number
+
+
+def _text(asked: Json, key: str) -> str:
+    return str(asked.get(key, ""))
 
 
 def _pose(value: Any) -> tuple[float, float, float]:
@@ -106,7 +286,7 @@ def _pose(value: Any) -> tuple[float, float, float]:
 
 def _poses(asked: Json) -> dict[str, tuple[float, float, float]]:
     """Where each piece is to stand: ``poses`` by id, or one ``piece`` and its ``pose``."""
-    given = asked.get("poses") or {str(asked.get("piece", "")): asked.get("pose")}
+    given = asked.get("poses") or {_text(asked, "piece"): asked.get("pose")}
     if not isinstance(given, dict) or len(given) > MOST:
         raise InputError("poses: are no places", f"give at most {MOST} by id")
     return {str(name): _pose(pose) for name, pose in given.items()}
@@ -133,7 +313,7 @@ def _list(names: Collection[str]) -> str:
 
 def _sample(asked: Json) -> str:
     """The name of a sample: the page names no other file of this machine."""
-    name = str(asked.get("source", ""))
+    name = _text(asked, "source")
     if name not in samples():
         raise InputError(f"there is no sample {name!r}", "choose one of the list")
     return name

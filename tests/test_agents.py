@@ -1,0 +1,85 @@
+"""Agents: the studio's verbs as tools, by the protocol's own client over standard input and
+output."""
+
+from __future__ import annotations
+
+import base64
+import sys
+from pathlib import Path
+from typing import Any
+
+import anyio
+import pytest
+
+pytest.importorskip("mcp")
+from mcp import Client, StdioServerParameters
+
+from scenewright.studio.agents import list_all
+from scenewright.studio.verbs import RIGHTS, VERBS
+
+
+async def _work(folder: Path) -> dict[str, Any]:
+    command = ["-c", "from scenewright.cli import main; main(['mcp', '--project', 'a.studio'])"]
+    server = StdioServerParameters(command=sys.executable, args=command, cwd=folder)
+    told: dict[str, Any] = {}
+    async with Client(server) as client:
+        told["tools"] = {one.name: one for one in (await client.list_tools()).tools}
+
+        async def use(name: str, /, **keys: Any) -> Any:
+            answer = await client.call_tool(name, keys)
+            (part,) = answer.content
+            told[name] = answer.is_error, getattr(part, "text", None) or part.data
+            return told[name][1]
+
+        await use("open", source="/etc/passwd")
+        outside = told["open"]
+        await use("fly")
+        await use("open", source="sample:home-room")
+        await use("arrange", seed=2)
+        await use("look")
+        listed = await use("pieces", space="room")
+        first = next(line for line in listed.splitlines() if " · desk · " in line)
+        await use("judge", piece=first.split(" · ")[0], pose=[0.2, 0.2, 0.0])
+        await use("move", piece="unicorn", pose=[1, 1, 0])
+        unknown = told["move"]
+        await use("find", words="armchair")
+        await use("picture", of="plan")
+        await use("export", name="room.json")
+        await use("undo")
+        await use("export", name="../b.json")
+        await use("history")
+        told |= {"outside": outside, "unknown": unknown}
+    return told
+
+
+def test_an_agent_arranges_looks_and_is_told_what_is_wrong(tmp_path: Path) -> None:
+    told = anyio.run(_work, tmp_path)
+    assert {*VERBS} <= {*told["tools"]}
+    assert told["tools"]["move"].input_schema["properties"]["poses"]["type"] == "object"
+    for name in ("outside", "unknown", "fly"):
+        error, text = told[name]
+        assert error, name
+        assert "\n" not in text
+    assert "passes" in told["arrange"][1] or "valid" in told["arrange"][1]
+    assert "space room (" in told["look"][1]
+    assert (
+        "wall" in told["judge"][1] or "outside" in told["judge"][1] or "leaves" in told["judge"][1]
+    )
+    assert "armchair" in told["find"][1]
+    assert base64.b64decode(told["picture"][1])[:4] == b"\x89PNG"
+    assert (tmp_path / "room.json").stat().st_size > 1000
+    assert told["export"][0]
+    assert "2: arranged, seed 2" in told["history"][1]
+    assert sorted(one.name for one in tmp_path.iterdir() if "studio" not in one.name) == [
+        "room.json"
+    ]
+
+
+def test_every_tool_says_what_it_does_and_takes_only_what_it_knows() -> None:
+    jsonschema = pytest.importorskip("jsonschema")
+    for name, about, schema in list_all():
+        assert about, name
+        jsonschema.Draft202012Validator.check_schema(schema)
+    for row in VERBS.values():
+        assert {*row.needed} <= {*row.keys}
+        assert row.right in RIGHTS
