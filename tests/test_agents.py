@@ -3,12 +3,12 @@ output."""
 
 from __future__ import annotations
 
+import asyncio
 import base64
 import sys
 from pathlib import Path
 from typing import Any
 
-import anyio
 import pytest
 
 pytest.importorskip("mcp")
@@ -53,7 +53,7 @@ async def _work(folder: Path) -> dict[str, Any]:
 
 
 def test_an_agent_arranges_looks_and_is_told_what_is_wrong(tmp_path: Path) -> None:
-    told = anyio.run(_work, tmp_path)
+    told = asyncio.run(_work(tmp_path))
     assert {*VERBS} <= {*told["tools"]}
     assert told["tools"]["move"].input_schema["properties"]["poses"]["type"] == "object"
     for name in ("outside", "unknown", "fly"):

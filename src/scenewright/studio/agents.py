@@ -6,6 +6,7 @@ goes on after it has answered is waited for here. Pictures come when they are as
 
 from __future__ import annotations
 
+import asyncio
 import base64
 import json
 from collections.abc import Callable, Mapping
@@ -13,7 +14,6 @@ from io import BytesIO
 from pathlib import Path
 from typing import Any, NamedTuple
 
-import anyio
 import numpy as np
 from PIL import Image
 
@@ -177,7 +177,7 @@ def _tell(session: Session, name: str, row: Verb, said: Json) -> str:
 
 def serve_agents(session: Session, folder: Path) -> None:
     """Serve a session over standard input and output until it is closed."""
-    anyio.run(_serve, session, folder)
+    asyncio.run(_serve(session, folder))
 
 
 async def _serve(session: Session, folder: Path) -> None:
@@ -190,10 +190,10 @@ async def _serve(session: Session, folder: Path) -> None:
 
 def make_server(session: Session, folder: Path) -> Any:
     """The server of the protocol: its list of tools, and what calls them one at a time."""
-    import mcp_types as types
+    from mcp import types
     from mcp.server.lowlevel import Server
 
-    turn = anyio.Lock()
+    turn = asyncio.Lock()
 
     async def list_tools(*_: Any) -> Any:
         return types.ListToolsResult(
@@ -227,10 +227,8 @@ def make_server(session: Session, folder: Path) -> Any:
 async def _in_thread(session: Session, folder: Path, name: str, asked: Json) -> Answer:
     """Call a tool; a call that is given up stops what it began."""
     try:
-        return await anyio.to_thread.run_sync(
-            call, session, folder, name, asked, abandon_on_cancel=True
-        )
-    except anyio.get_cancelled_exc_class():
+        return await asyncio.to_thread(call, session, folder, name, asked)
+    except asyncio.CancelledError:
         session.stop()
         raise
 
