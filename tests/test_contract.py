@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib
 import json
+import math
 import re
 import sys
 from dataclasses import replace
@@ -261,11 +262,28 @@ def test_buildings_in_the_way_of_a_moved_one_make_room() -> None:
 
 
 @pytest.mark.parametrize("domain", ["hall", "site", "village", "extend"])
-def test_swaps_are_for_homes(domain: str) -> None:
+def test_what_is_swapped_exchanges_places(domain: str) -> None:
     solution = arranged(domain)
-    one, other = (group[0].id for group in groups(solution)[:2])
-    with pytest.raises(InputError, match="move both instead"):
-        adjust(solution, swap=[(one, other)])
+    one, *others = (group[0] for group in groups(solution))
+    near = [p for p in others if p.space == one.space]
+    other = min(near, key=lambda p: math.dist(p.size[:2], one.size[:2]))
+    steps = STEPS[domain]
+    after = adjust(solution, swap=[(one.id, other.id)], steps=steps).solution
+    now = {p.id: p for p in after.pieces}
+    for first, second in ((one, other), (other, one)):
+        apart = math.dist(now[first.id].pose[:2], second.pose[:2])
+        assert apart <= abs(one.size.depth - other.size.depth) / 2 + 1e-9
+        assert now[first.id].fixed
+
+
+def test_a_nudge_in_a_hall_changes_little_outside_its_group() -> None:
+    hall = arranged("hall")
+    for group in groups(hall):
+        lead = group[0]
+        after, changes = adjust(hall, move={lead.id: (lead.pose.x + 0.1, lead.pose.y)})
+        own = {p.id for p in group}
+        assert sum(change.piece not in own for change in changes) <= 5
+        assert after.brief == hall.brief
 
 
 def every_domain() -> list[Domain]:

@@ -169,6 +169,26 @@ def lock_item(piece: Piece, before: FixedItem | None) -> FixedItem:
     return item.model_copy(update={"locked": True})
 
 
+def move_items(brief: Brief, before: Sequence[Piece], after: Sequence[Piece]) -> Brief:
+    """The brief with its fixed items where they were moved to, in their rooms; itself if none
+    was."""
+    was = {piece.id: piece for piece in before}
+    moved = [
+        (was[piece.id], piece) for piece in after if piece.id in was and piece != was[piece.id]
+    ]
+
+    def follow(item: FixedItem) -> FixedItem:
+        now = next((now for one, now in moved if is_item(item, one) and one.pose != now.pose), None)
+        return lock_item(now, item) if now else item
+
+    rooms = [
+        room.model_copy(update={"fixed": [*map(follow, room.fixed)]}) if room.fixed else room
+        for room in brief.rooms
+    ]
+    same = all(a.fixed == b.fixed for a, b in zip(rooms, brief.rooms, strict=True))
+    return brief if same else brief.model_copy(update={"rooms": rooms})
+
+
 def locked_rooms(solution: Solution) -> Brief:
     """The brief to solve again: locked pieces are its fixed items, everything else is free.
 

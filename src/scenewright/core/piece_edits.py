@@ -104,29 +104,61 @@ def apply_edits(
     edits: Edits,
     find: Callable[[Sequence[Piece], str], Sequence[Piece]],
     together: Together,
+    aligned: float = -0.5,
 ) -> Edited:
-    """Pieces unlocked, locked, then moved. ``find`` answers what a name means, the first piece
-    leading; ``together`` all that is locked with a piece. Raises InputError for a name, a place or
-    an edit that is not possible."""
-    if edits.swap:
-        one, other = edits.swap[0]
-        remedy = "move both instead: --move PIECE=X,Y,DEGREES for each"
-        raise InputError(f"'{one}' and '{other}' cannot be swapped: only homes do that", remedy)
+    """Pieces unlocked, locked, moved, then swapped. ``find`` answers what a name means, the first
+    piece leading; ``together`` all that is locked with a piece. What is swapped is ``aligned`` at
+    its back (-0.5) or front (0.5). Raises InputError for a name, a place or an edit that is not
+    possible."""
     now = {piece.id: piece for piece in pieces}
     for names, fixed in ((edits.unlock, False), (edits.lock, True)):
         for name in names:
             for piece in together(find(pieces, name)[0], pieces):
                 now[piece.id] = replace(now[piece.id], fixed=fixed)
     moved: set[str] = set()
-    for name, to in edits.move.items():
-        along = find(pieces, name)
-        start = frame_of(along[0])
-        end = (to[0], to[1], to[2] if len(to) > 2 else start[2])
-        _check_inside(along[0], end, plan)
+    for along, end in _list_moves(pieces, plan, edits, find, aligned):
         now |= {p.id: replace(now[p.id], fixed=True) for p in together(along[0], pieces)}
-        now |= {p.id: p for p in carry_pieces(along, start, end)}
+        now |= {p.id: p for p in carry_pieces(along, frame_of(along[0]), end)}
         moved |= {p.id for p in along}
     return Edited(tuple(now.values()), frozenset(moved), find_spaces(plan.spaces, edits.again))
+
+
+def _list_moves(
+    pieces: Sequence[Piece],
+    plan: Plan,
+    edits: Edits,
+    find: Callable[[Sequence[Piece], str], Sequence[Piece]],
+    aligned: float,
+) -> Iterator[tuple[Sequence[Piece], Frame]]:
+    """What is moved or swapped, and where to."""
+    for name, to in edits.move.items():
+        along = find(pieces, name)
+        end = (to[0], to[1], to[2] if len(to) > 2 else along[0].pose.heading)
+        _check_inside(along[0], end, plan)
+        yield along, end
+    for names in edits.swap:
+        one, other = (find(pieces, name) for name in names)
+        _check_swap(one, other)
+        yield one, _frame_instead(one[0], other[0], aligned)
+        yield other, _frame_instead(other[0], one[0], aligned)
+
+
+def _check_swap(one: Sequence[Piece], other: Sequence[Piece]) -> None:
+    first, second = one[0], other[0]
+    if {p.id for p in one} & {p.id for p in other}:
+        raise InputError(f"'{first.id}' and '{second.id}' are of one group", "swap two others")
+    if first.space != second.space:
+        raise InputError(
+            f"'{first.id}' is of '{first.space}', '{second.id}' of '{second.space}'",
+            "swap two of one space",
+        )
+
+
+def _frame_instead(piece: Piece, other: Piece, aligned: float) -> Frame:
+    """Where a piece comes to stand in the place of another, their backs or fronts in one line."""
+    shift = aligned * (other.size.depth - piece.size.depth)
+    x, y, heading = frame_of(other)
+    return x + shift * cos(heading), y + shift * sin(heading), heading
 
 
 def _check_inside(piece: Piece, to: Frame, plan: Plan) -> None:

@@ -7,27 +7,22 @@ from dataclasses import replace
 from functools import partial
 from typing import Protocol, TypeVar
 
-import numpy as np
-import shapely
-
 from scenewright.building.plan import plan_rooms
+from scenewright.building.standing import move_items
+from scenewright.catalog.loading import catalog_of
 from scenewright.core.edits import Adjusted, Edits
 from scenewright.core.errors import InputError
-from scenewright.core.layout import corners
-from scenewright.core.piece_edits import Edited, apply_edits, find_piece, list_adjusted, with_locks
+from scenewright.core.piece_edits import apply_edits, find_piece, list_adjusted, with_locks
 from scenewright.core.plan import Plan
 from scenewright.core.scene import STAIRS, Piece
 from scenewright.core.solution import Solution
+from scenewright.domains.hall.by_hand import PARTITION, goes_with, make_way, with_groups
 from scenewright.domains.hall.hall_layout import HallDetail, HallLayout
 from scenewright.domains.hall.record import lock_halls
 from scenewright.domains.hall.seats.chairs import CHAIRS
 from scenewright.domains.hall.solvers import HALL_SOLVERS
 from scenewright.domains.hall.solving import solve
 from scenewright.engine.rows import solver_again
-
-PARTITION = "partition"
-OUTSIDE_HALL = 0.05
-"""How far outside its hall a piece may be put, metres: outlines are not drawn more exactly."""
 
 
 class _Placed(Protocol):
@@ -49,26 +44,29 @@ def adjust(
     steps: int | None = None,
     seed: int | None = None,
 ) -> Adjusted:
-    """Make ``edits`` and lay out again the halls in which something was moved, or that are named
-    in ``again``, around what is locked; all other halls stay. A group is named by its id and
-    moved as one, an object by its own; locks are of whole groups."""
+    """Make ``edits``. What something moved runs into goes to the nearest free place, and nothing
+    else changes; halls named in ``again`` are laid out again around what is locked. A group is
+    named by its id and moved as one, an object by its own; locks are of whole groups. Terms and
+    energies stay those of the layout as it was solved last."""
     plan = plan or plan_rooms(solution.brief)
     edited = apply_edits(solution.pieces, plan, edits, _find_together, _group_of)
-    _check_inside(edited, plan)
-    touched = edited.again | {p.space for p in edited.pieces if p.id in edited.moved}
+    edited = make_way(solution, edited, plan)
+    after = replace(solution, pieces=edited.pieces)
     locked = {p.id for p in edited.pieces if p.fixed}
     chosen = solution.seed if seed is None else seed
-    after = replace(solution, pieces=edited.pieces)
-    if touched:
-        held = {p.id for p in edited.pieces if p.fixed or p.space not in touched}
+    if edited.again:
+        held = {p.id for p in edited.pieces if p.fixed or p.space not in edited.again}
         brief = lock_halls(replace(solution, pieces=with_locks(edited.pieces, held)))
         solver = solver_again(HALL_SOLVERS, solution.solver)
         again = partial(solve, brief, preset=solution.preset, solver=solver)
         found = again(steps=steps, seed=chosen, cancel=edits.cancel)
         after = _merge_halls(
-            after, replace(found, pieces=with_locks(found.pieces, locked)), touched
+            after, replace(found, pieces=with_locks(found.pieces, locked)), edited.again
         )
-    after = replace(after, brief=lock_halls(after), seed=chosen)
+    brief = move_items(solution.brief, solution.pieces, after.pieces)
+    after = replace(
+        with_groups(solution, after, catalog_of(brief.catalogs)), brief=brief, seed=chosen
+    )
     return list_adjusted(solution, after, edited)
 
 
@@ -79,7 +77,7 @@ def _find_together(pieces: Sequence[Piece], name: str) -> tuple[Piece, ...]:
     _check_movable(found)
     if found.id != name and (found.group == name or found.group.endswith(f"/{name}")):
         return (found, *(p for p in _group_of(found, pieces) if p.id != found.id))
-    return (found, *(p for p in pieces if p.id.startswith(f"{found.id}/")))
+    return (found, *(p for p in pieces if goes_with(p, found)))
 
 
 def _group_of(piece: Piece, pieces: Sequence[Piece]) -> tuple[Piece, ...]:
@@ -100,22 +98,6 @@ def _check_movable(piece: Piece) -> None:
         raise InputError(f"'{piece.id}' is of the building", "move the stairs in the brief")
     if piece.function.endswith(CHAIRS):
         raise InputError(f"'{piece.id}' goes with its table", "move or lock the table")
-
-
-def _check_inside(edited: Edited, plan: Plan) -> None:
-    """InputError for a piece that was moved out of its hall, alone or with its group."""
-    halls = {s.id: shapely.Polygon(s.outline, list(s.holes)) for s in plan.spaces}
-    for piece in edited.pieces:
-        if piece.id not in edited.moved:
-            continue
-        x, y, _, heading = piece.pose
-        box = np.array([[x, y, heading, piece.size.width, piece.size.depth]])
-        away = halls[piece.space].distance(shapely.Polygon(corners(box)[0]))
-        if away > OUTSIDE_HALL:
-            raise InputError(
-                f"moved there, '{piece.id}' would stand {away:.2f} m outside the hall",
-                "move it further in, or a single piece by its own id",
-            )
 
 
 def _merge_halls(before: Solution, found: Solution, touched: frozenset[str]) -> Solution:
