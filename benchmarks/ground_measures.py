@@ -130,7 +130,7 @@ def _dead_ends(ground: Ground) -> dict[str, tuple[float, float]]:
     given = ground.ways
     for k, (line, width) in enumerate(ground.lanes):
         others = [o.buffer(w / 2) for j, (o, w) in enumerate(ground.lanes) if j != k]
-        own = line.buffer(width / 2 + 0.01, cap_style="flat")
+        own = line.buffer(width / 2 + 0.01)
         rest = shapely.union_all([shapely.difference(given, own.buffer(0.3)), *others])
         ends = [shapely.Point(line.coords[i]) for i in (0, -1)]
         lost = [end for end in ends if end.distance(rest) > width / 2 + JOINED]

@@ -88,15 +88,16 @@ def test_what_is_missing_or_built_over_is_named(solved: Solution) -> None:
 
 def test_a_court_with_a_building_taken_out_is_open(solved: Solution) -> None:
     (works,) = solved.detail
-    court = shapely.Polygon(next(a.outline for a in works.areas if a.kind == "court"))
+    courts = [shapely.Polygon(a.outline) for a in works.areas if a.kind == "court"]
+    court = shapely.union_all(courts)
     around = [
         p
         for p in solved.pieces
         if p.category == "building" and shapely.Point(p.pose[:2]).distance(court) < 10
     ]
     assert len(around) >= 4
-    long = max(around, key=lambda p: p.size.width)
-    less = tuple(p for p in solved.pieces if p.id != long.id)
+    taken = {p.id for p in around[::2]}
+    less = tuple(p for p in solved.pieces if p.id not in taken)
     assert "open_court" in kinds_of(replace(solved, pieces=less))
 
 
@@ -200,4 +201,4 @@ def test_maps_hold_what_is_laid_out(solved: Solution) -> None:
     classes = Counter((row["type"], row["attributes"].get("class")) for row in objects)
     assert classes["Road", "walk"] == sum(path.kind == "walk" for path in works.pathways)
     assert classes["TransportSquare", "parking"] == 2
-    assert classes["LandUse", "court"] == 1
+    assert classes["LandUse", "court"] == sum(a.kind == "court" for a in works.areas) > 0

@@ -49,53 +49,86 @@ class Tree(NamedTuple):
     before: Ints
 
 
+class LaneGround(NamedTuple):
+    """Where lanes of some ``radius``, half their width, are laid: the ``raster`` of a site and all
+    that is ``built`` on it (m,), as polygons and in a ``tree``."""
+
+    plan: SitePlan
+    raster: PathRaster
+    built: Shapes
+    tree: shapely.STRtree
+    radius: float
+
+
+class Laying(NamedTuple):
+    """Lanes being laid: quickest ways over the ground, where the middle of a lane may lie, the
+    cells ``used`` and the lines ``laid``, both of which grow."""
+
+    tree: Tree
+    centres: shapely.Geometry
+    used: set[int]
+    laid: list[shapely.LineString]
+
+
+def begin_laying(
+    ground: LaneGround, slack: float = 0.0, laid: list[shapely.LineString] | None = None
+) -> Laying:
+    """No lane laid, or those given: the raster lets pass what is ``slack`` metres too narrow."""
+    plan, raster, radius = ground.plan, ground.raster, ground.radius
+    slow, starts = measure_ground(
+        plan, raster, radius - slack, radius + 1.0, raster.driven, 2.0 * radius
+    )
+    tree = Tree(slow, *find_quickest(slow, raster.cell, starts))
+    return Laying(
+        tree, find_centres(plan, ground.built, radius), set(), [] if laid is None else laid
+    )
+
+
 def lay_lanes(
-    plan: SitePlan,
-    raster: PathRaster,
-    solids: list[Points],
-    built: Shapes,
-    ahead: Floats,
-    width: float,
-    reach: float,
-) -> tuple[tuple[Pathway, ...], Flags]:
-    """Lanes to the first of some ``solids`` (``built`` as polygons), those whose fronts look
-    ``ahead`` (n, 2), and which of these a lane or road is within ``reach`` of. The farthest are
-    served first; those beside their lanes need none."""
-    count = len(ahead)
-    near, radius = _find_near_start(plan, built[:count], width, reach), 0.5 * width
+    ground: LaneGround, solids: list[Points], ahead: Floats, reach: float
+) -> tuple[Laying | None, Flags]:
+    """Lanes to the first of some ``solids``, those whose fronts look ``ahead`` (n, 2), and which
+    of these a lane or road is within ``reach`` of. The farthest are served first; those beside
+    their lanes need none."""
+    count, radius, raster = len(ahead), ground.radius, ground.raster
+    near = _find_near_start(ground.plan, ground.built[:count], 2.0 * radius, reach)
     offs = radius + np.linspace(NEAR, max(min(reach, FAR) - 1.5 * raster.cell, NEAR), RINGS)
-    laid: list[shapely.LineString] = []
+    first: Laying | None = None
     for slack in (0.0, 0.36 * raster.cell):
         if near.all():
             break
-        slow, starts = measure_ground(
-            plan, raster, radius - slack, radius + 1.0, raster.driven, width
-        )
-        tree = Tree(slow, *find_quickest(slow, raster.cell, starts))
-        goals, far = _find_ends(raster, solids[:count], ahead, tree.times, offs)
-        centres, used = find_centres(plan, built, radius), set[int]()
+        laying = begin_laying(ground, slack, first.laid if first else None)
+        first = first or laying
+        goals, far = _find_ends(raster, solids[:count], ahead, laying.tree.times, offs)
         for k in np.argsort(np.where(np.isfinite(far), -far, np.inf), kind="stable"):
             if near[k] or not np.isfinite(far[k]):
                 continue
-            lane = _lay_lane(plan, raster, tree, int(goals[k]), used, laid, centres, radius)
-            if not shapely.dwithin(built, lane, radius - WITHIN).any():
-                laid.append(lane)
-                near |= shapely.dwithin(built[:count], lane, reach + radius - WITHIN)
-    return finish_lanes(plan, built, laid, width), near
+            lane = lay_lane(ground, laying, int(goals[k]))
+            if lane is not None:
+                laying.laid.append(lane)
+                found = ground.tree.query(lane, "dwithin", reach + radius - WITHIN)
+                near[found[found < count]] = True
+    return first, near
 
 
-def finish_lanes(
-    plan: SitePlan, built: Shapes, laid: list[shapely.LineString], width: float
-) -> tuple[Pathway, ...]:
+def finish_lanes(ground: LaneGround, laying: Laying | None) -> tuple[Pathway, ...]:
     """Lanes with links between their ends and heads where none is possible."""
-    streets, radius = list_streets(plan), 0.5 * width
-    if streets.is_empty or not laid:
-        return tuple(Pathway("lane", width, corners_of_line(lane)) for lane in laid)
-    centres = find_centres(plan, built, radius)
-    every = [*laid, *link_ends(laid, streets, centres, radius)]
-    heads = lay_heads(every, streets, centres, find_centres(plan, built, TURN), radius)
-    rows = [*((lane, width) for lane in every), *heads]
-    return tuple(Pathway("lane", wide, corners_of_line(lane)) for lane, wide in rows)
+    if laying is None or not laying.laid:
+        return ()
+    streets, radius, laid = list_streets(ground.plan), ground.radius, laying.laid
+    if streets.is_empty:
+        return laid_lanes(laying, 2.0 * radius)
+    every = [*laid, *link_ends(laid, streets, laying.centres, radius)]
+    wide = find_centres(ground.plan, ground.built, TURN)
+    heads = lay_heads(every, streets, laying.centres, wide, radius)
+    rows = [*((lane, 2.0 * radius) for lane in every), *heads]
+    return tuple(Pathway("lane", width, corners_of_line(lane)) for lane, width in rows)
+
+
+def laid_lanes(laying: Laying | None, width: float) -> tuple[Pathway, ...]:
+    """The lanes laid so far."""
+    laid = laying.laid if laying else ()
+    return tuple(Pathway("lane", width, corners_of_line(lane)) for lane in laid)
 
 
 def corners_of_line(line: shapely.LineString) -> tuple[tuple[float, float], ...]:
@@ -206,35 +239,32 @@ def find_centres(plan: SitePlan, built: Shapes, radius: float) -> shapely.Geomet
     return shapely.difference(floor.buffer(-radius + SLACK, quad_segs=ROUND), around)
 
 
-def _lay_lane(
-    plan: SitePlan,
-    raster: PathRaster,
-    tree: Tree,
-    goal: int,
-    used: set[int],
-    laid: list[shapely.LineString],
-    centres: shapely.Geometry,
-    radius: float,
-) -> shapely.LineString:
-    """A lane from a goal to the nearest road or lane; its cells join those ``used``."""
-    piece = trace(tree.before, goal, used)
-    joins = piece[-1] in used
-    used.update(piece)
-    straight = straighten(piece, tree.slow, raster.cell)
-    line = raster.points_of(square_off(straight, tree.slow))
+def lay_lane(ground: LaneGround, laying: Laying, goal: int) -> shapely.LineString | None:
+    """A lane from a goal to the nearest road or lane, nothing where it would run into what is
+    built; its cells join those used."""
+    raster, slow, radius = ground.raster, laying.tree.slow, ground.radius
+    piece = trace(laying.tree.before, goal, laying.used)
+    joins = piece[-1] in laying.used
+    laying.used.update(piece)
+    straight = straighten(piece, slow, raster.cell)
+    line = raster.points_of(square_off(straight, slow))
     if len(line) < 2:
         line = np.stack([line[0], line[0] + (raster.cell, 0.0)])
     dense = shapely.get_coordinates(shapely.segmentize(shapely.LineString(line), 0.5))
-    moved = shapely.get_coordinates(shapely.shortest_line(shapely.points(dense), centres))[1::2]
+    lines = shapely.shortest_line(shapely.points(dense), laying.centres)
+    moved = shapely.get_coordinates(lines)[1::2]
     if joins:
         end = shapely.Point(moved[-1])
-        nearest = min(laid, key=lambda other: float(other.distance(end)), default=None)
+        nearest = min(laying.laid, key=lambda other: float(other.distance(end)), default=None)
         if nearest is not None:
             moved = np.vstack([moved, shapely.get_coordinates(shapely.shortest_line(end, nearest))])
     else:
         moved[-2:] = dense[-2:]
-        moved = lead_out(moved, find_exits(plan, 2.0 * radius), 4.0 * raster.cell + radius)
-    return round_bends(shapely.simplify(shapely.LineString(moved), 0.02), centres)
+        exits = find_exits(ground.plan, 2.0 * radius)
+        moved = lead_out(moved, exits, 4.0 * raster.cell + radius)
+    lane = round_bends(shapely.simplify(shapely.LineString(moved), 0.02), laying.centres)
+    meets = len(ground.tree.query(lane, "dwithin", radius - WITHIN)) > 0
+    return None if meets else lane
 
 
 def round_bends(line: shapely.LineString, centres: shapely.Geometry) -> shapely.LineString:

@@ -16,34 +16,53 @@ from numpy.typing import NDArray
 
 from scenewright.core.space import Points
 from scenewright.ground.border import find_mouths, is_entered_anywhere
-from scenewright.ground.lanes import lay_lanes
+from scenewright.ground.front_lanes import lay_front_lanes, turn_fronts
+from scenewright.ground.fronts import list_ways
+from scenewright.ground.lanes import LaneGround, finish_lanes, laid_lanes, lay_lanes
 from scenewright.ground.path_raster import make_raster
 from scenewright.ground.plan import SitePlan
-from scenewright.ground.walks import COMFORT, Doors, find_doors, lay_walks
+from scenewright.ground.walks import COMFORT, Doors, find_doors, join_doors, lay_walks
 from scenewright.ground.works import Pathway
 
 Floats = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
+ROUNDS = 2
+"""How often fronts turn to the ways and lanes are led before the others."""
 JOIN = 0.05
 """Metres between an area and a street that adjoin."""
 
 
 class Network(NamedTuple):
-    """The ways of a site, which buildings a lane or road is near to, and which have a walk to
-    their door."""
+    """The ways of a site, which buildings a lane or road is near to, which have a walk to their
+    door, and the headings (n,) of their fronts, turned to the ways."""
 
     pathways: tuple[Pathway, ...]
     near: Flags
     served: Flags
+    headings: Floats
+
+
+class Facing(NamedTuple):
+    """Which buildings (n,) may be turned round to look at a way, and before whose doors lanes may
+    lead."""
+
+    turns: Flags
+    leads: Flags
 
 
 def lay_pathways(
-    plan: SitePlan, footprints: Sequence[Points], headings: Floats, width: float, reach: float
+    plan: SitePlan,
+    footprints: Sequence[Points],
+    headings: Floats,
+    width: float,
+    reach: float,
+    facing: Facing | None = None,
 ) -> Network:
     """Lanes of some ``width`` that come within ``reach`` of every building, and walks to the
     doors. ``footprints`` are corners (k, 2), ``headings`` (n,) those of the fronts; landmarks
-    stand in the way."""
+    stand in the way. With ``facing`` fronts turn to the ways beside them, and lanes lead before
+    those that look at none."""
     marks = [np.asarray(row.footprint, float) for row in plan.landmarks]
     lots = [np.array(area.outline) for area in plan.areas if area.kind == "parking"]
     solids = [*(np.asarray(ring, float) for ring in footprints), *marks, *lots]
@@ -51,16 +70,29 @@ def lay_pathways(
     squares, apart = find_joined_areas(plan)
     cap = max(0.5 * width + 1.0, COMFORT) + 1.0
     raster = make_raster(plan, solids, cap, width, squares)
+    ground = LaneGround(plan, raster, built, shapely.STRtree(built), 0.5 * width)
     doors = find_doors(footprints, headings)
-    lanes, near = lay_lanes(plan, raster, solids, built, doors.ways, width, reach)
-    named = [row for row in plan.landmarks if row.model]
+    laying, near = lay_lanes(ground, solids, doors.ways, reach)
+    marked = [k for k, row in enumerate(plan.landmarks) if row.model]
     of_marks = find_doors(
-        [np.asarray(row.footprint, float) for row in named], np.array([r.box[2] for r in named])
+        [marks[k] for k in marked], np.array([plan.landmarks[k].box[2] for k in marked])
     )
-    places = np.vstack([doors.places, apart.places, of_marks.places])
-    every = Doors(places, np.vstack([doors.ways, apart.ways, of_marks.ways]))
-    walks, served = lay_walks(plan, raster, built, every, lanes)
-    return Network((*lanes, *walks), near, served[: len(footprints)])
+    if facing is not None:
+        own = np.flatnonzero(facing.leads).tolist()
+        rows = [*own, *(len(footprints) + k for k in marked)]
+        for _ in range(ROUNDS):
+            lanes = laid_lanes(laying, width)
+            headings = turn_fronts(list_ways(plan, lanes), footprints, headings, facing.turns)
+            doors = join_doors(
+                find_doors([footprints[k] for k in own.tolist()], headings[own]), of_marks
+            )
+            laying = lay_front_lanes(ground, built[rows], doors, laying)
+    lanes = finish_lanes(ground, laying)
+    if facing is not None:
+        headings = turn_fronts(list_ways(plan, lanes), footprints, headings, facing.turns)
+    doors = join_doors(find_doors(footprints, headings), apart, of_marks)
+    walks, served = lay_walks(plan, raster, built, doors, lanes)
+    return Network((*lanes, *walks), near, served[: len(footprints)], headings)
 
 
 def find_joined_areas(plan: SitePlan) -> tuple[list[Points], Doors]:

@@ -55,6 +55,11 @@ def find_doors(footprints: Sequence[Points], headings: Floats) -> Doors:
     return Doors(places, ways)
 
 
+def join_doors(*rows: Doors) -> Doors:
+    """The doors of several rows as one."""
+    return Doors(np.vstack([row.places for row in rows]), np.vstack([row.ways for row in rows]))
+
+
 def lay_walks(
     plan: SitePlan,
     raster: PathRaster,

@@ -107,6 +107,12 @@ def _ground(plan: SitePlan, least: float, verge: float) -> SiteGround:
         eyes=np.concatenate([np.zeros((0, 2)), *(_space_points(line) for line in ways)]),
         bounds=np.concatenate([low, high]),
         area=plan.area,
+        squares=np.concatenate(
+            [
+                np.zeros((0, 4)),
+                *(edges(np.array(a.outline)) for a in plan.areas if a.kind == "square"),
+            ]
+        ),
     )
 
 

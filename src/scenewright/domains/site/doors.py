@@ -6,30 +6,27 @@ What has none is turned round where that helps, and left out where it does not.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
+import shapely
 
 from scenewright.core.footprint import place_outline
 from scenewright.core.layout import corners
 from scenewright.core.piece_outlines import outline_of
 from scenewright.core.scene import Piece
 from scenewright.domains.site.brief import Site
+from scenewright.domains.site.courts import list_court_blocks
 from scenewright.domains.site.facing import face_ways
 from scenewright.domains.site.problem import Flags, Floats, SiteProblem
 from scenewright.domains.site.solvers.outcome import SiteLayout
 from scenewright.ground.frontage import find_doors_at_border
-from scenewright.ground.pathways import Network, lay_pathways
+from scenewright.ground.pathways import Facing, Network, lay_pathways
 from scenewright.ground.plan import SitePlan
 from scenewright.ground.walks import find_doors
-from scenewright.ground.works import Pathway
 
 ROUNDS = 3
 """How often what is cut off is left out, before all that is still cut off is."""
-
-WORTH = 0.05
-"""Share of buildings that fronts turned to lanes are worth laying all ways anew for."""
 
 
 class ServedLayout(NamedTuple):
@@ -62,19 +59,16 @@ def serve_doors(
     """A layout with ways to all its doors; ``stay`` are buildings that stand already."""
     lost: dict[int, str] = {}
     facing = problem.form == "repaired" and not site.sun_required
-    if facing:
-        found = _face_ways(plan, problem, found)
-    served = _serve(site, plan, problem, found, stay)
+    free = find_facing(site, plan, problem, found) if facing else None
+    if free is not None:
+        boxes, stand = found.boxes.copy(), found.present
+        boxes[stand] = face_ways(plan, problem, boxes[stand], free.turns[stand])
+        found = found._replace(boxes=boxes, score={})
+    found, served = _serve(site, plan, problem, found, stay, free)
     if served.faulty().any():
         turned = _turn_round(problem, found, served.faulty())
-        again = _serve(site, plan, problem, turned, stay)
+        turned, again = _serve(site, plan, problem, turned, stay)
         if again.faulty().sum() < served.faulty().sum():
-            found, served = turned, again
-    turned = _face_ways(plan, problem, found, served.network.pathways) if facing else found
-    off = np.abs(turned.boxes[:, 2] - found.boxes[:, 2]) > 0.0
-    if off.sum() > WORTH * len(off):
-        again = _serve(site, plan, problem, turned, stay)
-        if again.faulty().sum() <= served.faulty().sum():
             found, served = turned, again
     for _ in range(ROUNDS):
         faulty = np.flatnonzero(served.faulty())
@@ -85,36 +79,44 @@ def serve_doors(
         present = found.present.copy()
         present[here[faulty]] = False
         found = found._replace(present=present, score={})
-        served = _serve(site, plan, problem, found, stay)
+        found, served = _serve(site, plan, problem, found, stay, free)
     outlines = [*_footprints(problem, found), *(outline_of(piece) for piece in stay)]
     return ServedLayout(found, served.network, lost, outlines)
 
 
-def _face_ways(
-    plan: SitePlan, problem: SiteProblem, found: SiteLayout, pathways: Sequence[Pathway] = ()
-) -> SiteLayout:
-    """The layout with fronts turned to the streets and ``pathways`` beside them; courts stay
-    closed, and what is no box stays."""
-    here, shapes = np.flatnonzero(found.present), problem.buildings.footprints
-    free = np.array([not (shapes and shapes[i]) for i in here], bool)
-    if problem.court_gap > 0.0 and found.forms:
-        free &= np.array([found.forms[i] != "peripheral" for i in here], bool)
-    boxes = found.boxes.copy()
-    boxes[here] = face_ways(plan, problem, boxes[here], free, pathways)
-    return found if (boxes == found.boxes).all() else found._replace(boxes=boxes, score={})
+def find_facing(site: Site, plan: SitePlan, problem: SiteProblem, found: SiteLayout) -> Facing:
+    """Which buildings (n,) may be turned to ways, boxes that close no court, and before which lanes
+    may lead."""
+    shapes, closing = problem.buildings.footprints, np.zeros(len(found.present), bool)
+    if site.court_gap is not None and found.forms:
+        blocks = shapely.union_all(list_court_blocks(site, plan))
+        closing = shapely.dwithin(blocks, shapely.points(found.boxes[:, :2]), 0.0)
+        closing &= np.array([form == "peripheral" for form in found.forms], bool)
+    boxes = np.array([not (shapes and shapes[i]) for i in range(len(closing))], bool)
+    return Facing(~closing & boxes, ~closing)
 
 
 def _serve(
-    site: Site, plan: SitePlan, problem: SiteProblem, found: SiteLayout, stay: tuple[Piece, ...]
-) -> Served:
-    here = np.flatnonzero(found.present)
+    site: Site,
+    plan: SitePlan,
+    problem: SiteProblem,
+    found: SiteLayout,
+    stay: tuple[Piece, ...],
+    facing: Facing | None = None,
+) -> tuple[SiteLayout, Served]:
+    """The ways to a layout, with the fronts turned to them that may be."""
+    here, own = np.flatnonzero(found.present), int(found.present.sum())
     outlines = [*_footprints(problem, found), *(outline_of(piece) for piece in stay)]
     headings = np.concatenate([found.boxes[here, 2], [piece.pose.heading for piece in stay]])
-    network = lay_pathways(plan, outlines, headings, site.fire_access, site.fire_reach)
-    own = len(here)
-    doors = find_doors(outlines[:own], headings[:own])
+    may = facing and Facing(*(np.append(row[here], np.zeros(len(stay), bool)) for row in facing))
+    network = lay_pathways(plan, outlines, headings, site.fire_access, site.fire_reach, may)
+    if may is not None:
+        boxes = found.boxes.copy()
+        boxes[here, 2] = network.headings[:own]
+        found = found._replace(boxes=boxes, score={})
+    doors = find_doors(outlines[:own], network.headings[:own])
     at_border = find_doors_at_border(plan, doors, site.door_distance)
-    return Served(network, at_border, ~network.near[:own], ~network.served[:own])
+    return found, Served(network, at_border, ~network.near[:own], ~network.served[:own])
 
 
 def _footprints(problem: SiteProblem, found: SiteLayout) -> list[Floats]:

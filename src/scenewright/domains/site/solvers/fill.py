@@ -28,10 +28,11 @@ from scenewright.domains.site.solvers.block import (
     loosen_layout,
 )
 from scenewright.domains.site.solvers.distances import list_reserved_edges
+from scenewright.domains.site.solvers.front import list_square_lines
 from scenewright.domains.site.solvers.improve import improve_layout
 from scenewright.domains.site.solvers.interlock import interlock
 from scenewright.domains.site.solvers.outcome import SiteFound, SiteLayout
-from scenewright.domains.site.solvers.perimeter_block import list_front_lines
+from scenewright.domains.site.solvers.perimeter_block import list_front_lines, rim
 from scenewright.domains.site.solvers.schemes import (
     QUEUES,
     Scheme,
@@ -110,8 +111,8 @@ def _fill_blocks(
     at 1 each block takes all it can, not its share."""
     n = len(problem.buildings.sizes)
     boxes, present, forms = np.zeros((n, 5)), np.zeros(n, bool), [""] * n
-    order = order_blocks(problem)
-    left, done = _low_first(problem), 0
+    order, done = order_blocks(problem), 0
+    left = _line_squares(problem, boxes, present, forms)
     for count, b in enumerate(order):
         if filling.over(count / len(order), boxes, present, forms) and count:
             break
@@ -133,6 +134,27 @@ def _fill_blocks(
         found = lay_out_block(problem, ground, left, problem.facing, form, 1.0)
         left = _record_block(found, left, boxes, present, forms)
     return SiteLayout(boxes, present, {}, tuple(forms)), done
+
+
+def _line_squares(
+    problem: SiteProblem, boxes: Floats, present: Flags, forms: list[str]
+) -> list[int]:
+    """Set buildings along the squares, as near to each other as may be, before all else; those that
+    are still left, the lowest models first."""
+    left = _low_first(problem)
+    if not len(problem.ground.squares):
+        return left
+    sizes, given = problem.buildings.sizes, problem.buildings.forms
+    wide = sorted(left, key=lambda i: -float(sizes[i, 0]))
+    for b in range(len(problem.ground.block_areas)):
+        queue = [i for i in wide if not present[i] and not (given and given[i])]
+        lines = list_square_lines(problem, list_front_lines(list_edges(problem, b)))
+        ground = list_ground(problem, b, boxes, present, queue)
+        numbers, places = rim(ground, sizes, queue, problem.spacing, 1.0, None, lines)
+        left = _record_block(
+            BlockLayout(tuple(numbers), places, "mixed"), left, boxes, present, forms
+        )
+    return left
 
 
 def _over_in_block(

@@ -16,6 +16,8 @@ FACING, HAIR = 0.35, 1e-3
 by which margins reach over it."""
 ENDS = 0.7
 """Cosine of how far a side of a block may turn from the fronts of rows that end at it."""
+BEYOND = (1.5, 3.5, 5.5, 8.0, 11.0)
+"""Metres ahead of a front, or beyond a side of a block, at which a square is looked for."""
 NEARLY = math.radians(45.0)
 """Angle off the preferred heading within which fronts may turn to the sun."""
 
@@ -85,6 +87,27 @@ def turned_in(problem: SiteProblem, boxes: Floats) -> Floats:
     near = blind(problem, boxes, problem.door_distance)
     turned[near | blind(problem, boxes) & (off > NEARLY), 2] += math.pi
     return turned
+
+
+def list_square_lines(problem: SiteProblem, lines: Floats) -> Floats:
+    """Those of some ``lines`` (m, 4) of a block, the inside on their left, beyond which a square
+    lies."""
+    way = lines[:, 2:] - lines[:, :2]
+    out = np.stack([way[:, 1], -way[:, 0]], 1) / np.maximum(np.hypot(*way.T), 1e-9)[:, None]
+    return lines[_find_square(problem, 0.5 * (lines[:, :2] + lines[:, 2:]), out)]
+
+
+def on_square(problem: SiteProblem, boxes: Floats) -> Flags:
+    """Which boxes (k, 5) look at a square before them."""
+    ahead = np.stack([np.cos(boxes[:, 2]), np.sin(boxes[:, 2])], 1)
+    return _find_square(problem, boxes[:, :2] + 0.5 * boxes[:, 4:] * ahead, ahead)
+
+
+def _find_square(problem: SiteProblem, places: Floats, out: Floats) -> Flags:
+    squares, found = problem.ground.squares, np.zeros(len(places), np.bool_)
+    for beyond in BEYOND if len(squares) else ():
+        found |= inside(squares, places + beyond * out)
+    return found
 
 
 def list_front_margins(problem: SiteProblem, edges: Floats, heading: float) -> Floats:

@@ -20,7 +20,7 @@ from scenewright.domains.site.solvers.exchange import (
     exchange_all,
     fill_hours,
 )
-from scenewright.domains.site.solvers.front import blind
+from scenewright.domains.site.solvers.front import blind, on_square
 from scenewright.domains.site.solvers.outcome import SiteLayout
 from scenewright.domains.site.terms.measure import (
     SitePrepared,
@@ -65,9 +65,10 @@ def improve_layout(
     moves = np.concatenate(
         [exchanges(problem, made, who, found.forms, rng), turns(problem, found.boxes[here])]
     )
-    if problem.court_gap > 0.0:  # what closes a court stays
-        closing = np.array([found.forms[i] == "peripheral" for i in here])
-        moves = np.ascontiguousarray(moves[~closing[moves[:, :2]].any(1)])
+    stays = on_square(problem, found.boxes[here])  # as does what closes a court
+    if problem.court_gap > 0.0:
+        stays |= np.array([found.forms[i] == "peripheral" for i in here])
+    moves = np.ascontiguousarray(moves[~stays[moves[:, :2]].any(1)])
 
     def best() -> SiteLayout:
         return _read_slots(found, here, who, made)
