@@ -160,7 +160,7 @@ def _terminal(draw: random.Random) -> io.TextIOWrapper:
 
 @pytest.mark.skipif(sys.platform != "linux", reason="bounds a process as Linux does")
 def test_the_worst_files_take_little_memory_and_time(tmp_path: Path) -> None:
-    files = dict(spread(list(worst().items()), 2))
+    files = dict(spread(list(worst().items()), 1))
     for name, content in files.items():
         (tmp_path / name).write_bytes(content)
     done = subprocess.run(

@@ -64,11 +64,13 @@ def test_seats_that_look_away_are_noted() -> None:
     assert any("of 110 seats (auditorium seat) look away" in note.message for note in notes)
 
 
-def lay_out(outline: list[list[float]], seed: int, *demands: dict[str, Any]) -> Solution:
+def lay_out(
+    outline: list[list[float]], seed: int, *demands: dict[str, Any], steps: int | None = None
+) -> Solution:
     """A hall with its door in the south."""
     room = {"outline": outline, "doors": [{"at": [4, 0], "width": 1.8}], "demands": list(demands)}
     brief = Brief.model_validate({"domain": "hall", "rooms": [room]})
-    return scenewright.solve(brief, seed=seed, threads=1)
+    return scenewright.solve(brief, seed=seed, threads=1, steps=steps)
 
 
 def test_chairs_of_a_narrow_hall_look_along_it_at_a_stage_amid_a_wall() -> None:
@@ -95,7 +97,7 @@ def test_an_audience_sits_amid_its_hall_where_a_door_shortens_the_wall(seed: int
 def test_long_rows_before_a_stage_have_aisles(tmp_path: Path) -> None:
     seats = {"category": "auditorium_seat", "count": 220}
     demands = {"category": "stage", "size": [12, 6, 1]}, seats
-    found = lay_out([[0, 0], [20, 0], [20, 26], [0, 26]], 0, *demands)
+    found = lay_out([[0, 0], [20, 0], [20, 26], [0, 26]], 0, *demands, steps=300)
     assert scenewright.check(found).valid
     (group,) = (group for group in found.detail.layout.groups if "seat" in group.demand)
     (part,) = group.parts
