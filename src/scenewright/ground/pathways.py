@@ -83,9 +83,7 @@ def lay_pathways(
         for _ in range(ROUNDS):
             lanes = laid_lanes(laying, width)
             headings = turn_fronts(list_ways(plan, lanes), footprints, headings, facing.turns)
-            doors = join_doors(
-                find_doors([footprints[k] for k in own.tolist()], headings[own]), of_marks
-            )
+            doors = join_doors(find_doors([footprints[k] for k in own], headings[own]), of_marks)
             laying = lay_front_lanes(ground, built[rows], doors, laying)
     lanes = finish_lanes(ground, laying)
     if facing is not None:
