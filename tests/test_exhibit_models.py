@@ -40,7 +40,8 @@ def test_an_island_is_drawn_as_what_it_is_called(name: str, asset: str) -> None:
 
 def test_cars_beside_one_another_differ_in_colour() -> None:
     drawn = _drawn(id="new-cars", count=2, size=[3.2, 1.4, 1.3])
-    assert drawn == ["exhibit_island_car_1", "exhibit_island_car_2"]
+    assert len(set(drawn)) == 2
+    assert all(name.startswith("exhibit_island_car_") for name in drawn)
 
 
 @pytest.mark.parametrize("size", [(4.5, 1.9, 1.5), (8.0, 3.0, 3.5), (5.0, 2.4, 2.6)])

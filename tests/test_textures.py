@@ -46,7 +46,10 @@ def test_a_texture_repeats_on_a_power_of_two_and_holds_whole_courses(name: str) 
 
 def test_every_material_that_wears_a_texture_exists() -> None:
     values = [value for value in vars(materials).values() if isinstance(value, Material)]
-    known = {one.name for one in (*values, *SURFACES.values(), *FLOORS.values(), WOOD_FLOOR)}
+    known = {
+        one.name
+        for one in (*values, *materials.PAINTINGS, *SURFACES.values(), *FLOORS.values(), WOOD_FLOOR)
+    }
     worn = {name.partition("/")[0] for name in WORN}
     built = {"door oak", "threshold", "slab concrete", "wall plaster", "meadow"}
     trees = {"crown", "light crown", "needles"}

@@ -87,7 +87,8 @@ class Asset:
     their first point). ``style`` and ``colour`` are words, where somebody stated them or they show.
     ``footprint(size)`` is the polygon it covers, empty where that is its box; ``over(size,
     footprint)``, if there is one, draws it over any other (nothing: it cannot). What is ``called``
-    something draws only what is asked for by one of these words (a car, among islands).
+    something draws only what is asked for by one of these words (a car, among islands). ``suit``
+    is the set it is made to match (shelves of one fitting, of which a shop has one).
     """
 
     id: str
@@ -105,6 +106,7 @@ class Asset:
     footprint: Covering = covers_box
     over: OutlineMesher | None = None
     called: tuple[str, ...] = ()
+    suit: str = ""
 
 
 class Member(NamedTuple):

@@ -12,7 +12,15 @@ from math import cos, pi, sin
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from scenewright.geometry.mesh import Floats, Mesh, extrude, loft, rotate_mesh, translate_mesh
+from scenewright.geometry.mesh import (
+    Floats,
+    Mesh,
+    extrude,
+    loft,
+    rotate_mesh,
+    translate_mesh,
+    volume,
+)
 
 Interval = tuple[float, float]
 Spot = tuple[float, float]
@@ -205,6 +213,11 @@ def tube(path: ArrayLike, radius: float, sides: int = 6) -> Mesh:
     return _swept(points, [radius] * len(points), sides)
 
 
+def limb(path: ArrayLike, radii: Sequence[float], sides: int = 8) -> Mesh:
+    """A bent round bar along a polyline ``(k, 3)`` that is ``radii`` (k,) thick at its points."""
+    return _swept(np.asarray(path, np.float64), radii, sides)
+
+
 def _swept(path: Floats, radii: Sequence[float], sides: int) -> Mesh:
     """Circles carried along a polyline without twist, each joint cut in the plane that halves
     the bend."""
@@ -350,8 +363,7 @@ def leaf(
 
 def mesh_is_inside_out(mesh: Mesh) -> bool:
     """Whether the signed volume is negative."""
-    a, b, c = (mesh.vertices[mesh.faces[:, i]] for i in range(3))
-    return float(np.einsum("ij,ij->", a - a.mean(0), np.cross(b, c))) < 0
+    return volume(Mesh(mesh.vertices - mesh.vertices.mean(0), mesh.faces)) < 0
 
 
 def sheet(outline: ArrayLike, y: Interval) -> Mesh:

@@ -39,6 +39,7 @@ from scenewright.geometry.mesh import Floats, Mesh, merge
 from scenewright.geometry.prisms import box, face_normals, prism, sheet
 from scenewright.render.cut_part import cut_part, leave_out_hanging
 from scenewright.render.hiding import find_hanging_over, find_hiding, make_clear
+from scenewright.render.lighter import lighten
 from scenewright.render.near_walls import (
     ENCLOSED,
     NearWalls,
@@ -142,7 +143,7 @@ def things(
             found += [one] if one.parts or cut is None else []
     if scene.palette:
         found = [one._replace(parts=paint(one.parts, scene.palette)) for one in found]
-    return tuple(_make_names_unique(found))
+    return lighten(tuple(_make_names_unique(found)))
 
 
 def _cut_of(piece: Piece, near: NearWalls, cut: float) -> float:

@@ -28,13 +28,18 @@ ODD = 1.5
 """Beyond how many times the usual range of its kind's sizes a thing is stretched, not built."""
 
 
+LETTERS = "abcdefghijklmnopqrstuvwxyz"
+"""How models of one kind are told apart that hold other things; those in other colours have
+numbers."""
+
+
 class Drawing(NamedTuple):
     """How one model of a kind is drawn: its mesh and its symbol. Of several models of a kind each
     but the first has an ``id`` of its own (left out: the category), a ``name`` (left out: the
     kind's) and the ``sizes`` it can take (left out: the kind's). ``footprint`` is what it covers
     (left out: its box), ``over`` what it looks like over another footprint (left out: a prism);
     ``style`` the style it is made in, if any; ``called`` the words, in the singular and small
-    letters; it must be asked for by one of them."""
+    letters; it must be asked for by one of them; ``suit`` what it is made to match."""
 
     category: str
     mesh: Mesher
@@ -46,6 +51,7 @@ class Drawing(NamedTuple):
     over: OutlineMesher | None = None
     style: str = ""
     called: tuple[str, ...] = ()
+    suit: str = ""
 
 
 def buildable(size: Size, small: Size, large: Size) -> Size:
@@ -118,4 +124,5 @@ def asset_of(drawing: Drawing, kind: Kind) -> Asset:
         footprint=_stretch_footprint(drawing.footprint, small, large),
         over=drawing.over,
         called=drawing.called,
+        suit=drawing.suit,
     )

@@ -82,3 +82,36 @@ METAL_SHEET = Material("light metal sheet", (0.78, 0.79, 0.80), 0.5, 0.2)
 IRON = Material("cast iron", (0.24, 0.23, 0.23), 0.6, 0.3)
 COPPER = Material("copper", (0.66, 0.41, 0.28), 0.4, 0.5)
 ASPHALT_FELT = Material("roofing felt", (0.45, 0.45, 0.45), 0.95)
+PRINTED = Material("printed card", (0.62, 0.55, 0.47), 0.5)
+SPINED = Material("book spines", (0.52, 0.45, 0.38), 0.75)
+PAINTINGS = tuple(
+    Material(f"painting {number}", colour, 0.55)
+    for number, colour in enumerate(
+        (
+            *((0.46, 0.47, 0.46), (0.50, 0.40, 0.30), (0.62, 0.45, 0.36)),
+            *((0.72, 0.66, 0.55), (0.33, 0.26, 0.20), (0.38, 0.29, 0.20)),
+        ),
+        1,
+    )
+)
+"""Pictures to hang: two landscapes, two abstract ones, a portrait, a still life."""
+BOARD = Material("printed board", (0.76, 0.76, 0.75), 0.6)
+CARPET = Material("knotted carpet", (0.50, 0.30, 0.24), 0.95)
+MARBLE = Material("marble", (0.90, 0.89, 0.86), 0.35)
+PATINA = Material("patinated bronze", (0.27, 0.36, 0.31), 0.55, 0.3)
+EARTHENWARE = Material("dark earthenware", (0.16, 0.12, 0.10), 0.45)
+OCHRE_CLAY = Material("ochre clay", (0.70, 0.44, 0.26), 0.7)
+SILVER = Material("silver", (0.83, 0.83, 0.81), 0.25, 0.8)
+DENIM = Material("denim", (0.26, 0.34, 0.46), 0.95)
+CRUST = Material("crust", (0.74, 0.50, 0.27), 0.85)
+CRUST_DARK = Material("dark crust", (0.50, 0.30, 0.16), 0.85)
+PEEL = Material("orange peel", (0.86, 0.46, 0.12), 0.6)
+LACQUERS = tuple(
+    Material(f"{name} lacquer of vehicles", colour, 0.22, 0.15)
+    for name, colour in (
+        *(("red", (0.62, 0.09, 0.08)), ("silver", (0.68, 0.70, 0.72))),
+        *(("blue", (0.10, 0.22, 0.42)), ("white", (0.90, 0.90, 0.89))),
+        *(("yellow", (0.85, 0.62, 0.10)), ("graphite", (0.16, 0.17, 0.19))),
+        *(("green", (0.14, 0.28, 0.21)), ("bronze", (0.42, 0.29, 0.20))),
+    )
+)

@@ -184,7 +184,7 @@ KINDS = (
                 ja="レジカウンター, レジ台",
             ),
         ),
-        drawn_by=(".public.shop",),
+        drawn_by=(".public.tills",),
     ),
     Kind(
         "fitting_room",

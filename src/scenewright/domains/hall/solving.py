@@ -43,6 +43,7 @@ from scenewright.domains.hall.furnishing.assemble import Laid, assemble_solution
 from scenewright.domains.hall.furnishing.layout import furnish_guided
 from scenewright.domains.hall.furnishing.on_stage import put_on_stage
 from scenewright.domains.hall.furnishing.pieces import kept_groups
+from scenewright.domains.hall.furnishing.varied import vary_halls
 from scenewright.domains.hall.gates.boarding import set_at_doors
 from scenewright.domains.hall.gates.leaves import with_leaves
 from scenewright.domains.hall.hall_layout import HallLayout
@@ -148,6 +149,7 @@ def solve(
     brief = brief.model_copy(update={"notes": notes}) if told else brief
     stand = {k: (*halls[k].fixed, *answer.pieces) for k, answer in laid.items()}
     brief = settle_counts(brief, halls, stand)
+    laid = laid if chosen.settings.printed else vary_halls(laid, catalog, seed)
     return assemble_solution(brief, halls, laid, preset, named, seed, time.perf_counter() - started)
 
 

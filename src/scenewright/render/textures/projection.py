@@ -3,7 +3,7 @@
 In metres. *Grain*: the part falls into boards (faces joined by corners); each face is seen along
 the axis that its normal is nearest to, and the texture runs along the longer side of the board;
 every board is cut from another place. *Upright*: along the level line of the face and up its
-slope, faces that lie flat by x and y.
+slope, faces that lie flat by x and y. *Whole*: as upright, stretched once over the board.
 """
 
 from __future__ import annotations
@@ -34,7 +34,9 @@ def coordinates_of(part: Part, laying: Laying) -> Floats:
     >>> np.ptp(place[np.isclose(part.vertices[part.faces][:, :, 2], 0.1).all(1)], (0, 1)).tolist()
     [2.0, 0.5]
     """
-    return _along_grain(part) if laying == "grain" else _by_level_lines(part)
+    if laying == "grain":
+        return _along_grain(part)
+    return _by_level_lines(part) if laying == "upright" else _once_over(part)
 
 
 def _along_grain(part: Part) -> Floats:
@@ -64,6 +66,19 @@ def _by_level_lines(part: Part) -> Floats:
     up[flat] = (0.0, 1.0, 0.0)
     points = part.vertices[part.faces]
     return np.stack([np.einsum("mki,mi->mk", points, way) for way in (level, up)], -1)
+
+
+def _once_over(part: Part) -> Floats:
+    """Shares of the span of each board's faces that look the same way: 0 to 1, a metre long."""
+    place = _by_level_lines(part)
+    board = boards_of(part.faces, len(part.vertices))[part.faces[:, 0]]
+    way = np.sign(face_normals(part.vertices, part.faces).round(1)) @ (1, 3, 9)
+    group = np.unique(np.column_stack([board, way]), axis=0, return_inverse=True)[1].ravel()
+    low, high = (np.full((int(group.max()) + 1, 2), sign * np.inf) for sign in (1, -1))
+    np.minimum.at(low, group, place.min(1))
+    np.maximum.at(high, group, place.max(1))
+    span = np.maximum(high - low, 1e-9)[group][:, None]
+    return np.asarray((place - low[group][:, None]) / span)
 
 
 def boards_of(faces: Ints, count: int) -> Ints:

@@ -12,10 +12,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.render.textures import generators as g
+from scenewright.render.textures import printed as q
 
-Laying = Literal["grain", "upright"]
+Laying = Literal["grain", "upright", "whole"]
 """``grain``: the texture runs along the longest side of each board of a part; ``upright``: across
-level lines of the face, so that courses of bricks and tiles lie level."""
+level lines of the face, so that courses of bricks and tiles lie level; ``whole``: once over each
+board, as a picture fills its frame."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,6 +94,16 @@ _ROWS = (
                       "deep": 0.5}),
     Texture("grass", g.grass, (1.5, 1.5), (512, 512), "upright"),
     Texture("leaves", g.leaves, (1.5, 1.5), (256, 256), "upright"),
+    Texture("labels", q.labels, (0.64, 0.96), (512, 1024), "upright"),
+    Texture("spines", q.spines, (0.32, 0.96), (256, 1024), "upright"),
+    Texture("landscape", q.landscape, (1.0, 1.0), (512, 512), "whole"),
+    Texture("evening", q.landscape, (1.0, 1.0), (512, 512), "whole", settings={"warm": 1.0}),
+    Texture("fields", q.fields, (1.0, 1.0), (256, 256), "whole"),
+    Texture("strokes", q.strokes, (1.0, 1.0), (512, 512), "whole"),
+    Texture("sitter", q.ovals, (1.0, 1.0), (512, 512), "whole"),
+    Texture("fruit", q.ovals, (1.0, 1.0), (512, 512), "whole", settings={"rows": q.FRUIT}),
+    Texture("poster", q.poster, (1.0, 1.0), (512, 512), "whole"),
+    Texture("tapestry", q.tapestry, (1.0, 1.0), (512, 512), "whole"),
 )  # fmt: skip
 TEXTURES: dict[str, Texture] = {row.name: row for row in _ROWS}
 """All textures, by name."""
@@ -115,7 +127,7 @@ concrete     concrete; slab concrete; screed floor
 plaster      plaster; wall plaster; white render; pale rose render; ochre render
 plaster      garden wall, white
 weave        warm grey fabric; light fabric; linen; duvet; terracotta fabric; sage fabric
-weave        navy fabric; mustard fabric; charcoal fabric; burgundy velvet; sheer curtain
+weave        denim; navy fabric; mustard fabric; charcoal fabric; burgundy velvet; sheer curtain
 cane         rattan
 leather      cognac leather
 carpet       wool; carpet, grey; carpet, sand; carpet, sage
@@ -129,6 +141,16 @@ paving       pavement; garden walk
 setts        cobbles
 grass        grass; meadow; court lawn
 leaves       hedge; crown; light crown; needles
+labels       printed card
+spines       book spines
+landscape    painting 1
+evening      painting 2
+fields       painting 3
+strokes      painting 4
+sitter       painting 5
+fruit        painting 6
+poster       printed board
+tapestry     knotted carpet
 """
 WORN: dict[str, str] = {
     material.strip(): line[:13].strip()

@@ -37,7 +37,7 @@ from scenewright.catalog.assets.materials import (
 )
 from scenewright.catalog.assets.model import Parts, parts
 from scenewright.catalog.assets.objects import Stuff, wobble
-from scenewright.catalog.assets.public.wares import goods, levels_of, merge_by_material
+from scenewright.catalog.assets.public.wares import levels_of, merge_by_material, stock
 from scenewright.catalog.assets.symbols import Lines, arc, box, oval, path, rectangle
 from scenewright.core.scene import Size
 from scenewright.geometry.mesh import Mesh, extrude
@@ -293,7 +293,7 @@ def _vending_machine(size: Size) -> Parts:
         STEEL: [block(pane, (face - 0.25, face - 0.03), (a - 0.012, a)) for a, _ in tiers],
         CLEAR: [block(pane, (face - 0.01, face), (low, high))],
     }
-    packs = goods((pane[0] + 0.02, pane[1] - 0.02), (face - 0.2, face - 0.05), tiers, 5, 3)
+    packs = stock("drinks", (pane[0] + 0.02, pane[1] - 0.02), (face - 0.2, face - 0.05), tiers, 3)
     return parts(size, merge_by_material(found, packs))
 
 

@@ -2,65 +2,73 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
+from functools import partial
 from itertools import pairwise
 from math import pi
 
 import numpy as np
 
-from scenewright.catalog.assets.drawing import Drawing
+from scenewright.catalog.assets.drawing import LETTERS, Drawing
 from scenewright.catalog.assets.joinery import four_legs, spread
 from scenewright.catalog.assets.materials import (
     BLACK,
-    CHARCOAL,
+    BRASS,
     CHROME,
-    GREIGE,
-    LINEN,
     MIRROR,
     OAK,
+    PINE,
     RED,
     RUBBER,
     SAGE_FABRIC,
-    SCREEN,
     STEEL,
-    TERRACOTTA,
+    WALNUT,
     WHITE,
 )
-from scenewright.catalog.assets.model import Parts, parts, pick
-from scenewright.catalog.assets.objects import Stuff, wobble
-from scenewright.catalog.assets.public.wares import (
-    CLOTHS,
-    garment,
-    merge_by_material,
-    stack_folded_cloth,
-)
+from scenewright.catalog.assets.model import Parts, parts
+from scenewright.catalog.assets.objects import Stuff
+from scenewright.catalog.assets.public.garments import OUTFITS, Outfit, dress_mannequin, hang_row
+from scenewright.catalog.assets.public.wares import merge_by_material, stack_folded_cloth, stock
 from scenewright.catalog.assets.symbols import Lines, arc, box, oval, path, rectangle
+from scenewright.core.catalog import Symbol
 from scenewright.core.scene import Size
 from scenewright.geometry.mesh import Mesh, rotate_mesh, translate_mesh
-from scenewright.geometry.solids import ball, block, disc, lathe, pipe, rod, slab, trough, tube
+from scenewright.geometry.solids import block, disc, pipe, rod, slab, trough, tube
+
+SUITS = {"steel": (CHROME, WHITE), "oak": (BRASS, OAK), "black": (BLACK, WALNUT)}
+"""Metal and wood of the fitting of a shop."""
+TURNS = 5
+"""Models of a kind in each suit."""
 
 
-def _clothes_rail(size: Size) -> Parts:
+def _clothes_rail(size: Size, suit: str, seed: int) -> Parts:
+    """A rail on two posts, of two uprights each on every other model, clothes along it."""
     w, d, h = size.width / 2, size.depth / 2, size.height
     x = w - 0.03
-    bars = [rod((s * x, 0, 0.03), (s * x, 0, h), 0.016, sides=6) for s in (-1, 1)]
+    bars = [rod((s * x, 0, 0.03), (s * x, 0, h), 0.016, sides=8) for s in (-1, 1)]
     feet = [block((s * x - 0.03, s * x + 0.03), (-d, d), (0, 0.03)) for s in (-1, 1)]
-    rail = rod((-w, 0, h - 0.03), (w, 0, h - 0.03), 0.015, sides=6)
-    count = min(24, max(3, round(size.width / 0.095)))
-    found: Stuff = {CHROME: [*bars, *feet, rail]}
-    for i in range(count):
-        at = -w + 0.1 + (size.width - 0.2) * (i + 0.5) / count
-        long = (h - 0.25) * (0.62 + 0.25 * wobble(i))
-        cloth = CLOTHS[int(wobble(i // 3 + 0.4) * len(CLOTHS))]
-        found.setdefault(cloth, []).append(garment(at, min(0.24, 0.9 * d), h - 0.045, long))
-    return parts(size, found)
+    rail = rod((-w, 0, h - 0.03), (w, 0, h - 0.03), 0.015, sides=8)
+    count = min(22, max(3, round(size.width / 0.07)))
+
+    def put(k: int, mesh: Mesh) -> Mesh:
+        return translate_mesh(mesh, -w + 0.1 + (size.width - 0.2) * (k + 0.5) / count)
+
+    hung = hang_row(count, min(0.23, 0.85 * d), h - 0.045, h - 0.42, 13 * seed, put)
+    metal, wood = SUITS[suit]
+    found: Stuff = {metal: [*bars, *feet, rail]}
+    if seed % 2:
+        shoes = stock("shoes", (-w + 0.08, w - 0.08), (-0.6 * d, 0.6 * d), [(0.2, 0.5)], seed, 500)
+        shelf = block((-x, x), (-0.7 * d, 0.7 * d), (0.18, 0.2))
+        found = merge_by_material(found, {wood: [shelf]}, shoes)
+    return parts(size, merge_by_material(found, hung))
 
 
-def _round_rack(size: Size) -> Parts:
+def _round_rack(size: Size, suit: str, seed: int) -> Parts:
     w, d, h = size.width / 2, size.depth / 2, size.height
     half = min(0.22, 0.42 * min(w, d))
     ring, rail = 1.0 - half / min(w, d), h - 0.1
     found: Stuff = {
-        CHROME: [
+        SUITS[suit][0]: [
             pipe(ring + 0.02, ring - 0.02, (rail - 0.02, rail + 0.01), sides=20),
             disc(0.06, (0.03, h), sides=6),
             disc(0.5, (0, 0.03), sides=14),
@@ -68,142 +76,63 @@ def _round_rack(size: Size) -> Parts:
             block((-0.012, 0.012), (-ring, ring), (rail - 0.02, rail)),
         ]
     }
-    count = 18
-    for i in range(count):
-        long = (h - 0.3) * (0.62 + 0.2 * wobble(i))
-        hung = translate_mesh(garment(0.0, half / min(w, d), rail - 0.01, long, 0.06), 0.0, ring)
-        cloth = CLOTHS[int(wobble(i // 4 + 2.4) * len(CLOTHS))]
-        found.setdefault(cloth, []).append(rotate_mesh(hung, "z", 2 * pi * i / count))
-    return parts(
-        size,
-        {
-            material: [Mesh(m.vertices * (w, d, 1), m.faces) for m in meshes]
-            for material, meshes in found.items()
-        },
-    )
+    count = 20
+
+    def put(k: int, mesh: Mesh) -> Mesh:
+        return rotate_mesh(translate_mesh(mesh, 0.0, ring * min(w, d)), "z", 2 * pi * k / count)
+
+    scaled = {k: [Mesh(b.vertices * (w, d, 1), b.faces) for b in v] for k, v in found.items()}
+    row = hang_row(count, half, rail - 0.01, h - 0.42, 17 * seed, put)
+    stretched = {
+        k: [Mesh(b.vertices * (w / min(w, d), d / min(w, d), 1), b.faces) for b in v]
+        for k, v in row.items()
+    }
+    return parts(size, merge_by_material(scaled, stretched))
 
 
-def _mannequin(size: Size) -> Parts:
+def _mannequin(size: Size, outfit: Outfit, seed: int) -> Parts:
     w, d, h = size.width / 2, size.depth / 2, size.height
-    squash = min(1.0, 0.75 * d / w)
-    body = [
-        (0.32, 0.56),
-        (0.42, 0.6),
-        (0.44, 0.66),
-        (0.36, 0.72),
-        (0.5, 0.78),
-        (0.62, 0.815),
-        (0.5, 0.84),
-        (0.16, 0.86),
-        (0.14, 0.89),
-    ]
-    dress = [
-        (0.5, 0.3),
-        (0.95, 0.3),
-        (0.46, 0.64),
-        (0.385, 0.72),
-        (0.52, 0.78),
-        (0.6, 0.8),
-        (0.4, 0.82),
-    ]
-    arms = [
-        tube(
-            [
-                (s * 0.58 * w, 0, 0.8 * h),
-                (s * 0.78 * w, -0.04, 0.64 * h),
-                (s * 0.74 * w, 0.12, 0.5 * h),
-            ],
-            0.032,
-            6,
-        )
-        for s in (-1, 1)
-    ]
-    legs = [
-        rod((s * 0.2 * w, 0, 0.36 * h), (s * 0.16 * w, 0, 0.02), 0.055, 0.03, 6) for s in (-1, 1)
-    ]
-    head = ball(0.085, 0.105, 0.065 * h, (0, 0.02, 0.935 * h), 8, 6)
-    cloth = pick(size, (TERRACOTTA, SAGE_FABRIC, LINEN))
-    dressed = lathe([(r * w, z * h) for r, z in dress], sides=10, squash=squash)
-    skin = lathe([(r * w, z * h) for r, z in body], sides=10, squash=0.92 * squash)
-    base = disc(1.0, (0, 0.02), sides=16)
-    return parts(
-        size,
-        {
-            GREIGE: [skin, *arms, *legs, head],
-            cloth: [dressed],
-            STEEL: [Mesh(base.vertices * (w, d, 1), base.faces)],
-        },
-    )
+    base = disc(1.0, (0, 0.02), sides=20)
+    plate = Mesh(base.vertices * (w, d, 1), base.faces)
+    return parts(size, merge_by_material({STEEL: [plate]}, dress_mannequin(h, outfit, seed)))
 
 
-def _display_table(size: Size) -> Parts:
+_SHOWN = {"produce": 0.17, "bakery": 0.18, "books": 0.33, "shoes": 0.2, "electronics": 0.31}
+"""How high goods of a trade stand on a table, metres; folded cloth else."""
+
+
+def _display_table(size: Size, suit: str, seed: int, trade: str = "") -> Parts:
+    """A table, and one below it: with folded cloth, or goods of a trade in trays."""
     w, d, h = size.width / 2, size.depth / 2, size.height
-    top = h - min(0.22, 0.2 * h)
+    top = h - min(_SHOWN.get(trade, 0.22), 0.35 * h)
+    wood = SUITS[suit][1]
     legs = four_legs(w, d, (0, top - 0.04), 0.035, 0.035, 0.03, square=True)
     table = [
         block((-w, w), (-d, d), (top - 0.04, top)),
         block((-w + 0.05, w - 0.05), (-d + 0.05, d - 0.05), (0.2, 0.225)),
     ]
-    shown = stack_folded_cloth(
-        (-w + 0.06, w - 0.06), (-d + 0.06, d - 0.06), (top, h), round(10 * size.width)
-    )
-    return parts(size, merge_by_material({OAK: [*legs, *table]}, shown))
-
-
-def _checkout(size: Size) -> Parts:
-    """Customers walk along the front; the cashier sits behind, right of the belt."""
-    w, d, h = size.width / 2, size.depth / 2, size.height
-    top = min(0.88, 0.75 * h)
-    desk = (-0.1 * d, d)
-    till = 0.35 * w
-    stand = rod((till, 0.1 * d, top), (till, 0.1 * d, h - 0.2), 0.02, sides=6)
-    shown = block((till - 0.17, till + 0.17), (0.1 * d - 0.02, 0.1 * d + 0.02), (h - 0.26, h))
-    pay = rotate_mesh(
-        block((till - 0.05, till + 0.05), (0.75 * d, 0.75 * d + 0.14), (top + 0.05, top + 0.09)),
-        "x",
-        0.4,
-        (till, 0.75 * d, top + 0.05),
-    )
-    return parts(
-        size,
-        {
-            WHITE: [
-                block((-w, w), desk, (0.1, top - 0.03)),
-                block((till - 0.5 * w, till - 0.42 * w), (-d, desk[0]), (0.1, top - 0.06)),
-                block((0.85 * w, w), (-d, desk[0]), (0.1, top - 0.06)),
-            ],
-            STEEL: [
-                block((-w, w), desk, (top - 0.03, top)),
-                stand,
-                block((-w, w), (0.94 * d, d), (top, top + 0.06)),
-            ],
-            RUBBER: [
-                block((-w + 0.05, 0.1 * w), (0.02 * d, 0.85 * d), (top, top + 0.012)),
-                block((-w + 0.04, w - 0.04), (-0.05 * d, d - 0.05), (0, 0.1)),
-            ],
-            SCREEN: [shown, pay],
-            CHARCOAL: [block((0.6 * w, 0.9 * w), (0.05 * d, 0.8 * d), (top, top + 0.008))],
-        },
-    )
-
-
-def _cash_desk(size: Size) -> Parts:
-    """A counter to pay at without a belt: a screen and a card reader on a closed desk."""
-    w, d, h = size.width / 2, size.depth / 2, size.height
-    top = min(1.0, h - 0.25)
-    till = 0.4 * w
-    shown = block((till - 0.17, till + 0.17), (-0.02, 0.02), (top + 0.06, top + 0.25))
-    pay = block((till - 0.3, till - 0.2), (0.5 * d, 0.5 * d + 0.14), (top, top + 0.04))
-    return parts(
-        size,
-        {
-            WHITE: [block((-w + 0.02, w - 0.02), (-0.2 * d, d - 0.04), (0.1, top - 0.04))],
-            OAK: [block((-w, w), (-d, d), (top - 0.04, top))],
-            RUBBER: [block((-w + 0.04, w - 0.04), (-0.15 * d, d - 0.08), (0, 0.1))],
-            STEEL: [rod((till, 0.0, top), (till, 0.0, top + 0.08), 0.02, sides=6)],
-            SCREEN: [shown, pay],
-        },
-    )
+    x, y = (-w + 0.06, w - 0.06), (-d + 0.06, d - 0.06)
+    if not trade:
+        shown = stack_folded_cloth(x, y, (top, h), 10 * seed + round(10 * size.width))
+        below = stock("fashion", x, (y[0], 0.0), [(0.225, min(0.6, top - 0.1))], seed, 500)
+        return parts(size, merge_by_material({wood: [*legs, *table]}, shown, below))
+    rows = max(1, min(3, round(size.depth / 0.42)))
+    found: Stuff = {wood: [*legs, *table]}
+    for k, (c, e) in enumerate(spread(*y, rows)):
+        sides = [block(x, (a, a + 0.012), (top, top + 0.1)) for a in (c, e - 0.012)]
+        sides += [block((a, a + 0.012), (c, e), (top, top + 0.1)) for a in (x[0], x[1] - 0.012)]
+        held = stock(
+            trade,
+            (x[0] + 0.02, x[1] - 0.02),
+            (c + 0.02, e - 0.02),
+            [(top + 0.03, h + 0.02)],
+            seed + 9 * k,
+            3400 // rows,
+        )
+        found = merge_by_material(
+            found, {PINE: [*sides, block(x, (c, e), (top, top + 0.03))]}, held
+        )
+    return parts(size, found)
 
 
 def _fitting_room(size: Size) -> Parts:
@@ -301,24 +230,6 @@ def _stacks_symbol(size: Size) -> Lines:
     )
 
 
-def _checkout_symbol(size: Size) -> Lines:
-    w, d = size.width / 2, size.depth / 2
-    line = -0.1 * d
-    belt = box(-w + 0.05, 0.1 * w, 0.02 * d, 0.85 * d)
-    return (
-        rectangle(size),
-        path((-w, line), (w, line)),
-        belt,
-        oval(0.52 * w, -0.55 * d, 0.25 * min(w, d)),
-    )
-
-
-def _cash_desk_symbol(size: Size) -> Lines:
-    w, d = size.width / 2, size.depth / 2
-    line = 0.7 * d
-    return rectangle(size), path((-w, line), (w, line)), box(0.2 * w, 0.6 * w, -0.1 * d, 0.1 * d)
-
-
 def _fitting_symbol(size: Size) -> Lines:
     w, d = size.width / 2, size.depth / 2
     t = 0.03
@@ -349,19 +260,51 @@ def _basket_symbol(size: Size) -> Lines:
     )
 
 
+def _suited(
+    category: str,
+    symbol: Symbol,
+    mesh: Callable[..., Parts],
+    each: int = TURNS,
+    called: str = "",
+    trade: str = "",
+) -> Iterator[Drawing]:
+    """Models of one kind and size that differ in what they hold, in every suit; the first one has
+    its kind's id."""
+    for number, (suit, k) in enumerate((suit, k) for suit in SUITS for k in range(each)):
+        drawn = partial(mesh, suit=suit, seed=number, **({"trade": trade} if trade else {}))
+        stem = f"{category}_{trade}" if trade else category
+        own = f"{stem}_{LETTERS[number]}" if trade or number else ""
+        label = f"{stem.replace('_', ' ').capitalize()}, {suit}, {LETTERS[k]}"
+        yield Drawing(category, drawn, symbol, own, label, called=tuple(called.split()), suit=suit)
+
+
+_LAID_OUT = {
+    "produce": "produce fruit vegetable greengrocer obst gemüse légumes fruta verdura 蔬果 青果",
+    "bakery": "bakery bread pastry boulangerie pain bäckerei brot panadería pan 面包 パン",
+    "books": "book bookshop bookstore librairie livre buch bücher buchhandlung libro 书 本",
+    "shoes": "shoe footwear trainer chaussure schuh zapato calzado 鞋 靴",
+    "electronics": "electronic computer phone gadget électronique elektronik electrónica 电子 電器",
+}
+"""What is laid out on tables, and the words by which it is asked for."""
+
 ASSETS = (
-    Drawing("clothes_rail", _clothes_rail, _rail_symbol),
-    Drawing("round_rack", _round_rack, _round_rack_symbol),
-    Drawing("mannequin", _mannequin, _mannequin_symbol),
-    Drawing("display_table", _display_table, _stacks_symbol),
-    Drawing("checkout", _checkout, _checkout_symbol),
-    Drawing(
-        "checkout",
-        _cash_desk,
-        _cash_desk_symbol,
-        id="checkout_desk",
-        name="Cash desk",
-        sizes=(Size(0.8, 0.5, 0.9), Size(1.6, 0.7, 1.2), Size(3.0, 0.78, 1.4)),
+    *_suited("clothes_rail", _rail_symbol, _clothes_rail),
+    *_suited("round_rack", _round_rack_symbol, _round_rack),
+    *(
+        Drawing(
+            "mannequin",
+            partial(_mannequin, outfit=OUTFITS[k % len(OUTFITS)], seed=k),
+            _mannequin_symbol,
+            f"mannequin_{LETTERS[k]}" if k else "",
+            f"Mannequin, {OUTFITS[k % len(OUTFITS)].name}",
+        )
+        for k in range(12)
+    ),
+    *_suited("display_table", _stacks_symbol, _display_table),
+    *(
+        drawing
+        for trade, said in _LAID_OUT.items()
+        for drawing in _suited("display_table", _stacks_symbol, _display_table, 3, said, trade)
     ),
     Drawing("fitting_room", _fitting_room, _fitting_symbol),
     Drawing("basket_stack", _basket_stack, _basket_symbol),

@@ -66,7 +66,7 @@ def make_piece(
 ) -> Piece:
     """The object of a group with a number, at its place."""
     pose, size = place
-    asset = _model_of(wish, number, size, catalog)
+    asset = _model_of(wish, hall.space.name, number, size, catalog)
     return Piece(
         id=f"{group}/{wish.category}_{number}",
         category=wish.category,
@@ -97,11 +97,15 @@ def _furnish_lounge(
         yield make_piece(hall, part.wish, group, number, (at, part.size), catalog)
 
 
-def _model_of(wish: HallDemand, number: int, size: Size, catalog: Catalog) -> Asset | None:
-    """The model that draws an object: one that is called as the demand is, another for the next
-    object where there are several (paintings, cars), else one of its kind and size."""
-    called = catalog.choose_called(wish.category, f"{wish.id} {wish.name}", number - 1)
-    return called or catalog.choose(wish.category, size)
+def _model_of(
+    wish: HallDemand, hall: str, number: int, size: Size, catalog: Catalog
+) -> Asset | None:
+    """The model that draws an object: one that is called as the demand or else its ``hall`` is (a
+    bakery), another for the next object where there are several (paintings, cars), else one of its
+    kind and size."""
+    names = (f"{wish.id} {wish.name}", hall)
+    called = (catalog.choose_called(wish.category, name, number - 1) for name in names)
+    return next((one for one in called if one), None) or catalog.choose(wish.category, size)
 
 
 def placed_groups(
