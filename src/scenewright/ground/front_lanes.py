@@ -14,7 +14,7 @@ import shapely
 from numpy.typing import NDArray
 
 from scenewright.core.space import Points
-from scenewright.ground.fronts import find_fronting, list_ways
+from scenewright.ground.fronts import find_fronting
 from scenewright.ground.lanes import LaneGround, Laying, begin_laying, lay_lane
 from scenewright.ground.walks import Doors, find_doors
 
@@ -28,12 +28,11 @@ AHEAD = (2.0, 3.5, 5.0, 7.0, 0.7)
 
 
 def lay_front_lanes(
-    ground: LaneGround, shapes: Shapes, doors: Doors, laying: Laying | None
+    ground: LaneGround, streets: Shapes, shapes: Shapes, doors: Doors, laying: Laying | None
 ) -> Laying | None:
     """Lanes before the ``doors`` (n,) of buildings of some ``shapes`` (n,) that stand by a way and
-    look at none, beside those of a ``laying``."""
-    streets = list_ways(ground.plan, ())
-    lanes = [shapely.buffer(line, ground.radius) for line in laying.laid] if laying else []
+    look at none of ``streets`` (s,) and of the lanes of a ``laying``."""
+    lanes = shapely.buffer(np.array(laying.laid if laying else [], object), ground.radius)
     by, fronting = find_fronting(np.array([*streets, *lanes], object), shapes, doors)
     waiting = np.flatnonzero(by & ~fronting)
     if not len(waiting):
@@ -55,11 +54,11 @@ def lay_front_lanes(
 
 
 def turn_fronts(
-    ways: Shapes, footprints: Sequence[Points], headings: Floats, free: Flags
+    ways: Shapes, shapes: Shapes, footprints: Sequence[Points], headings: Floats, free: Flags
 ) -> Floats:
-    """Headings (n,) of buildings on ``footprints``, corners (k, 2), with those turned round that
-    are ``free`` to, stand by one of the ``ways`` and so look at it."""
-    shapes = np.array([shapely.Polygon(ring) for ring in footprints], object)
+    """Headings (n,) of buildings on ``footprints``, corners (k, 2), and ``shapes``, those turned
+    round that are ``free`` to, stand by one of the ``ways`` and so look at it."""
+    shapes = shapes[: len(footprints)]
     by, fronting = find_fronting(ways, shapes, find_doors(footprints, headings))
     rows = np.flatnonzero(by & ~fronting & free)
     if not len(rows):

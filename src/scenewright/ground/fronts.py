@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from scenewright.ground.outlines import way as cover
 from scenewright.ground.plan import SitePlan
 from scenewright.ground.walks import Doors
-from scenewright.ground.works import Pathway
+from scenewright.ground.works import Pathway, middle_lines
 
 Flags = NDArray[np.bool_]
 Floats = NDArray[np.float64]
@@ -32,12 +32,15 @@ def list_ways(plan: SitePlan, pathways: Sequence[Pathway]) -> Shapes:
     areas = [shapely.Polygon(a.outline, a.holes) for way in plan.roads for a in way.areas]
     beside = [cover(line, way.width)[1] for way in plan.roads for line in way.beside]
     squares = [shapely.Polygon(a.outline) for a in plan.areas if a.kind == "square"]
-    lanes = [
-        shapely.buffer(shapely.LineString(row.line), 0.5 * row.width)
-        for row in pathways
-        if row.kind == "lane"
-    ]
-    return np.array([*areas, *beside, *squares, *lanes], object)
+    return np.array([*areas, *beside, *squares, *cover_lanes(pathways)], object)
+
+
+def cover_lanes(pathways: Sequence[Pathway]) -> Shapes:
+    """The ground of the lanes among some ways."""
+    lanes = [row for row in pathways if row.kind == "lane"]
+    wide = np.array([0.5 * row.width for row in lanes])
+    found: Shapes = shapely.buffer(middle_lines([row.line for row in lanes]), wide)
+    return found
 
 
 def find_fronting(ways: Shapes, shapes: Shapes, doors: Doors) -> tuple[Flags, Flags]:

@@ -54,12 +54,14 @@ def link_ends(
     for number, end in find_dead_ends(lanes, streets, radius).items():
         near = tree.query(end, predicate="dwithin", distance=LINK)
         ways = [*tree.geometries[near[near != number]], *links]
-        own = lanes[number].difference(end.buffer(1.0))
-        lines = [shapely.shortest_line(end, way) for way in ways]
-        for line in sorted(lines, key=lambda row: float(row.length)):
+        lines = shapely.shortest_line(end, np.array(ways, object))
+        long = shapely.length(lines)
+        lines = lines[np.argsort(long, kind="stable")][: int((long <= LINK).sum())]
+        own = lanes[number].difference(end.buffer(1.0)) if len(lines) else None
+        for line in lines:
             ahead = line.interpolate(max(line.length - radius - 1.0, 0.0))
             drive = shapely.LineString([end, ahead])
-            if not 1.0 < line.length <= LINK or line.distance(own) <= 0.5:
+            if line.length <= 1.0 or line.distance(own) <= 0.5:
                 continue
             joins = shapely.dwithin(streets, line, JOINED)
             free = shapely.covers(ground, drive if joins else line)

@@ -16,8 +16,15 @@ from numpy.typing import NDArray
 
 from scenewright.core.space import Points
 from scenewright.geometry.wavefront import find_quickest
-from scenewright.ground.border import find_exits, find_mouths, lead_out
-from scenewright.ground.lane_ends import TURN, lay_heads, link_ends, list_streets
+from scenewright.ground.border import Exits, find_mouths, lead_out
+from scenewright.ground.lane_ends import (
+    LONG,
+    TURN,
+    find_dead_ends,
+    lay_heads,
+    link_ends,
+    list_streets,
+)
 from scenewright.ground.outlines import way as cover
 from scenewright.ground.path_raster import PathRaster, is_drivable
 from scenewright.ground.path_tree import square_off, straighten, trace
@@ -51,12 +58,14 @@ class Tree(NamedTuple):
 
 class LaneGround(NamedTuple):
     """Where lanes of some ``radius``, half their width, are laid: the ``raster`` of a site and all
-    that is ``built`` on it (m,), as polygons and in a ``tree``."""
+    that is ``built`` on it (m,), as polygons and in a ``tree``;
+    ``exits`` are where lanes may leave it."""
 
     plan: SitePlan
     raster: PathRaster
     built: Shapes
     tree: shapely.STRtree
+    exits: Exits
     radius: float
 
 
@@ -119,7 +128,8 @@ def finish_lanes(ground: LaneGround, laying: Laying | None) -> tuple[Pathway, ..
     if streets.is_empty:
         return laid_lanes(laying, 2.0 * radius)
     every = [*laid, *link_ends(laid, streets, laying.centres, radius)]
-    wide = find_centres(ground.plan, ground.built, TURN)
+    dead = [n for n in find_dead_ends(every, streets, radius) if every[n].length > LONG]
+    wide = find_centres(ground.plan, ground.built, TURN) if dead else shapely.Polygon()
     heads = lay_heads(every, streets, laying.centres, wide, radius)
     rows = [*((lane, 2.0 * radius) for lane in every), *heads]
     return tuple(Pathway("lane", width, corners_of_line(lane)) for lane, width in rows)
@@ -133,7 +143,12 @@ def laid_lanes(laying: Laying | None, width: float) -> tuple[Pathway, ...]:
 
 def corners_of_line(line: shapely.LineString) -> tuple[tuple[float, float], ...]:
     """The corners of a line to the millimetre, none twice in a row."""
-    rows = np.round(shapely.get_coordinates(line), 3).tolist()
+    return corners_of(shapely.get_coordinates(line))
+
+
+def corners_of(points: Floats) -> tuple[tuple[float, float], ...]:
+    """Points (n, 2) to the millimetre, none twice in a row."""
+    rows = np.round(points, 3).tolist()
     return tuple((x, y) for k, (x, y) in enumerate(rows) if k == 0 or rows[k - 1] != [x, y])
 
 
@@ -255,13 +270,13 @@ def lay_lane(ground: LaneGround, laying: Laying, goal: int) -> shapely.LineStrin
     moved = shapely.get_coordinates(lines)[1::2]
     if joins:
         end = shapely.Point(moved[-1])
-        nearest = min(laying.laid, key=lambda other: float(other.distance(end)), default=None)
-        if nearest is not None:
+        laid = np.array(laying.laid, object)
+        if len(laid):
+            nearest = laid[int(np.argmin(shapely.distance(laid, end)))]
             moved = np.vstack([moved, shapely.get_coordinates(shapely.shortest_line(end, nearest))])
     else:
         moved[-2:] = dense[-2:]
-        exits = find_exits(ground.plan, 2.0 * radius)
-        moved = lead_out(moved, exits, 4.0 * raster.cell + radius)
+        moved = lead_out(moved, ground.exits, 4.0 * raster.cell + radius)
     lane = round_bends(shapely.simplify(shapely.LineString(moved), 0.02), laying.centres)
     meets = len(ground.tree.query(lane, "dwithin", radius - WITHIN)) > 0
     return None if meets else lane

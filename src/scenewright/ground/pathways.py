@@ -15,9 +15,9 @@ import shapely
 from numpy.typing import NDArray
 
 from scenewright.core.space import Points
-from scenewright.ground.border import find_mouths, is_entered_anywhere
+from scenewright.ground.border import find_exits, find_mouths, is_entered_anywhere
 from scenewright.ground.front_lanes import lay_front_lanes, turn_fronts
-from scenewright.ground.fronts import list_ways
+from scenewright.ground.fronts import cover_lanes, list_ways
 from scenewright.ground.lanes import LaneGround, finish_lanes, laid_lanes, lay_lanes
 from scenewright.ground.path_raster import make_raster
 from scenewright.ground.plan import SitePlan
@@ -43,26 +43,18 @@ class Network(NamedTuple):
     headings: Floats
 
 
-class Facing(NamedTuple):
-    """Which buildings (n,) may be turned round to look at a way, and before whose doors lanes may
-    lead."""
-
-    turns: Flags
-    leads: Flags
-
-
 def lay_pathways(
     plan: SitePlan,
     footprints: Sequence[Points],
     headings: Floats,
     width: float,
     reach: float,
-    facing: Facing | None = None,
+    free: Flags | None = None,
 ) -> Network:
     """Lanes of some ``width`` that come within ``reach`` of every building, and walks to the
     doors. ``footprints`` are corners (k, 2), ``headings`` (n,) those of the fronts; landmarks
-    stand in the way. With ``facing`` fronts turn to the ways beside them, and lanes lead before
-    those that look at none."""
+    stand in the way. With ``free`` (n,), boxes that may be turned round, fronts turn to the
+    ways beside them, and lanes lead before those that look at none."""
     marks = [np.asarray(row.footprint, float) for row in plan.landmarks]
     lots = [np.array(area.outline) for area in plan.areas if area.kind == "parking"]
     solids = [*(np.asarray(ring, float) for ring in footprints), *marks, *lots]
@@ -70,24 +62,28 @@ def lay_pathways(
     squares, apart = find_joined_areas(plan)
     cap = max(0.5 * width + 1.0, COMFORT) + 1.0
     raster = make_raster(plan, solids, cap, width, squares)
-    ground = LaneGround(plan, raster, built, shapely.STRtree(built), 0.5 * width)
+    exits, radius = find_exits(plan, width), 0.5 * width
+    ground = LaneGround(plan, raster, built, shapely.STRtree(built), exits, radius)
     doors = find_doors(footprints, headings)
     laying, near = lay_lanes(ground, solids, doors.ways, reach)
     marked = [k for k, row in enumerate(plan.landmarks) if row.model]
     of_marks = find_doors(
         [marks[k] for k in marked], np.array([plan.landmarks[k].box[2] for k in marked])
     )
-    if facing is not None:
-        own = np.flatnonzero(facing.leads).tolist()
-        rows = [*own, *(len(footprints) + k for k in marked)]
+    if free is not None:
+        streets, count = list_ways(plan, ()), len(footprints)
+        rows = [*range(count), *(count + k for k in marked)]
         for _ in range(ROUNDS):
-            lanes = laid_lanes(laying, width)
-            headings = turn_fronts(list_ways(plan, lanes), footprints, headings, facing.turns)
-            doors = join_doors(find_doors([footprints[k] for k in own], headings[own]), of_marks)
-            laying = lay_front_lanes(ground, built[rows], doors, laying)
+            ways = np.append(streets, cover_lanes(laid_lanes(laying, width)))
+            headings = turn_fronts(ways, built, footprints, headings, free)
+            led = find_doors(footprints, headings)
+            laying = lay_front_lanes(
+                ground, streets, built[rows], join_doors(led, of_marks), laying
+            )
     lanes = finish_lanes(ground, laying)
-    if facing is not None:
-        headings = turn_fronts(list_ways(plan, lanes), footprints, headings, facing.turns)
+    if free is not None:
+        ways = np.append(streets, cover_lanes(lanes))
+        headings = turn_fronts(ways, built, footprints, headings, free)
     doors = join_doors(find_doors(footprints, headings), apart, of_marks)
     walks, served = lay_walks(plan, raster, built, doors, lanes)
     return Network((*lanes, *walks), near, served[: len(footprints)], headings)

@@ -12,11 +12,11 @@ from numpy.typing import NDArray
 from scenewright.core.space import Points
 from scenewright.geometry.wavefront import find_quickest
 from scenewright.ground.border import Exits, find_exits, lead_out
-from scenewright.ground.lanes import corners_of_line, measure_ground
+from scenewright.ground.lanes import corners_of, measure_ground
 from scenewright.ground.path_raster import PathRaster
 from scenewright.ground.path_tree import grow_paths, square_off, straighten
 from scenewright.ground.plan import SitePlan
-from scenewright.ground.works import Pathway
+from scenewright.ground.works import Pathway, middle_lines
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int32]
@@ -48,10 +48,13 @@ def find_doors(footprints: Sequence[Points], headings: Floats) -> Doors:
     [[4.0, 2.0]]
     """
     ways = np.stack([np.cos(headings), np.sin(headings)], 1).reshape(-1, 2)
-    places = np.zeros((len(footprints), 2))
-    for k, (ring, ahead) in enumerate(zip(footprints, ways, strict=True)):
-        middles = 0.5 * (ring + np.roll(ring, -1, axis=0))
-        places[k] = middles[int(np.argmax(np.round(middles @ ahead, 6)))]
+    places, counts = np.zeros((len(footprints), 2)), np.array([len(ring) for ring in footprints])
+    for count in np.unique(counts).tolist():
+        own = np.flatnonzero(counts == count)
+        rings = np.array([footprints[k] for k in own.tolist()], np.float64)
+        middles = 0.5 * (rings + np.roll(rings, -1, axis=1))
+        ahead = np.round((middles * ways[own, None]).sum(2), 6)
+        places[own] = middles[np.arange(len(own)), ahead.argmax(1)]
     return Doors(places, ways)
 
 
@@ -89,7 +92,7 @@ def lay_walks(
     ]
     served[list(outward)] = True
     every = (line for line in (*lines, *stubs, *outward.values()) if len(line) > 1)
-    corners = (corners_of_line(shapely.LineString(line)) for line in every)
+    corners = (corners_of(line) for line in every)
     walks = (Pathway("walk", WALK, line) for line in corners if len(line) > 1)
     return tuple(walks), served
 
@@ -113,8 +116,7 @@ def _draw_lines(
     straight = [
         raster.points_of(square_off(straighten(piece, slow, raster.cell), slow)) for piece in pieces
     ]
-    rows = [shapely.LineString(np.repeat(line, 2, axis=0)) for line in straight]
-    lines = np.array(rows, object)
+    lines = middle_lines([np.repeat(line, 2, axis=0).tolist() for line in straight])
     near = shapely.STRtree(built).query(lines, predicate="dwithin", distance=0.5 * WALK + KERB)[0]
     for k in np.unique(near).tolist():
         straight[k] = raster.points_of(pieces[k])

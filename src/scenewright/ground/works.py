@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Literal, NamedTuple
+from collections.abc import Sequence
+from itertools import chain
+from typing import Any, Literal, NamedTuple
+
+import numpy as np
+import shapely
 
 Corner = tuple[float, float]
 PathKind = Literal["lane", "drive", "walk"]
@@ -16,6 +21,13 @@ class Pathway(NamedTuple):
     kind: PathKind
     width: float
     line: tuple[Corner, ...]
+
+
+def middle_lines(lines: Sequence[Sequence[Any]]) -> Any:
+    """Lines (k, 2) each, of two points at least, as an array (n,) of shapes."""
+    count = [len(line) for line in lines]
+    points = np.array(list(chain.from_iterable(lines)), np.float64).reshape(-1, 2)
+    return shapely.linestrings(points, indices=np.repeat(np.arange(len(count)), count))
 
 
 class PavedArea(NamedTuple):

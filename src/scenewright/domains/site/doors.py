@@ -21,7 +21,7 @@ from scenewright.domains.site.facing import face_ways
 from scenewright.domains.site.problem import Flags, Floats, SiteProblem
 from scenewright.domains.site.solvers.outcome import SiteLayout
 from scenewright.ground.frontage import find_doors_at_border
-from scenewright.ground.pathways import Facing, Network, lay_pathways
+from scenewright.ground.pathways import Network, lay_pathways
 from scenewright.ground.plan import SitePlan
 from scenewright.ground.walks import find_doors
 
@@ -58,11 +58,13 @@ def serve_doors(
 ) -> ServedLayout:
     """A layout with ways to all its doors; ``stay`` are buildings that stand already."""
     lost: dict[int, str] = {}
-    facing = problem.form == "repaired" and not site.sun_required
-    free = find_facing(site, plan, problem, found) if facing else None
-    if free is not None:
-        boxes, stand = found.boxes.copy(), found.present
-        boxes[stand] = face_ways(plan, problem, boxes[stand], free.turns[stand])
+    free = None
+    if problem.form == "repaired" and not site.sun_required:
+        shapes = problem.buildings.footprints
+        free = np.array([not (shapes and shapes[i]) for i in range(len(found.present))], bool)
+        loose = (free & ~find_closing(site, plan, found))[found.present]
+        boxes = found.boxes.copy()
+        boxes[found.present] = face_ways(plan, problem, boxes[found.present], loose)
         found = found._replace(boxes=boxes, score={})
     found, served = _serve(site, plan, problem, found, stay, free)
     if served.faulty().any():
@@ -84,16 +86,13 @@ def serve_doors(
     return ServedLayout(found, served.network, lost, outlines)
 
 
-def find_facing(site: Site, plan: SitePlan, problem: SiteProblem, found: SiteLayout) -> Facing:
-    """Which buildings (n,) may be turned to ways, boxes that close no court, and before which lanes
-    may lead."""
-    shapes, closing = problem.buildings.footprints, np.zeros(len(found.present), bool)
-    if site.court_gap is not None and found.forms:
-        blocks = shapely.union_all(list_court_blocks(site, plan))
-        closing = shapely.dwithin(blocks, shapely.points(found.boxes[:, :2]), 0.0)
-        closing &= np.array([form == "peripheral" for form in found.forms], bool)
-    boxes = np.array([not (shapes and shapes[i]) for i in range(len(closing))], bool)
-    return Facing(~closing & boxes, ~closing)
+def find_closing(site: Site, plan: SitePlan, found: SiteLayout) -> Flags:
+    """Which buildings (n,) stand round a court that is to close."""
+    if site.court_gap is None or not found.forms:
+        return np.zeros(len(found.present), bool)
+    blocks = shapely.union_all(list_court_blocks(site, plan))
+    round_court = np.array([form == "peripheral" for form in found.forms], bool)
+    return round_court & shapely.dwithin(blocks, shapely.points(found.boxes[:, :2]), 0.0)
 
 
 def _serve(
@@ -102,13 +101,13 @@ def _serve(
     problem: SiteProblem,
     found: SiteLayout,
     stay: tuple[Piece, ...],
-    facing: Facing | None = None,
+    free: Flags | None = None,
 ) -> tuple[SiteLayout, Served]:
-    """The ways to a layout, with the fronts turned to them that may be."""
+    """The ways to a layout, with the fronts turned to them that are ``free`` (n,) to."""
     here, own = np.flatnonzero(found.present), int(found.present.sum())
     outlines = [*_footprints(problem, found), *(outline_of(piece) for piece in stay)]
     headings = np.concatenate([found.boxes[here, 2], [piece.pose.heading for piece in stay]])
-    may = facing and Facing(*(np.append(row[here], np.zeros(len(stay), bool)) for row in facing))
+    may = None if free is None else np.append(free[here], np.zeros(len(stay), bool))
     network = lay_pathways(plan, outlines, headings, site.fire_access, site.fire_reach, may)
     if may is not None:
         boxes = found.boxes.copy()

@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 import shapely
+from numpy.typing import NDArray
 
 from scenewright.core.catalog import Asset, Catalog
 from scenewright.core.layout import corners
@@ -18,7 +19,7 @@ from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains.site.problem import Floats
 from scenewright.ground.plan import SitePlan, Way
 from scenewright.ground.surfaces import kerb
-from scenewright.ground.works import GroundWorks, PavedArea
+from scenewright.ground.works import GroundWorks, middle_lines
 
 TREES = 900
 """Most trees of a site."""
@@ -55,10 +56,11 @@ def green(
     kinds = catalog.of("tree")
     if not kinds:
         return ()
-    ground = _ground(plan, works, buildings)
+    ways = cover_ways(works)
+    ground = _ground(plan, works, buildings, ways)
     beside = np.concatenate([np.zeros((0, 2)), *(_avenue(way) for way in plan.roads)])
     beside = beside[:: max(1, len(beside) // (8 * TREES))]
-    around = _clear(_rim_of_squares(works), ground._replace(walks=_walks(works)), False)
+    around = _clear(_rim_of_squares(works), ground._replace(walks=shapely.STRtree(ways)), False)
     rows = np.vstack([around, _clear(beside, ground)])
     rows = _apart(rows, 0.55 * AVENUE)[: 2 * TREES // 3]
     groves = _groves(plan, ground, rows, rng)[: TREES - len(rows)]
@@ -74,21 +76,26 @@ def green(
     return (*trees, *_lamps(plan, catalog))
 
 
-def _ground(plan: SitePlan, works: GroundWorks, buildings: Sequence[Piece]) -> GreenGround:
+def _ground(
+    plan: SitePlan, works: GroundWorks, buildings: Sequence[Piece], ways: NDArray[np.object_]
+) -> GreenGround:
     boxes = [(p.pose.x, p.pose.y, p.pose.heading, p.size.width, p.size.depth) for p in buildings]
     areas = [shapely.Polygon(a.outline, a.holes) for way in plan.roads for a in way.areas]
+    set_apart = [shapely.Polygon(a.outline) for a in works.areas if a.kind != "court"]
     return GreenGround(
         shapely.Polygon(plan.outline, plan.holes).buffer(-FROM_BORDER),
         shapely.STRtree(shapely.polygons(corners(np.array(boxes).reshape(-1, 5)))),
         shapely.STRtree(areas),
-        _walks(works, *(a for a in works.areas if a.kind != "court")),
+        shapely.STRtree([*ways, *set_apart]),
     )
 
 
-def _walks(works: GroundWorks, *areas: PavedArea) -> shapely.STRtree:
-    """The ways of a site and some areas, which trees keep clear of."""
-    ways = [shapely.LineString(p.line).buffer(0.5 * p.width) for p in works.pathways]
-    return shapely.STRtree([*ways, *(shapely.Polygon(area.outline) for area in areas)])
+def cover_ways(works: GroundWorks) -> NDArray[np.object_]:
+    """The ground of the ways of a site, which trees keep clear of."""
+    lines = middle_lines([row.line for row in works.pathways])
+    wide = np.array([0.5 * row.width for row in works.pathways])
+    found: NDArray[np.object_] = shapely.buffer(lines, wide, quad_segs=16)
+    return found
 
 
 def _rim_of_squares(works: GroundWorks) -> Floats:

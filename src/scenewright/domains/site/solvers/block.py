@@ -14,7 +14,7 @@ from scenewright.domains.site.problem import Floats, SiteProblem
 from scenewright.domains.site.solvers.closed_court import close_court
 from scenewright.domains.site.solvers.distances import list_reserved_edges, mark_shaded, noon
 from scenewright.domains.site.solvers.front import list_front_margins, list_side_margins, turned_in
-from scenewright.domains.site.solvers.perimeter_block import list_front_lines, rim
+from scenewright.domains.site.solvers.perimeter_block import list_front_lines, rim, spread_out
 from scenewright.domains.site.solvers.rows import StripRule, rows
 from scenewright.domains.site.solvers.strips import back, rotate_block
 
@@ -116,7 +116,7 @@ def loosen_layout(
     if front.ring is not None or front.open:
         return tight
     steps = problem.settings.fill.steps if loosest > 1.0 else 0
-    gaps, best, closer = np.geomspace(loosest, 1.0, steps + 1)[:steps].tolist(), tight, 1.0
+    gaps, best, closer = [*spread_out(loosest, 1.0, steps + 1)[:steps]], tight, 1.0
     while gaps:
         loose = gaps.pop(0)
         found = lay_out_block(problem, edges, queue, heading, form, loose, margins, front)

@@ -27,6 +27,7 @@ from scenewright.domains.site.solvers.block import (
     list_forms,
     loosen_layout,
 )
+from scenewright.domains.site.solvers.closed_court import close_court
 from scenewright.domains.site.solvers.distances import list_reserved_edges
 from scenewright.domains.site.solvers.front import list_square_lines
 from scenewright.domains.site.solvers.improve import improve_layout
@@ -151,6 +152,13 @@ def _line_squares(
         lines = list_square_lines(problem, list_front_lines(list_edges(problem, b)))
         ground = list_ground(problem, b, boxes, present, queue)
         numbers, places = rim(ground, sizes, queue, problem.spacing, 1.0, None, lines)
+        if problem.court_gap > 0.0 and problem.block_forms[b] == "peripheral" and numbers:
+            taken = list_reserved_edges(
+                problem, places, sizes[numbers, 2], float(sizes[:, 2].max())
+            )
+            rest = [i for i in left if i not in set(numbers)]
+            if not close_court(problem, np.concatenate([ground, taken]), rest, problem.spacing):
+                continue
         left = _record_block(
             BlockLayout(tuple(numbers), places, "mixed"), left, boxes, present, forms
         )

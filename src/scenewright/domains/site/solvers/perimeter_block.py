@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -54,13 +55,19 @@ def rim(
         lines = lines[np.cos(turn - open_to) < OPEN]
     floors, most = sizes[queue, :2].reshape(-1, 2), math.ceil(len(queue) * share)
     best = _fill_lines(lines, edges, floors, (gap, gap, inward), most)
-    for more in np.geomspace(widest, gap, STEPS).tolist() if widest else ():
+    for more in spread_out(widest, gap, STEPS) if widest else ():
         found = _fill_lines(lines, edges, floors, (gap, gap + more, inward), most)
         if len(found.boxes) >= len(best.boxes):
             best = found
             break
     spread_along(lines, edges, best.boxes, best.wide, best.owner, gap + HAIR)
     return [queue[k] for k in best.numbers.tolist()], best.boxes
+
+
+@lru_cache(512)
+def spread_out(first: float, last: float, count: int) -> tuple[float, ...]:
+    """Numbers from the first to the last in equal proportions."""
+    return tuple(np.geomspace(first, last, count).tolist())
 
 
 class AlongLines(NamedTuple):
