@@ -17,7 +17,7 @@ class FillSettings(NamedTuple):
     which gaps are widened less; how many heights towers of the form ``point`` stand apart."""
 
     tried: int = 8
-    loosest: tuple[float, ...] = (8.0, 2.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0)
+    loosest: tuple[float, ...] = (8.0, 2.0, *(1.0,) * 10)
     variety: float = 0.05
     askew: float = 0.5
     other: float = 3.0

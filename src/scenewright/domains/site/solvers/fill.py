@@ -153,9 +153,8 @@ def _line_squares(
         ground = list_ground(problem, b, boxes, present, queue)
         numbers, places = rim(ground, sizes, queue, problem.spacing, 1.0, None, lines)
         if problem.court_gap > 0.0 and problem.block_forms[b] == "peripheral" and numbers:
-            taken = list_reserved_edges(
-                problem, places, sizes[numbers, 2], float(sizes[:, 2].max())
-            )
+            tall = float(sizes[:, 2].max())
+            taken = list_reserved_edges(problem, places, sizes[numbers, 2], tall)
             rest = [i for i in left if i not in set(numbers)]
             if not close_court(problem, np.concatenate([ground, taken]), rest, problem.spacing):
                 continue
