@@ -34,6 +34,7 @@ from scenewright.render.items import RenderItem, things
 from scenewright.render.lamps import lamps_of
 from scenewright.render.light_rows import LightRow, dark_rows, row_item
 from scenewright.render.observations.ceilings import ceilings
+from scenewright.render.public_rooms import fittings
 from scenewright.render.skirting import skirting
 
 MOST_LIGHTS = 12
@@ -84,7 +85,8 @@ def document_of(
     scene or its ``domain``; unless ``batched`` everything draws its own mesh."""
     found = things(scene, catalog)
     rows = [*_dark_rows(scene, found, catalog)]
-    built = (*_seen_ceilings(scene), *skirting(scene), *map(row_item, rows))
+    seen = (*_seen_ceilings(scene), *fittings(scene))
+    built = (*seen, *skirting(scene), *map(row_item, rows))
     tree = build_tree(scene, (*found, *built), domain, batched)
     unique: dict[Hashable, Drawn] = {}
     for one in tree.drawn.values():

@@ -52,7 +52,7 @@ from scenewright.render.near_walls import (
 )
 
 Direction = tuple[float, float, float]
-BuiltKind = Literal["slab", "space", "ceiling", "skirting", "light row", "surface", "wall"]
+BuiltKind = Literal["slab", "space", "ceiling", "skirting", "light row", "sign", "surface", "wall"]
 ThingKind = Literal[BuiltKind, "opening", "stairs", "piece"]
 
 SLAB = 0.22

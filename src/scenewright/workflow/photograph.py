@@ -16,7 +16,7 @@ from scenewright.core.solution import Solution
 from scenewright.render.contact_sheet import write_sheet
 from scenewright.render.daylight import HOURS
 from scenewright.render.observations.world import build_world
-from scenewright.render.photo.photograph import SAMPLES, SIZE, Photo
+from scenewright.render.photo.photograph import SAMPLES, SIZE, Photo, shut_doors
 from scenewright.render.photo.photograph import photograph as photograph_world
 from scenewright.workflow.cycles import find_program, photograph_by_cycles
 from scenewright.workflow.observe import SOLVING, Tell, check_rooms, named_rooms, solve_source
@@ -77,7 +77,7 @@ def photograph(
         if alone and len(wanted or scene.spaces) != 1:
             fault = f"one picture is of one room, but {len(wanted or scene.spaces)} are asked for"
             raise InputError(fault, "name one by --room, or give a folder", file=str(output))
-        world = build_world(scene, catalog)
+        world = build_world(shut_doors(scene), catalog)
         lit = hour or scene.hour or "day"
         photos = RENDERERS[renderer](world, catalog, wanted, lit, size, samples, seed)
         told = _told(photos, len(wanted or scene.spaces), tell, cancel)

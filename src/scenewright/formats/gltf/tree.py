@@ -13,8 +13,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from scenewright.catalog.classes import RUN
 from scenewright.core.catalog import Part, transform_part
-from scenewright.core.scene import Scene, Size
+from scenewright.core.scene import Piece, Scene, Size
 from scenewright.render.bodies import Body, split_bodies
 from scenewright.render.items import RenderItem, to_level_coordinates
 
@@ -26,6 +27,11 @@ MANY = 8
 """From this number on, equal pieces of a room are instances of one node."""
 SMALL = 0.45
 """Longest side, in metres, of what is drawn with the other small things of a room."""
+TOGETHER, HUNG = 2, 0.25
+"""From this number on, small or fixed things of a room are drawn as one; what begins so far above
+the floor, in metres, and stands on nothing is fixed."""
+FIXED = RUN | {"curtain", "blind", "toilet", "basin", "pedestal_basin", "double_basin", "bathtub"}
+"""Kinds that are fixed to a building and stand on its floor."""
 BRANCHES = {
     "wall": "walls",
     "opening": "openings",
@@ -33,6 +39,7 @@ BRANCHES = {
     "ceiling": "ceilings",
     "skirting": "skirting",
     "light row": "light rows",
+    "sign": "signs",
 }
 """What is drawn as a whole by level, and how the node that draws it is called."""
 Json = dict[str, Any]
@@ -76,7 +83,7 @@ def build_tree(scene: Scene, found: Sequence[RenderItem], domain: str, batched: 
     """All nodes, the root first; children by number. Unless ``batched`` everything draws itself."""
     tree = Tree([], {}, {thing.name for thing in found})
     tree.nodes.append({"name": tree.free(scene.name or domain), "extras": {"category": domain}})
-    sizes = {piece.id: piece.size for piece in scene.pieces}
+    pieces = {piece.id: piece for piece in scene.pieces}
     for level in scene.levels:
         extras = {"category": "level", "height": level.height, "elevation": level.elevation}
         name = tree.free(level.name or f"level {level.id or 1}")
@@ -85,7 +92,7 @@ def build_tree(scene: Scene, found: Sequence[RenderItem], domain: str, batched: 
             node["translation"] = [0.0, float(level.elevation), 0.0]
         mine = [thing for thing in found if thing.level == level.id]
         _add_storey(tree, tree.add(0, node), mine, name, batched)
-        _add_pieces(tree, [t for t in mine if t.kind in ("surface", "piece")], sizes, batched)
+        _add_pieces(tree, [t for t in mine if t.kind in ("surface", "piece")], pieces, batched)
     return tree
 
 
@@ -157,40 +164,46 @@ def _shape_key(body: Body) -> Hashable:
 
 
 def _add_pieces(
-    tree: Tree, found: Sequence[RenderItem], sizes: Mapping[str, Size], batched: bool
+    tree: Tree, found: Sequence[RenderItem], pieces: Mapping[str, Piece], batched: bool
 ) -> None:
-    """Pieces below their rooms. Many of one kind are instances of a node, many small ones are drawn
-    as a whole; both have named nodes of their own that draw nothing."""
+    """Pieces below their rooms. Many of one kind are instances of a node, small ones and those
+    fixed to the building are drawn as a whole; all have named nodes of their own."""
     rooms = {node["name"]: number for number, node in enumerate(tree.nodes)}
-    batches: dict[Hashable, list[RenderItem]] = {}
+    batches: dict[tuple[str, Hashable], list[RenderItem]] = {}
     for thing in found:
-        batches.setdefault(_batch_key(thing, sizes.get(thing.name)), []).append(thing)
+        batches.setdefault(_batch_key(thing, pieces.get(thing.name)), []).append(thing)
     for key, group in batches.items():
         parent = rooms.get(group[0].space, 1)
-        held = batched and len(group) >= MANY and bool(group[0].parts)
+        least = TOGETHER if key[1] in (SMALL, FIXED) else MANY
+        held = batched and len(group) >= least and bool(group[0].parts)
         if held:
             _add_batch(tree, parent, group, key)
         for thing in group:
-            size = sizes.get(thing.name)
-            if held:
-                tree.add(parent, node_of(thing, size))
-            else:
-                _add_thing(tree, parent, thing, size)
+            piece = pieces.get(thing.name)
+            _add_thing(tree, parent, thing, piece.size if piece else None, still=not held)
 
 
-def _batch_key(thing: RenderItem, size: Size | None) -> Hashable:
-    """What things of a room have in common that may be drawn at once: being small, or the key."""
-    small = size is not None and max(size) <= SMALL and not split_bodies(thing.parts)[1]
-    return (thing.space, SMALL if small else thing.key)
+def _batch_key(thing: RenderItem, piece: Piece | None) -> tuple[str, Hashable]:
+    """What things of a room have in common that may be drawn at once: being small, being fixed to
+    the building, or the key."""
+    if piece is None:
+        return thing.space, thing.key
+    if max(piece.size) <= SMALL and not split_bodies(thing.parts)[1]:
+        return thing.space, SMALL
+    hung = piece.on is None and piece.pose.z >= HUNG
+    return thing.space, FIXED if hung or piece.category in FIXED else thing.key
 
 
-def _add_batch(tree: Tree, parent: int, group: Sequence[RenderItem], key: Hashable) -> None:
-    """A node that draws a group: instances of one mesh, or small things as one."""
+def _add_batch(
+    tree: Tree, parent: int, group: Sequence[RenderItem], key: tuple[str, Hashable]
+) -> None:
+    """A node that draws a group: instances of one mesh, or different things as one."""
     first = group[0]
-    if len({thing.key for thing in group}) > 1:
-        name = tree.free(f"small things of {first.space}")
+    if len({thing.key for thing in group}) > 1 or len(group) < MANY:
+        kind = "fixtures" if key[1] == FIXED else "small things"
+        name = tree.free(f"{kind} of {first.space}")
         drawn = Drawn(key, name, tuple(_in_level(group)))
-        extras: Json = {"category": "small things", "space": first.space, "holds": len(group)}
+        extras: Json = {"category": kind, "space": first.space, "holds": len(group)}
     else:
         name = str(first.extras.get("asset", first.name))
         drawn = Drawn(first.key, name, first.parts, tuple(map(place_of, group)))

@@ -19,6 +19,7 @@ from scenewright.render.lamps import lamps_of
 from scenewright.render.light_rows import dark_rows, row_item
 from scenewright.render.observations.ceilings import ceilings
 from scenewright.render.picture import RenderStage, StageCasters, build_caster, build_casters
+from scenewright.render.public_rooms import fittings
 from scenewright.render.stage import CLEAR, place_parts, shared_normals, stage_of
 from scenewright.render.street import AIR, MEADOW
 
@@ -91,7 +92,7 @@ def shown_items(scene: Scene, catalog: Catalog) -> tuple[RenderItem, ...]:
     """The things that are seen from inside, in the order of the world's triangles."""
     found = things(scene, catalog)
     rows = [row_item(row) for row in dark_rows(scene.spaces, lamps_of(found, catalog))]
-    return tuple(one for one in (*found, *ceilings(scene), *rows) if one.parts)
+    return tuple(one for one in (*found, *ceilings(scene), *rows, *fittings(scene)) if one.parts)
 
 
 def solid_parts(scene: Scene, catalog: Catalog) -> list[Part]:

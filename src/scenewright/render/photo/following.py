@@ -12,6 +12,7 @@ from scenewright.geometry import rays
 from scenewright.render.finish import PLAIN
 from scenewright.render.observations.world import VisibleWorld
 from scenewright.render.photo import kernels
+from scenewright.render.photo.panes import pass_panes
 from scenewright.render.photo.sources import Sources
 from scenewright.render.photo.texture_kernels import paint_hits
 from scenewright.render.textures.worn import WornTextures, wear_textures
@@ -123,8 +124,9 @@ def _follow(lit: LitWorld, camera: PhotoFrame, pixels: Ints, sample: int, film: 
         camera.eye, camera.axes, camera.frame, camera.width, pixels, sample, starts, ways
     )
     rows = np.arange(count, dtype=np.int32)
-    ones = np.ones((count, 3), np.float32)
-    paths = Paths(pixels, rows, starts, ways, ones, np.ones(count, np.bool_))
+    through = np.ones((count, 3), np.float32)
+    pass_panes(lit.world, (sample, int(pixels[0])), starts, ways, through)
+    paths = Paths(pixels, rows, starts, ways, through, np.ones(count, np.bool_))
     step = float(camera.frame[2])
     for bounce in range(BOUNCES + 1):
         paths = _bounce(lit, paths, sample, bounce, step, film)

@@ -16,14 +16,13 @@ from numpy.typing import NDArray
 from scenewright.geometry.compiled import compiled, inlined
 from scenewright.render.finish import PLAIN, _tone
 from scenewright.render.light import OFFSET, _between, _cross
+from scenewright.render.photo.sky_kernels import _far_trees, _random, _sky
 
 Singles = NDArray[np.float32]
 Ints = NDArray[np.int32]
 Longs = NDArray[np.int64]
 Flags = NDArray[np.bool_]
 
-STEPS = (0.7548776662466927, 0.5698402909980532)
-"""Of even and odd dimensions: the sequence R2 fills the square evenly (M. Roberts 2018)."""
 TURNS = 2.0 * math.pi
 MIRROR = 0.6
 """Below this roughness a bounce off the surface of a thing is as off a mirror."""
@@ -31,18 +30,6 @@ FAR = 1e4
 """Beyond everything, in metres."""
 BESIDE = 0.15
 """How far before a surface, in metres, it is asked in which room that is."""
-
-
-@inlined
-def _random(pixel: int, sample: int, dimension: int) -> float:
-    """A number in [0, 1) of a pixel's sequence."""
-    h = np.uint32(pixel) * np.uint32(747796405) + np.uint32(dimension) * np.uint32(2891336453)
-    h = (h ^ (h >> np.uint32(16))) * np.uint32(2246822519)
-    h = (h ^ (h >> np.uint32(13))) * np.uint32(3266489917)
-    h = h ^ (h >> np.uint32(16))
-    step = STEPS[1] if dimension % 2 else STEPS[0]
-    value = float(h) / 4294967296.0 + step * sample
-    return value - math.floor(value)
 
 
 @compiled
@@ -66,28 +53,6 @@ def aim_rays(
         for k in range(3):
             starts[i, k] = eye[k]
             ways[i, k] = (x * axes[0, k] + y * axes[1, k] + axes[2, k]) / length
-
-
-@inlined
-def _sky(way_z: float, sky: Singles, k: int) -> float:
-    """Light from a direction beyond everything: ``sky`` rows are ground, horizon and zenith."""
-    if way_z < 0.0:
-        return float(sky[0, k])
-    share = math.sqrt(way_z)
-    return float(sky[1, k] + (sky[2, k] - sky[1, k]) * share)
-
-
-@inlined
-def _far_trees(x: float, y: float, z: float) -> float:
-    """Share of the ground's light that trees on the horizon give back in a direction, 0 above
-    their tops: 2 to 5 degrees high, lighter and darker by the crown."""
-    turn = math.atan2(y, x)
-    top = 0.052 + 0.014 * math.sin(3.0 * turn + 1.0) + 0.008 * math.sin(11.0 * turn)
-    top += 0.007 * abs(math.sin(29.0 * turn + 2.0)) + 0.004 * abs(math.sin(83.0 * turn))
-    if z > top or z < -0.06:
-        return 0.0
-    crown = abs(math.sin(29.0 * turn + 2.0)) * (0.6 + 0.4 * abs(math.sin(151.0 * turn + 60.0 * z)))
-    return 0.3 + 0.25 * crown * max(z, 0.0) / top
 
 
 @inlined

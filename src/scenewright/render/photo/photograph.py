@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import NamedTuple
 
 from scenewright.core.catalog import Catalog
+from scenewright.core.scene import Scene
 from scenewright.core.space import Space
 from scenewright.render.items import things
 from scenewright.render.lamps import lamps_of
@@ -34,6 +36,13 @@ class Photo(NamedTuple):
 
     space: Space
     pixels: Pixels
+
+
+def shut_doors(scene: Scene) -> Scene:
+    """A scene whose leaves are shut unless its brief says how far they stand open: as drawn they
+    stand open, in the way of a view."""
+    shut = (replace(one, ajar=0.0) if one.ajar is None else one for one in scene.openings)
+    return replace(scene, openings=tuple(shut))
 
 
 def views_of(

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import numpy as np
+import shapely
 from numpy.typing import NDArray
 
 from scenewright.core.scene import CLUTTER, Scene
@@ -18,9 +19,11 @@ from scenewright.geometry import rays
 from scenewright.render.observations.floor import WalkableFloor, walkable_floor
 from scenewright.render.observations.world import VisibleWorld
 from scenewright.render.photo.following import PhotoFrame
+from scenewright.render.public_rooms import is_public
 
-EYE = 1.35
-"""Height of the camera in metres: above tables, below the eye, as interiors are photographed."""
+EYE, PUBLIC = 1.35, 1.5
+"""Height of the camera in metres: above tables, below the eye, as interiors are photographed;
+over counters and racks in rooms of the public."""
 WIDE = float(np.tan(np.deg2rad(37.0)))
 """Tangent of half the view's width (a lens of 24 mm)."""
 SHIFT = 0.17
@@ -28,7 +31,9 @@ SHIFT = 0.17
 TRIED = 48
 AROUND, STEEPS = 96, np.linspace(-0.75, 0.35, 15)
 """Directions of the ring, and tangents of their steepness."""
-CLEARANCE, NEAR, FAR = 0.22, 1.25, 4.5
+CLEARANCE, NEAR, FAR, WIDE_ROOM = 0.22, 1.25, 4.5, 6.0
+"""Metres: what a camera keeps off things, what is too near, and what is far in a room of this
+width; farther in wider ones."""
 SHORT = 0.1
 """How far before what a ray meets it is asked in which room that is, in metres."""
 OTHER, SMALL = 0.15, 0.02
@@ -77,12 +82,15 @@ def _best_in_room(
     drawn = rng.choice(len(cells), min(tried, len(cells)), replace=False, p=chance / chance.sum())
     own = _own_things(world, world.scene, floor.spaces[number].id)
     best, found = -np.inf, (places[drawn[0]], 0.0)
+    space = floor.spaces[number]
+    height = floor.elevation + (PUBLIC if is_public(space) else EYE)
+    far = FAR * max(1.0, float(np.sqrt(shapely.Polygon(space.outline).area)) / WIDE_ROOM)
     for place in places[drawn]:
-        eye = np.array([*place, floor.elevation + EYE])
-        for yaw, worth in _worths(world, eye, own, floor, number):
+        eye = np.array([*place, height])
+        for yaw, worth in _worths(world, eye, own, floor, number, far):
             if worth > best:
                 best, found = worth, (place, yaw)
-    return frame_of((*found[0], floor.elevation + EYE), found[1], size)
+    return frame_of((*found[0], height), found[1], size)
 
 
 def _own_things(world: VisibleWorld, scene: Scene, room: str) -> NDArray[np.float64]:
@@ -98,9 +106,9 @@ def _own_things(world: VisibleWorld, scene: Scene, room: str) -> NDArray[np.floa
 
 
 def _worths(
-    world: VisibleWorld, eye: Floats, own: Floats, floor: WalkableFloor, number: int
+    world: VisibleWorld, eye: Floats, own: Floats, floor: WalkableFloor, number: int, reach: float
 ) -> Iterator[tuple[float, float]]:
-    """Directions around a place, and how good the picture is."""
+    """Directions around a place, and how good the picture is; at ``reach`` a depth is enough."""
     turns = 2 * np.pi * np.arange(AROUND) / AROUND
     ways = np.stack(
         [
@@ -115,19 +123,23 @@ def _worths(
     ends = eye + np.maximum(np.minimum(away, 99.0) - SHORT, 0.0)[:, None] * ways
     beyond = _is_elsewhere(floor, number, ends).reshape(AROUND, -1)
     away = away.reshape(AROUND, -1)
+    wider = reach / FAR
     half = int(np.arctan(WIDE) / (2 * np.pi) * AROUND)
-    for middle in range(0, AROUND, 2):
-        here = np.arange(middle - half, middle + half + 1) % AROUND
-        seen, far = met[here], np.minimum(away[here], FAR)
+    for ahead in range(0, AROUND, 2):
+        here = np.arange(ahead - half, ahead + half + 1) % AROUND
+        seen, far = met[here], np.minimum(away[here], reach)
         numbers, counts = np.unique(seen, return_counts=True)
         shares = counts / seen.size
         shown = float((own[numbers] * np.sqrt(np.minimum(shares, ENOUGH) / ENOUGH)).sum())
         cut = float(own[np.unique(seen[[0, -1]])].sum())
-        near = float((far < NEAR).mean())
-        deep = float(far[:, len(STEEPS) // 2 :].mean()) / FAR
+        near = float((far < NEAR * np.sqrt(wider)).mean())
+        deep = float(far[:, len(STEEPS) // 2 :].mean()) / reach
+        third = len(here) // 3
+        middle = float(far[third : 2 * third, len(STEEPS) // 3 :].min(1).mean()) / reach
         other = float(beyond[here].mean())
-        worth = shown - 0.6 * cut + 3.0 * deep - 14.0 * max(near - 0.01, 0.0) - 8.0 * other
-        yield turns[middle], worth
+        open_view = 3.0 * deep + 2.0 * wider**1.5 * middle
+        blocked = 0.6 * cut + 14.0 * max(near - 0.01, 0.0) + 8.0 * other
+        yield turns[ahead], shown + open_view - blocked
 
 
 def _is_elsewhere(floor: WalkableFloor, number: int, points: Floats) -> NDArray[np.bool_]:
