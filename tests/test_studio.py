@@ -6,6 +6,7 @@ import hashlib
 import io
 import json
 import os
+import re
 import signal
 import sqlite3
 import subprocess
@@ -14,6 +15,7 @@ import time
 import zipfile
 from collections.abc import Iterator
 from contextlib import closing
+from html.parser import HTMLParser
 from pathlib import Path
 from typing import Any
 
@@ -54,8 +56,8 @@ def session(furnished: str, tmp_path: Path) -> Iterator[Session]:
 @pytest.fixture
 def client(session: Session, tmp_path: Path) -> TestClient:
     """A browser that came by the link."""
-    keys, listeners = Keys(), Listeners()
-    app = guarded(studio_app(session, listeners, tmp_path), keys, PORT)
+    keys, listeners = Keys(PORT), Listeners()
+    app = guarded(studio_app(session, listeners, tmp_path), keys)
     client = TestClient(app, base_url=HOME)
     assert client.get(f"/?token={keys.token}").text.startswith("<!doctype html>")
     return client
@@ -186,8 +188,8 @@ def test_arranging_streams_and_ends_in_a_version(client: TestClient, session: Se
 
 
 def test_only_the_link_lets_in_and_only_once(session: Session, tmp_path: Path) -> None:
-    keys = Keys()
-    app = guarded(studio_app(session, Listeners(), tmp_path), keys, PORT)
+    keys = Keys(PORT)
+    app = guarded(studio_app(session, Listeners(), tmp_path), keys)
     link = f"/?token={keys.token}"
     assert TestClient(app, base_url=HOME).get("/state").status_code == 403
     assert TestClient(app, base_url="http://evil.example").get(link).status_code == 421
@@ -289,3 +291,39 @@ def test_what_was_acknowledged_survives_a_kill(tmp_path: Path) -> None:
         assert shown.id >= told[-1]
         assert project.solution_text(db, shown.id) == "x" * 5000
         db.close()
+
+
+class _Words(HTMLParser):
+    """All that a page says: its text, and the attributes that are read out or shown."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.found: set[str] = set()
+
+    def handle_starttag(self, _tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        shown = ("title", "aria-label", "placeholder", "alt")
+        self.found |= {value for name, value in attrs if name in shown and value}
+
+    def handle_data(self, data: str) -> None:
+        self.found |= {" ".join(data.split())}
+
+
+def test_every_word_of_the_page_is_in_the_table_of_words_and_no_other(client: TestClient) -> None:
+    said = _Words()
+    said.feed(client.get("/").text.split("<body>")[1])
+    english = {text for text in said.found if re.search("[A-Za-z]{2}", text)} | {"L"}
+    for name in (name for name in PAGES if name.endswith(".js") and name != "three.js"):
+        script = client.get(f"/{name}").text
+        english |= {*re.findall(r'\bt\("([^"]*)"', script)}
+        assert not re.search(r"say\(['\"`]\w|textContent[:=] ?['\"`][A-Za-z]{3}", script), name
+    table = client.get("/words.zh.json").json()
+    assert english == {*table}
+    for text, other in table.items():
+        assert {*re.findall(r"{\w+}", text)} == {*re.findall(r"{\w+}", other)}, text
+
+
+def test_the_page_speaks_the_language_of_the_browser_unless_told(client: TestClient) -> None:
+    assert 'lang="zh"' in client.get("/", headers={"accept-language": "zh-CN,en;q=0.7"}).text
+    assert 'lang="en"' in client.get("/", headers={"accept-language": "fr;q=x,,;"}).text
+    client.cookies.set("scenewright-language", "en")
+    assert 'lang="en"' in client.get("/", headers={"accept-language": "zh"}).text

@@ -21,7 +21,7 @@ from scenewright.workflow.evolution.population import BreedingPlan
 
 pytest.importorskip("starlette")
 from scenewright.studio import project
-from scenewright.studio.breeding import _name_log
+from scenewright.studio.breeding import name_log
 from scenewright.studio.drawable import Json
 from scenewright.studio.session import Session
 from scenewright.studio.verbs import do_verb
@@ -49,7 +49,7 @@ def bred(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Session]:
     brief = sw.read(HOME)
     project.add_version(db, 0, "opened", solution_json.dumps(unfurnished(brief)))
     session = Session(db, lambda _event: None)
-    log = _name_log(session.breeding.beside, brief)
+    log = name_log(session.breeding.beside, brief)
     sw.evolve(brief, log, breeding=FEW).close()
     ask(session, verb="breed")
     wait(session)

@@ -41,6 +41,5 @@ def mcp(
         try:
             serve_agents(session, Path.cwd())
         finally:
-            session.stop()
-            session.breeding.close()
+            session.close()
     return 0

@@ -15,7 +15,7 @@ from scenewright.cli import tables
 from scenewright.core.errors import InputError
 from scenewright.core.extras import require
 
-PORT = 8420
+PORT, LOCAL = 8420, "127.0.0.1"
 
 
 def studio(
@@ -31,6 +31,12 @@ def studio(
     port: Annotated[
         int, typer.Option(min=0, max=65535, help="Left out, or taken: any that is free.")
     ] = PORT,
+    host: Annotated[
+        str,
+        typer.Option(
+            metavar="ADDRESS", help="Let others in: this machine's address in their network."
+        ),
+    ] = LOCAL,
     browser: Annotated[bool, typer.Option(help="Open the page in the browser.")] = True,
 ) -> int:
     """Open a page on this machine: arrange a plan, change it by hand, undo, take it away.
@@ -51,8 +57,8 @@ def studio(
         if source and not named and not fresh:
             fault = "is there already, with its versions"
             raise InputError(fault, f"open it: scenewright studio {path}", file=str(path))
-        with closing(_listen(port)) as listening:
-            address = f"http://127.0.0.1:{listening.getsockname()[1]}/"
+        with closing(_listen(host, port)) as listening:
+            address = f"http://{host}:{listening.getsockname()[1]}/"
             console = tables.output_console()
 
             def ready(token: str) -> None:
@@ -63,7 +69,7 @@ def studio(
                 if browser:
                     webbrowser.open(link)
 
-            serve(db, "" if named else source, Path(folder), listening, ready)
+            serve(db, "" if named else source, Path(folder), listening, host, ready)
     return 0
 
 
@@ -72,14 +78,15 @@ def _stem(source: str) -> str:
     return Path(source.replace(":", "-")).name.split(".")[0] or "untitled"
 
 
-def _listen(port: int) -> socket.socket:
-    """A socket on this machine alone, at a port or, where that is taken, at any."""
+def _listen(host: str, port: int) -> socket.socket:
+    """A socket at an address of this machine, at a port or, where that is taken, at any."""
     listening = socket.socket()
     for tried in (port, 0):
         try:
-            listening.bind(("127.0.0.1", tried))
+            listening.bind((host, tried))
         except OSError:
             continue
         return listening
     listening.close()
-    raise InputError("no port of this machine is free", "close another program's server")
+    remedy = "close another program's server" if host == LOCAL else "give its address in a network"
+    raise InputError(f"nothing can be served at {host}", remedy)

@@ -25,6 +25,7 @@ from scenewright.formats import samples
 from scenewright.render.picture import Pixels
 from scenewright.render.plan_picture import draw_scene_plan
 from scenewright.studio.drawable import Json
+from scenewright.studio.people import EDIT, OWN
 from scenewright.studio.session import Session
 from scenewright.studio.shelf import find_models
 from scenewright.studio.spoken import (
@@ -169,7 +170,7 @@ def _tell(session: Session, name: str, row: Verb, said: Json) -> str:
     lines += tell_changes(said.get("changes", ())) + said.get("differences", [])
     if name in ("breed", "next", "say"):
         return tell_sheet(session.breeding.state())
-    if row.right == "edit" and name != "judge":
+    if row.right == EDIT and name != "judge":
         state = session.state()
         lines += [f"version {state['version']}", *tell_verdict(state)]
     return "\n".join(lines) or "nothing is wrong there" if name == "judge" else "\n".join(lines)
@@ -239,7 +240,8 @@ def list_all() -> list[tuple[str, str, Json]]:
     >>> sorted(name for name, _, _ in list_all())[:3]
     ['add', 'again', 'arrange']
     """
-    verbs = [(name, row.about, row.schema()) for name, row in VERBS.items() if name not in LOOKING]
+    mine = ((name, row) for name, row in VERBS.items() if name not in LOOKING and row.right != OWN)
+    verbs = [(name, row.about, row.schema()) for name, row in mine]
     looking = [
         (name, row.about, {"type": "object", "properties": dict(row.keys)})
         for name, row in LOOKING.items()

@@ -43,7 +43,7 @@ class Breeding:
         with self.lock:
             if self.evolution is None or self.evolution.brief != brief:
                 self.close()
-                self.evolution = evolve(brief, _name_log(self.beside, brief))
+                self.evolution = evolve(brief, name_log(self.beside, brief))
             if self.evolution.screen is None:
                 self.next()
         self.tell({"bred": True})
@@ -91,16 +91,16 @@ class Breeding:
             evolution, running = self.evolution, self.running
             if evolution is None or running or evolution.screen is None:
                 early = share(dict(enumerate(self.early)))
-                name = _name(evolution.brief) if evolution is not None else ""
+                name = name_brief(evolution.brief) if evolution is not None else ""
                 return {"running": running, "early": early, "open": bool(name), "brief": name}
             screen = evolution.screen
             return {
                 "running": False,
                 "open": True,
-                "brief": _name(evolution.brief),
+                "brief": name_brief(evolution.brief),
                 "sheet": screen.number,
                 "sheets": [list(one) for one in evolution.sheets],
-                "shown": [_describe(one) for one in screen.candidates],
+                "shown": [describe_card(one) for one in screen.candidates],
                 "champion": screen.champion,
                 "favourites": list(said.favourites_of(evolution.events)),
                 "said": [said.record_of(event) for event in evolution.events],
@@ -202,7 +202,8 @@ def share(cards: Mapping[int, Json]) -> Json:
     return {"cards": found, "symbols": drawn, "shells": shells}
 
 
-def _describe(one: ShownCandidate) -> Json:
+def describe_card(one: ShownCandidate) -> Json:
+    """What a sheet says of a layout beside its picture."""
     chance = None if one.chance is None else round(one.chance, 3)
     return {"number": one.number, "predicted": chance, "faults": one.faults()}
 
@@ -220,10 +221,11 @@ def _list_lockable(champion: ShownCandidate | None) -> list[Json]:
     ]
 
 
-def _name(brief: Brief) -> str:
+def name_brief(brief: Brief) -> str:
+    """A short name for a brief, another for each."""
     return hashlib.sha256(brief.model_dump_json().encode()).hexdigest()[:8]
 
 
-def _name_log(beside: Path | None, brief: Brief) -> Path | str:
+def name_log(beside: Path | None, brief: Brief, suffix: str = ".evolution") -> Path | str:
     """The log of a brief's evolution, beside the project; none for a project in memory."""
-    return "" if beside is None else beside.with_name(f"{beside.stem}-{_name(brief)}.evolution")
+    return "" if beside is None else beside.with_name(f"{beside.stem}-{name_brief(brief)}{suffix}")

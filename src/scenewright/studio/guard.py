@@ -9,17 +9,23 @@ from __future__ import annotations
 
 import hmac
 import secrets
-from collections.abc import Awaitable, Callable, MutableMapping
+from collections.abc import Awaitable, Callable, Collection, MutableMapping
 from http.cookies import CookieError, SimpleCookie
 from typing import Any
 from urllib.parse import parse_qs
+
+from scenewright.studio.people import OWNER, Person
 
 Scope = MutableMapping[str, Any]
 Receive = Callable[[], Awaitable[MutableMapping[str, Any]]]
 Send = Callable[[MutableMapping[str, Any]], Awaitable[None]]
 App = Callable[[Scope, Receive, Send], Awaitable[None]]
 
+LOCAL = ("127.0.0.1", "localhost")
+"""Names of this machine for itself."""
 COOKIE = "scenewright-studio"
+STAY = 90 * 86400
+"""Seconds that a guest is remembered."""
 LONGEST = 64 << 20
 """Bytes that a request may bring."""
 HEADERS = (
@@ -35,9 +41,17 @@ HEADERS = (
 
 
 class Keys:
-    """The token of the link, until it is used, and the value of the cookie."""
+    """The token of the owner's link, until it is used, and the value of her cookie; ``find`` knows
+    whose the token of another link is, which is the cookie of that person as well."""
 
-    def __init__(self) -> None:
+    def __init__(
+        self,
+        port: int,
+        find: Callable[[str], Person | None] = lambda _token: None,
+        names: Collection[str] = LOCAL,
+    ) -> None:
+        self.hosts = {f"{name}:{port}" for name in names}
+        self.find, self.name = find, f"{COOKIE}-{port}"
         self.token: str | None = secrets.token_urlsafe(24)
         self.cookie = secrets.token_urlsafe(24)
 
@@ -49,24 +63,23 @@ class Keys:
         return right
 
 
-def guarded(app: App, keys: Keys, port: int) -> App:
+def guarded(app: App, keys: Keys) -> App:
     """An ASGI application that lets through only what :mod:`scenewright.studio.guard` says."""
-    hosts = {f"{name}:{port}" for name in ("127.0.0.1", "localhost")}
 
     async def answer(scope: Scope, receive: Receive, send: Send) -> None:
         if scope["type"] != "http":
             await app(scope, receive, send)
             return
         headers = {k.decode("latin-1"): v.decode("latin-1") for k, v in scope["headers"]}
-        fault = refuse(scope["method"], headers, hosts)
+        fault = refuse(scope["method"], headers, keys.hosts)
         if fault:
             await _reply(send, *fault)
-        elif is_let_in(headers.get("cookie", ""), keys):
-            await app(scope, _limited(receive), _with_headers(send))
-        elif keys.spend(parse_qs(scope["query_string"].decode("latin-1")).get("token", [""])[0]):
-            cookie = f"{COOKIE}={keys.cookie}; Path=/; HttpOnly; SameSite=Strict"
+        elif cookie := _enter(scope, headers.get("cookie", ""), keys):
             more = [(b"set-cookie", cookie.encode()), (b"location", b"/")]
             await _reply(send, 303, "", more)
+        elif person := who_is(headers.get("cookie", ""), keys):
+            scope["person"] = person
+            await app(scope, _limited(receive), _with_headers(send))
         else:
             await _reply(send, 403, "use the link that the studio printed; it is good once")
 
@@ -93,13 +106,28 @@ def refuse(method: str, headers: dict[str, str], hosts: set[str]) -> tuple[int, 
     return None
 
 
-def is_let_in(header: str, keys: Keys) -> bool:
-    """Whether a header of cookies holds ours."""
+def _enter(scope: Scope, known: str, keys: Keys) -> str:
+    """The cookie of whoever comes by a link; empty for others. A guest's link may stand in a
+    letter, so that her cookie is sent where that is followed."""
+    if scope["method"] != "GET" or scope["path"] != "/":
+        return ""
+    token = parse_qs(scope["query_string"].decode("latin-1")).get("token", [""])[0]
+    if token and keys.spend(token):
+        return f"{keys.name}={keys.cookie}; Path=/; HttpOnly; SameSite=Strict"
+    if token and keys.find(token) and who_is(known, keys) != OWNER:
+        return f"{keys.name}={token}; Path=/; HttpOnly; SameSite=Lax; Max-Age={STAY}"
+    return ""
+
+
+def who_is(header: str, keys: Keys) -> Person | None:
+    """Whose cookie a header of cookies holds."""
     try:
-        found = SimpleCookie(header).get(COOKIE)
+        found = SimpleCookie(header).get(keys.name)
     except CookieError:
-        return False
-    return found is not None and hmac.compare_digest(found.value, keys.cookie)
+        return None
+    if found is None:
+        return None
+    return OWNER if hmac.compare_digest(found.value, keys.cookie) else keys.find(found.value)
 
 
 def _limited(receive: Receive) -> Receive:

@@ -74,7 +74,7 @@ def _check_mark(db: sqlite3.Connection) -> None:
 
 
 @contextmanager
-def _saved(db: sqlite3.Connection) -> Iterator[None]:
+def saved(db: sqlite3.Connection) -> Iterator[None]:
     """All that is written inside, or nothing."""
     db.execute("BEGIN IMMEDIATE")
     try:
@@ -92,7 +92,7 @@ def add_version(db: sqlite3.Connection, parent: int, what: str, solution: str) -
     >>> add_version(db, 0, "arranged", "{}"), shown_version(db), solution_text(db, 1)
     (1, Version(id=1, parent=0, what='arranged'), '{}')
     """
-    with _saved(db):
+    with saved(db):
         packed = zlib.compress(solution.encode(), 6)
         row = db.execute(
             "INSERT INTO version (parent, what, solution) VALUES (?, ?, ?)", (parent, what, packed)
@@ -104,7 +104,7 @@ def add_version(db: sqlite3.Connection, parent: int, what: str, solution: str) -
 
 def show_version(db: sqlite3.Connection, number: int) -> None:
     """Show a version that was there before."""
-    with _saved(db):
+    with saved(db):
         db.execute("INSERT INTO shown (version) VALUES (?)", (number,))
 
 

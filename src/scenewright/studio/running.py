@@ -9,7 +9,7 @@ from pathlib import Path
 
 import uvicorn
 
-from scenewright.studio.guard import Keys, guarded
+from scenewright.studio.guard import LOCAL, Keys, guarded
 from scenewright.studio.server import Listeners, studio_app
 from scenewright.studio.session import Session
 
@@ -22,20 +22,20 @@ def serve(
     source: str,
     folder: Path,
     listening: socket.socket,
+    host: str,
     ready: Callable[[str], None],
 ) -> None:
-    """Serve the studio of a project on a socket; a ``source`` is opened first. ``ready`` is given
-    the token of the link, once the plan is read."""
+    """Serve the studio of a project on a socket, under the name of a ``host``; a ``source`` is opened
+    first. ``ready`` is given the token of the link, once the plan is read."""
     listeners = Listeners()
     session = Session(db, listeners.tell)
     if source:
         session.open(source)
-    keys = Keys()
-    port = listening.getsockname()[1]
-    app = guarded(studio_app(session, listeners, folder), keys, port)
+    keys = Keys(listening.getsockname()[1], session.people.find, (host, *LOCAL))
+    app = guarded(studio_app(session, listeners, folder), keys)
     config = uvicorn.Config(
         app, log_level="warning", timeout_graceful_shutdown=PATIENCE, lifespan="off"
     )
     ready(keys.token or "")
     uvicorn.Server(config).run(sockets=[listening])
-    session.breeding.close()
+    session.close()

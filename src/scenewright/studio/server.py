@@ -18,7 +18,10 @@ from starlette.routing import Route
 from scenewright.core.errors import CancelledError, InputError
 from scenewright.formats import samples
 from scenewright.formats.table import formats
+from scenewright.studio.breeding import Breeding
 from scenewright.studio.drawable import Json
+from scenewright.studio.people import EDIT, OWN, OWNER, Person, may
+from scenewright.studio.raters import RaterDesk
 from scenewright.studio.session import FORMATS, Session
 from scenewright.studio.verbs import do_verb, read_request
 
@@ -31,10 +34,15 @@ PAGES = {
     "draw.js": SCRIPT,
     "draft.js": SCRIPT,
     "wire.js": SCRIPT,
+    "words.js": SCRIPT,
+    "people.js": SCRIPT,
+    "words.zh.json": "application/json",
     "walk.js": SCRIPT,
     "shelf.js": SCRIPT,
     "three.js": SCRIPT,
 }
+LANGUAGES = ("en", "zh")
+"""What the page speaks, the usual one first."""
 MOST_CARDS = 500
 """Layouts that one request may ask for."""
 PAUSE = 10.0
@@ -73,16 +81,20 @@ class Listeners:
 def studio_app(session: Session, listeners: Listeners, folder: Path) -> Starlette:
     """The application; what the page brings is kept in ``folder``, a folder of its own."""
 
-    async def state(_request: Request) -> Response:
-        return JSONResponse(await run_in_threadpool(session.state))
+    async def state(request: Request) -> Response:
+        _, name, right = _person(request)
+        shown = await run_in_threadpool(session.state)
+        return JSONResponse(shown | {"me": {"name": name, "right": right}})
 
     async def events(_request: Request) -> Response:
         return StreamingResponse(listeners.stream(), media_type="text/event-stream")
 
     async def do(request: Request) -> Response:
-        return await _answer(do_verb, session, await request.body())
+        return await _answer(do_verb, session, await request.body(), _person(request))
 
     async def bring(request: Request) -> Response:
+        if not may(_person(request).right, EDIT):
+            return JSONResponse({"fault": "your link does not let you bring files"}, 403)
         name = request.query_params.get("name", "")
         return await _answer(_bring, session, await request.body(), folder, name)
 
@@ -107,12 +119,21 @@ def studio_app(session: Session, listeners: Listeners, folder: Path) -> Starlett
         name = request.query_params.get("asset", "")
         return await _file(session.thumb, "image/png", name)
 
-    async def breeding(_request: Request) -> Response:
-        return JSONResponse(await run_in_threadpool(session.breeding.state))
+    def sheets(request: Request) -> Breeding | RaterDesk:
+        person = _person(request)
+        return session.breeding if may(person.right, EDIT) else session.desk_of(person)
+
+    async def breeding(request: Request) -> Response:
+        return JSONResponse(await run_in_threadpool(sheets(request).state))
+
+    async def ratings(request: Request) -> Response:
+        if not may(_person(request).right, OWN):
+            return JSONResponse({"fault": "only the owner sees who rated"}, 403)
+        return JSONResponse(await run_in_threadpool(session.raters.results))
 
     async def cards(request: Request) -> Response:
         asked = [int(n) for n in request.query_params.get("of", "").split(",") if n.isdecimal()]
-        return JSONResponse(await run_in_threadpool(session.breeding.draw, asked[:MOST_CARDS]))
+        return JSONResponse(await run_in_threadpool(sheets(request).draw, asked[:MOST_CARDS]))
 
     return Starlette(
         routes=[
@@ -121,6 +142,7 @@ def studio_app(session: Session, listeners: Listeners, folder: Path) -> Starlett
             Route("/events", events),
             Route("/samples", list_samples),
             Route("/breeding", breeding),
+            Route("/ratings", ratings),
             Route("/shelf", shelf),
             Route("/thumb.png", thumb),
             Route("/cards", cards),
@@ -133,13 +155,39 @@ def studio_app(session: Session, listeners: Listeners, folder: Path) -> Starlett
     )
 
 
+def _person(request: Request) -> Person:
+    """Who asks, as the guard found."""
+    person: Person = request.scope.get("person", OWNER)
+    return person
+
+
 def _page(name: str) -> Callable[[Request], Awaitable[Response]]:
     file = resources.files("scenewright.studio") / "page" / (name or "studio.html")
 
-    async def page(_request: Request) -> Response:
-        return Response(file.read_bytes(), media_type=PAGES[name])
+    async def page(request: Request) -> Response:
+        content = file.read_bytes()
+        if not name:
+            known = request.cookies.get("scenewright-language", "")
+            language = choose_language(known or request.headers.get("accept-language", ""))
+            content = content.replace(b'lang="en"', f'lang="{language}"'.encode(), 1)
+        return Response(content, media_type=PAGES[name])
 
     return page
+
+
+def choose_language(header: str) -> str:
+    """The language of the page that suits an Accept-Language header best.
+
+    >>> choose_language("zh-CN,zh;q=0.9,en;q=0.8"), choose_language("fr, en;q=0.5, zh;q=0.2")
+    ('zh', 'en')
+    """
+    found = []
+    for part in header.split(","):
+        name, _, share = part.strip().lower().partition(";q=")
+        if (name[:2] in LANGUAGES and share.replace(".", "", 1).isdecimal()) or not share:
+            found.append((-float(share or 1), name[:2]))
+    known = [name for _, name in sorted(found, key=lambda one: one[0]) if name in LANGUAGES]
+    return known[0] if known else LANGUAGES[0]
 
 
 async def _file(make: Callable[..., bytes], kind: str, *args: Any) -> Response:

@@ -28,6 +28,8 @@ from scenewright.studio.breeding import Breeding
 from scenewright.studio.draft_faults import DraftFault, read_draft
 from scenewright.studio.drafting import FORMAT, draw_act, new_draft
 from scenewright.studio.drawable import Json, describe_finding, draw
+from scenewright.studio.people import AUTHOR, RATE, People, Person
+from scenewright.studio.raters import RaterDesk, Raters
 from scenewright.studio.shelf import draw_shelf, list_shelf
 from scenewright.studio.streaming import stream_layouts
 
@@ -62,7 +64,10 @@ class Session:
         self.lock, self.stopping = RLock(), Event()
         self.running = False
         self.worker: Thread | None = None
-        self.breeding = Breeding(project.path_of(db), tell)
+        beside = project.path_of(db)
+        self.breeding = Breeding(beside, tell)
+        self.people = People(db)
+        self.raters = Raters(self.people, beside, tell)
         self.shown: Shown | None = None
         self.drawn: Drawn | None = None
         version = project.shown_version(db)
@@ -110,7 +115,7 @@ class Session:
             shown = self.must_show()
             self.running = True
         self.stopping.clear()
-        self.worker = Thread(target=self._arrange, args=(shown, seed), daemon=True)
+        self.worker = Thread(target=self._arrange, args=(shown, seed, AUTHOR.get()), daemon=True)
         self.worker.start()
 
     def stop(self) -> None:
@@ -135,7 +140,36 @@ class Session:
             parent = self.must_show().version
             self._keep(parent, f"took layout {number + 1}", *self.breeding.choose(number))
 
-    def _arrange(self, shown: Shown, seed: int) -> None:
+    def give(self) -> None:
+        """Give the plan out to be rated, with what is locked in it."""
+        self.raters.begin(_keep_locked(self.must_show().solution))
+        self.tell({"rated": True})
+
+    def take(self, number: int) -> None:
+        """Take over a layout that people rated."""
+        with self._turn():
+            parent = self.must_show().version
+            self._keep(parent, f"took rated layout {number + 1}", *self.raters.choose(number))
+
+    def invite(self, name: str, right: str) -> Json:
+        """The token of a link for a person; for one who rates there is a pool from now on."""
+        if right == RATE and self.raters.pool is None:
+            self.give()
+        return {"token": self.people.invite(name, right)}
+
+    def desk_of(self, person: Person) -> RaterDesk:
+        """What the verbs of someone who may not edit work on."""
+        return RaterDesk(self.raters, person)
+
+    def close(self) -> None:
+        """Stop what runs; all is kept."""
+        self.stop()
+        self.breeding.close()
+        self.raters.close()
+        self.people.close()
+
+    def _arrange(self, shown: Shown, seed: int, author: str) -> None:
+        AUTHOR.set(author)
         try:
             brief = _keep_locked(shown.solution)
             plan = domains.plan_of(brief)
@@ -258,13 +292,13 @@ class Session:
 
     def _keep(self, parent: int, what: str, solution: Solution, plan: Plan) -> None:
         report = domains.check(solution, plan=plan, figures=False)
-        number = project.add_version(self.db, parent, what, solution_json.dumps(solution))
+        number = project.add_version(self.db, parent, _by(what), solution_json.dumps(solution))
         self.shown = Shown(number, solution, plan, report)
         self.drawn = self.drawn if parent else None
         self.tell({"changed": True})
 
     def _keep_draft(self, parent: int, what: str, draft: Json) -> None:
-        number = project.add_version(self.db, parent, what, json.dumps(draft))
+        number = project.add_version(self.db, parent, _by(what), json.dumps(draft))
         self._show_draft(number, draft)
         self.tell({"changed": True})
 
@@ -290,6 +324,12 @@ class Session:
         parents = (project.solution_text(self.db, one) for one in project.trace(self.db, version))
         text = next(filter(_is_draft, parents), "")
         self.drawn = Drawn(json.loads(text), []) if text else None
+
+
+def _by(what: str) -> str:
+    """What was done, with the name of who did it if that was a guest."""
+    author = AUTHOR.get()
+    return f"{author}: {what}" if author else what
 
 
 def _is_draft(text: str) -> bool:

@@ -14,13 +14,12 @@ from typing import Any, NamedTuple
 from scenewright.core.errors import InputError
 from scenewright.formats import samples
 from scenewright.studio.drawable import Json
+from scenewright.studio.people import AUTHOR, EDIT, OWN, OWNER, RATE, Person, may
 from scenewright.studio.session import Session
 from scenewright.workflow.editing import Addition, edit_pieces
 
 MOST = 500
 """Pieces that one verb may name."""
-VIEW, RATE, EDIT = RIGHTS = ("view", "rate", "edit")
-"""What a person may do, each with what those before it may."""
 PIECE: Json = {"type": "string", "description": "id of a piece"}
 PIECES: Json = {"type": "array", "items": {"type": "string"}, "description": "ids of pieces"}
 POSE: Json = {
@@ -40,6 +39,7 @@ AT: Json = {
 }
 SEED: Json = {"type": "integer", "minimum": 0, "description": "another one, another answer"}
 ASSET: Json = {"type": "string", "description": "id of a model, from the shelf"}
+TEXT: Json = {"type": "string"}
 NUMBER: Json = {"type": "integer", "minimum": 0, "description": "number of a layout"}
 
 
@@ -49,7 +49,7 @@ class Verb(NamedTuple):
 
     about: str
     keys: Mapping[str, Json]
-    do: Callable[[Session, Json], Json | None]
+    do: Callable[[Any, Json], Json | None]
     needed: tuple[str, ...] = ()
     right: str = EDIT
     goes_on: bool = False
@@ -60,24 +60,16 @@ class Verb(NamedTuple):
         return keys | ({"required": [*self.needed]} if self.needed else {})
 
 
-def do_verb(session: Session, body: bytes, right: str = EDIT) -> Json:
-    """Do what a request asks of those who may; InputError in one line for what cannot be done."""
+def do_verb(session: Session, body: bytes, person: Person = OWNER) -> Json:
+    """Do what a person asks, if she may; InputError in one line for what cannot be done."""
     asked = read_request(body)
     row = VERBS.get(str(asked.get("verb")))
     if row is None:
         raise InputError(f"there is no verb {asked.get('verb')!r}", f"use {', '.join(VERBS)}")
-    if not may(right, row.right):
+    if not may(person.right, row.right):
         raise InputError(f"your link does not let you {asked['verb']}", "ask whoever sent it")
-    return row.do(session, asked) or {}
-
-
-def may(right: str, needed: str) -> bool:
-    """Whether someone of a right may do what needs another.
-
-    >>> may("edit", "rate"), may("view", "rate")
-    (True, False)
-    """
-    return RIGHTS.index(right) >= RIGHTS.index(needed)
+    AUTHOR.set(person.name)
+    return row.do(session if may(person.right, EDIT) else session.desk_of(person), asked) or {}
 
 
 def read_request(body: bytes) -> Json:
@@ -240,27 +232,65 @@ VERBS: Mapping[str, Verb] = {
         "breed twelve layouts of the plan to choose from",
         {},
         lambda session, _: session.breed(),
+        right=RATE,
         goes_on=True,
     ),
     "next": Verb(
         "breed the next sheet towards what was said",
         {},
         lambda session, _: session.breeding.next(),
+        right=RATE,
         goes_on=True,
     ),
-    "say": Verb("say what is liked of a sheet", {"line": LINE, "sheet": SHEET}, _say, ("line",)),
+    "say": Verb(
+        "say what is liked of a sheet", {"line": LINE, "sheet": SHEET}, _say, ("line",), RATE
+    ),
     "compare": Verb(
         "how one layout differs from another, in words",
         {"one": NUMBER, "other": NUMBER},
         _compare,
         ("one", "other"),
-        VIEW,
+        RATE,
     ),
     "choose": Verb(
         "take a layout that was bred over to the plan",
         {"number": NUMBER},
         lambda session, asked: session.choose(_whole(asked, "number")),
         ("number",),
+    ),
+    "give": Verb(
+        "give the plan out to be rated by those who have a link for it",
+        {},
+        lambda session, _: session.give(),
+        right=OWN,
+    ),
+    "take": Verb(
+        "take a layout that people rated over to the plan",
+        {"number": NUMBER},
+        lambda session, asked: session.take(_whole(asked, "number")),
+        ("number",),
+        OWN,
+    ),
+    "invite": Verb(
+        "make a link for a person",
+        {"name": TEXT, "right": {"enum": ["view", "rate", "edit"]}},
+        lambda session, asked: session.invite(_text(asked, "name"), _text(asked, "right")),
+        ("name", "right"),
+        OWN,
+    ),
+    "renew": Verb(
+        "make another link for a person; the one before lets nobody in",
+        {"person": NUMBER},
+        lambda session, asked: {"token": session.people.renew(_whole(asked, "person"))},
+        ("person",),
+        OWN,
+    ),
+    "drop": Verb(
+        "let a person in no more",
+        {"person": NUMBER},
+        lambda session, asked: session.people.drop(_whole(asked, "person")),
+        ("person",),
+        OWN,
     ),
 }
 

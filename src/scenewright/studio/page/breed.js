@@ -1,5 +1,6 @@
 // Breeding: a sheet of layouts, what is said of them by key and button, and all sheets in one grid.
 import { drawCard, element } from "/draw.js";
+import { t } from "/words.js";
 import { $, fill, make, read, say, send } from "/wire.js";
 
 const KEYS = ["1", "2", "3", "4", "5", "6", "7", "8", "9", "0", "-", "="];
@@ -25,7 +26,12 @@ export function noteShare(share) { $("breeding-share").value = share; }
 let turn = 0;
 export async function refreshBreeding() {
   if ($("breeding").hidden) return;
-  const mine = ++turn, fresh = await read("/breeding");
+  const mine = ++turn;
+  let fresh = await read("/breeding");
+  if (fresh.open && !fresh.shown && !fresh.running && document.body.dataset.right === "rate" && mine === turn) {
+    await send("breed");
+    fresh = await read("/breeding");
+  }
   if (mine !== turn) return;
   if (fresh.brief !== bred.brief && fresh.brief) { known = new Map(); pair = []; }
   if (fresh.running && bred.shown && fresh.brief === bred.brief) bred.running = true; else bred = fresh;
@@ -45,11 +51,11 @@ function show() {
   const running = bred.running;
   $("breeding-share").hidden = $("breeding-stop").hidden = !running;
   $("next").disabled = $("take-back").disabled = running || !bred.shown;
-  $("next").textContent = bred.shown || running ? "Next sheet ⏎" : "First sheet ⏎";
+  $("next").textContent = bred.shown || running ? t("Next sheet ⏎") : t("First sheet ⏎");
   if (!bred.shown && !running && bred.open) $("next").disabled = false;
   $("sheets").ariaPressed = all;
-  $("sheet-name").textContent = bred.shown ? `Sheet ${bred.sheet + 1}` : running ? "Breeding the first layouts …" : "Breed";
-  $("trust").textContent = bred.trust ? `predictions: ${bred.trust}` : "";
+  $("sheet-name").textContent = bred.shown ? t("Sheet {n}", { n: bred.sheet + 1 }) : running ? t("Breeding the first layouts …") : t("Breed");
+  $("trust").textContent = bred.trust ? t("predictions: {trust}", bred) : "";
   $("cards").classList.toggle("small", all);
   if (!bred.shown) showEarly();
   else if (all) showAll();
@@ -61,14 +67,14 @@ function showEarly() {
   const cards = bred.early ? unpack(bred.early) : [];
   $("cards").replaceChildren(...cards.map(([, card]) => {
     const made = make("article", { className: "card early" });
-    made.append(picture(card), make("p", { className: "guess", textContent: "one of those bred; twelve that differ are chosen when all are" }));
+    made.append(picture(card), make("p", { className: "guess", textContent: t("one of those bred; twelve that differ are chosen when all are") }));
     return made;
   }));
 }
 
 function showAll() {
   $("cards").replaceChildren(...bred.sheets.flatMap((numbers, sheet) => [
-    make("h3", { textContent: `Sheet ${sheet + 1}` }), ...numbers.map((number) => smallCard(number))]));
+    make("h3", { textContent: t("Sheet {n}", { n: sheet + 1 }) }), ...numbers.map((number) => smallCard(number))]));
 }
 
 function picture(card, number = null) {
@@ -82,8 +88,8 @@ const saidOf = (number) => bred.said.filter((one) => [one.best, one.worst, one.c
 
 function marks(number) {
   const found = saidOf(number), stars = found.findLast((one) => one.event === "stars");
-  return [number === bred.champion ? "your choice" : found.some((one) => one.event === "pick") ? "liked" : "",
-    found.some((one) => one.event === "worst") ? "worst" : "",
+  return [number === bred.champion ? t("your choice") : found.some((one) => one.event === "pick") ? t("liked") : "",
+    found.some((one) => one.event === "worst") ? t("worst") : "",
     stars ? "★".repeat(stars.stars) : "",
     ...found.filter((one) => one.event === "reason").map((one) => one.reason)].filter(Boolean).join(" · ");
 }
@@ -108,22 +114,28 @@ function sheetCard(one, place) {
     make("span", { className: "mark", textContent: marks(one.number) }));
   if (one.faults) top.append(make("span", { className: "bad", textContent: one.faults }));
   const rating = make("span", { className: "stars" }, ...[1, 2, 3, 4, 5].map((count) =>
-    button(count <= stars ? "★" : "☆", `${count} stars`, () => tell(`${name}=${count}`))));
-  const why = make("select", { title: "What it lacks", onchange: (event) => tell(`why ${name} ${event.target.value}`) },
-    new Option("why…", ""), ...bred.reasons.map((reason) => new Option(reason, reason)));
+    button(count <= stars ? "★" : "☆", t("{n} stars", { n: count }), () => tell(`${name}=${count}`))));
+  const why = make("select", { title: t("What it lacks"), onchange: (event) => tell(`why ${name} ${event.target.value}`) },
+    new Option(t("why…"), ""), ...bred.reasons.map((reason) => new Option(reason, reason)));
   const row = make("div", { className: "row" },
-    button("Best", `key ${KEYS[place]}`, () => tell(`${name}`)), button("Worst", `Shift and key ${KEYS[place]}`, () => tell(`worst ${name}`)),
-    rating, why, compareButton(one.number), button("Use", "take this layout to the plan", () => choose(one.number)));
+    button(t("Best"), t("key {key}", { key: KEYS[place] }), () => tell(`${name}`)), button(t("Worst"), t("Shift and key {key}", { key: KEYS[place] }), () => tell(`worst ${name}`)),
+    rating, why, compareButton(one.number), useButton(() => choose(one.number)));
   if (!bred.reasons.length) why.remove();
   made.append(top, picture(known.get(one.number), one.number));
-  if (one.predicted !== null) made.append(make("div", { className: "guess", title: "what the model expects from what you said; no more",
-    textContent: `predicted: ${Math.round(100 * one.predicted)} % to be your pick` }));
+  if (one.predicted !== null) made.append(make("div", { className: "guess", title: t("what the model expects from what you said; no more"),
+    textContent: t("predicted: {percent} % to be your pick", { percent: Math.round(100 * one.predicted) }) }));
   made.append(row);
   return made;
 }
 
+function useButton(act) {
+  const made = button(t("Use"), t("take this layout to the plan"), act);
+  made.className = "edits";
+  return made;
+}
+
 function compareButton(number) {
-  const made = button(pair.includes(number) ? "Comparing…" : "Compare", "with another one", () => {
+  const made = button(pair.includes(number) ? t("Comparing…") : t("Compare"), t("with another one"), () => {
     pair = pair.includes(number) ? pair.filter((one) => one !== number) : [...pair, number].slice(-2);
     if (pair.length === 2) { enlarge(pair); pair = []; }
     show();
@@ -134,7 +146,7 @@ function compareButton(number) {
 
 function nameOf(number) {
   const place = bred.shown.findIndex((one) => one.number === number);
-  return place < 0 ? `layout ${number + 1}` : `${KEYS[place]}`;
+  return place < 0 ? t("layout {n}", { n: number + 1 }) : `${KEYS[place]}`;
 }
 
 async function enlarge(numbers) {
@@ -142,10 +154,10 @@ async function enlarge(numbers) {
     const caption = make("figcaption", {}, make("strong", { textContent: nameOf(number) }), make("span", { className: "mark", textContent: marks(number) }));
     const places = numbers.map((one) => 1 + bred.shown.findIndex((row) => row.number === one));
     if (numbers.length === 2 && places.every(Boolean)) {
-      caption.append(button("This one is better", "", () => { $("large").close(); tell(`${places[k]} > ${places[1 - k]}`); }));
+      caption.append(button(t("This one is better"), "", () => { $("large").close(); tell(`${places[k]} > ${places[1 - k]}`); }));
     }
-    caption.append(button("Use", "take this layout to the plan", () => { $("large").close(); choose(number); }));
-    if (numbers.length === 1) caption.append(button("Compare with …", "then choose the other one", () => { $("large").close(); pair = [number]; show(); }));
+    caption.append(useButton(() => { $("large").close(); choose(number); }));
+    if (numbers.length === 1) caption.append(button(t("Compare with …"), t("then choose the other one"), () => { $("large").close(); pair = [number]; show(); }));
     return make("figure", {}, picture(known.get(number)), caption);
   });
   if (numbers.length === 1 && pair.length === 1 && pair[0] !== numbers[0]) { const two = [pair[0], numbers[0]]; pair = []; show(); return enlarge(two); }
@@ -155,31 +167,31 @@ async function enlarge(numbers) {
   $("large").showModal();
   if (numbers.length !== 2) return;
   const { differences = [] } = await send("compare", { one: numbers[0], other: numbers[1] });
-  const told = differences.length ? differences.map((text) => `${nameOf(numbers[0])}: ${text}`) : ["no difference that has words"];
+  const told = differences.length ? differences.map((text) => `${nameOf(numbers[0])}: ${text}`) : [t("no difference that has words")];
   fill("differences", told, (text) => make("li", { textContent: text }));
 }
 
 function words(one) {
   const name = (number) => nameOf(number);
   switch (one.event) {
-    case "pick": return `${name(one.best)} is the best`;
-    case "worst": return `${name(one.worst)} is the worst`;
+    case "pick": return t("{one} is the best", { one: name(one.best) });
+    case "worst": return t("{one} is the worst", { one: name(one.worst) });
     case "stars": return `${name(one.candidate)}: ${"★".repeat(one.stars)}`;
     case "reason": return `${name(one.candidate)}: ${one.reason}`;
-    case "prefer": return `${name(one.one)} is better than ${name(one.other)}`;
-    case "lock": return `${one.name} stays`;
+    case "prefer": return t("{one} is better than {other}", { one: name(one.one), other: name(one.other) });
+    case "lock": return t("{name} stays", one);
     default: return one.event;
   }
 }
 
 function showTaste() {
   const champion = bred.champion ?? null;
-  $("champion").replaceChildren(...(champion === null ? [make("p", { textContent: "none yet" })] :
-    [smallCard(champion), button("Use it", "take this layout to the plan", () => choose(champion))]));
+  $("champion").replaceChildren(...(champion === null ? [make("p", { textContent: t("none yet") })] :
+    [smallCard(champion), useButton(() => choose(champion))]));
   fill("favourites", (bred.favourites ?? []).filter((one) => known.has(one)), smallCard);
   fill("said", (bred.said ?? []).slice(-12), (one) => make("li", { textContent: words(one) }));
   $("keep").hidden = !(bred.lockable ?? []).length;
-  $("keep").replaceChildren(new Option("Keep in place…", ""), ...(bred.lockable ?? []).map((one) => new Option(`${one.name} (${one.space})`, one.id)));
+  $("keep").replaceChildren(new Option(t("Keep in place…"), ""), ...(bred.lockable ?? []).map((one) => new Option(`${one.name} (${one.space})`, one.id)));
 }
 
 async function tell(line) {
@@ -190,7 +202,7 @@ async function tell(line) {
 
 async function choose(number) {
   const said = await send("choose", { number });
-  if (!said.fault) { say(`layout ${nameOf(number)} is on the plan; Undo brings back what was there`); await leave?.(); }
+  if (!said.fault) { say(t("layout {name} is on the plan; Undo brings back what was there", { name: nameOf(number) })); await leave?.(); }
 }
 
 async function next() {

@@ -1,13 +1,15 @@
 // Drawing a plan: rooms by the middle lines of their walls, openings, columns. What is shown is the
 // server's drawing; every act is sent to it. Typed digits are lengths.
 import { element, line, outline } from "/draw.js";
+import { t } from "/words.js";
 import { $, fill, make, say } from "/wire.js";
 
-const SNAPS = ["grid and lines", "lines", "angles", "off"], GRID = 0.1, NEAR = 9, ANGLE = Math.PI / 12, LEAST = 0.3;
+const SNAPS = ["grid", "lines", "angles", "off"], GRID = 0.1, NEAR = 9, ANGLE = Math.PI / 12, LEAST = 0.3;
+const SNAP_WORDS = [t("grid and lines"), t("lines"), t("angles"), t("off")];
 const TOOLS = { v: "select", r: "room", d: "door", p: "passage", w: "window", c: "column" };
-const HINTS = { select: "Drag a corner or a wall; click a length to type it; Delete removes",
-  room: "Drag a rectangle, or click corner after corner and the first again; digits type a length (4.2 or 4.2x3.6), Enter",
-  door: "Click a wall", passage: "Click a wall: an open passage", window: "Click a wall", column: "Click a floor" };
+const HINTS = { select: t("Drag a corner or a wall; click a length to type it; Delete removes"),
+  room: t("Drag a rectangle, or click corner after corner and the first again; digits type a length (4.2 or 4.2x3.6), Enter"),
+  door: t("Click a wall"), passage: t("Click a wall: an open passage"), window: t("Click a wall"), column: t("Click a floor") };
 let draft = null, faults = [], act = null, tool = "room", snapping = 0, picked = "", view = [-1.5, -9, 14, 10.5];
 let poly = [], press = null, here = null, digits = "", guides = [], shift = null, after = null;
 
@@ -121,7 +123,7 @@ function show() {
   if (room && tool === "select") for (const [x, y] of shifted(room)) element("circle", { class: "hold", cx: x, cy: -y, r: 5 * px }, svg);
   drawGhost(svg, px);
   for (const button of $("tools").querySelectorAll("[data-tool]")) button.ariaPressed = button.dataset.tool === tool;
-  $("snap").replaceChildren(`Snap: ${SNAPS[snapping]} `, make("kbd", { textContent: "S" }));
+  $("snap").replaceChildren(t("Snap: {how} ", { how: SNAP_WORDS[snapping] }), make("kbd", { textContent: "S" }));
   $("hint").textContent = HINTS[tool];
   $("furnish").disabled = !draft.rooms.length || faults.some((fault) => !fault.warns);
   showPanel();
@@ -169,7 +171,7 @@ function drawWords(room, ring, svg, px) {
   element("text", { class: "title", x, y: -y, "font-size": size * 1.1 }, svg, room.name);
   element("text", { class: "area", x, y: -y + size * 1.3, "font-size": size }, svg, `${area.toFixed(1)} m²`);
   const lacks = faults.some((fault) => fault.warns && fault.ids.includes(room.id));
-  if (lacks) element("text", { class: "area bad-text", x, y: -y + size * 2.6, "font-size": size * 0.9 }, svg, "no door yet");
+  if (lacks) element("text", { class: "area bad-text", x, y: -y + size * 2.6, "font-size": size * 0.9 }, svg, t("no door yet"));
   edges({ outline: ring }).forEach(([a, b, k]) => {
     const long = far(a, b), u = [(b[0] - a[0]) / long, (b[1] - a[1]) / long], off = 14 * px + draft.wall_thickness / 2;
     if (long < 60 * px) return;
@@ -212,9 +214,9 @@ function showPanel() {
   const column = draft.columns.find((one) => one.id === picked);
   $("of-room").hidden = !room; $("of-opening").hidden = !opening; $("of-plan").hidden = Boolean(room || opening || column); $("erase").hidden = !(room || opening || column);
   const put = (id, value) => { if (document.activeElement !== $(id)) $(id).value = value; };
-  if (room) { put("room-name", room.name); $("room-area").textContent = `${middle(room.outline).area.toFixed(2)} m² between the middles of its walls`; }
+  if (room) { put("room-name", room.name); $("room-area").textContent = t("{area} m² between the middles of its walls", { area: middle(room.outline).area.toFixed(2) }); }
   if (opening) {
-    $("opening-kind").textContent = opening.kind; put("opening-width", opening.width);
+    $("opening-kind").textContent = { door: t("Door"), passage: t("Passage"), window: t("Window") }[opening.kind]; put("opening-width", opening.width);
     $("of-sill").hidden = opening.kind !== "window"; $("of-leaf").hidden = opening.kind !== "door";
     put("opening-sill", opening.sill ?? ""); put("opening-swing", opening.swing ?? "in"); put("opening-hinge", opening.hinge ?? "left");
   }
@@ -227,7 +229,7 @@ function showPanel() {
     } });
     return make("li", { className: fault.warns ? "" : "bad" }, button);
   });
-  if (!faults.length && draft.rooms.length) $("faults").replaceChildren(make("li", { textContent: "nothing" }));
+  if (!faults.length && draft.rooms.length) $("faults").replaceChildren(make("li", { textContent: t("nothing") }));
 }
 
 function choose(name) { tool = name; poly = []; press = null; digits = ""; guides = []; show(); }
@@ -251,7 +253,7 @@ $("draft").addEventListener("pointerdown", (event) => {
   } else if (tool === "select") press = grasp(event, raw);
   else {
     const wall = onWall(raw, event), keys = tool === "column" ? { act: "column", at: snap(raw, event) } : { act: "opening", kind: tool, at: wall.at };
-    if (tool !== "column" && !(wall.far < 0.6)) { say("choose a place on a wall"); return; }
+    if (tool !== "column" && !(wall.far < 0.6)) { say(t("choose a place on a wall")); return; }
     after = () => { picked = (tool === "column" ? draft.columns : draft.openings).at(-1)?.id ?? ""; show(); };
     act(keys);
   }

@@ -4,6 +4,8 @@ import { drawFloor, drawShell, element, extent, line, outline, placed } from "/d
 import { openShelf } from "/shelf.js";
 import { $, fill, read, say, send } from "/wire.js";
 import { hideBreeding, showBreeding, refreshBreeding, noteShare } from "/breed.js";
+import { openPeople, refreshPeople } from "/people.js";
+import { t } from "/words.js";
 import { hideDrawing, refreshDrawing, showDrawing } from "/draft.js";
 
 const NUDGE = 0.05, QUARTER = Math.PI / 2;
@@ -30,6 +32,7 @@ async function refresh() {
 }
 
 function show() {
+  document.body.dataset.right = doc.me?.right ?? "view";
   $("name").textContent = doc.name || "Scenewright";
   $("undo").disabled = !doc.undo; $("redo").disabled = !doc.redo;
   $("adding").hidden = doc.domain !== "home";
@@ -52,7 +55,7 @@ function drawPlan() {
   plan.replaceChildren();
   if (!here) {
     plan.setAttribute("viewBox", "0 0 600 300");
-    element("text", { class: "empty", x: 300, y: 150 }, plan, "Draw a plan, bring one, or choose a sample.");
+    element("text", { class: "empty", x: 300, y: 150 }, plan, t("Draw a plan, bring one, or choose a sample."));
     return;
   }
   if (!view) view = extent(here);
@@ -130,13 +133,13 @@ function showSelected() {
   if (!piece) return;
   const [x, y, , heading] = piece.pose, [w, d, h] = piece.size;
   const several = selection().length;
-  $("piece").textContent = several > 1 ? `${several} pieces` : piece.name;
+  $("piece").textContent = several > 1 ? t("{n} pieces", { n: several }) : piece.name;
   $("place").hidden = $("exchange").hidden = several > 1;
   for (const [id, value] of [["at-x", x], ["at-y", y], ["at-turn", Math.round(heading * 180 / Math.PI)]]) {
     if (document.activeElement !== $(id)) $(id).value = Number(value.toFixed(3));
   }
-  $("measures").textContent = several > 1 ? "Shift and a click adds or takes away" : `${w.toFixed(2)} × ${d.toFixed(2)} × ${h.toFixed(2)} m`;
-  $("lock").textContent = piece.locked ? "Unlock" : "Lock";
+  $("measures").textContent = several > 1 ? t("Shift and a click adds or takes away") : `${w.toFixed(2)} × ${d.toFixed(2)} × ${h.toFixed(2)} m`;
+  $("lock").textContent = piece.locked ? t("Unlock") : t("Lock");
 }
 
 function item(text, pieces = [], bad = false) {
@@ -153,7 +156,7 @@ function item(text, pieces = [], bad = false) {
 // Words for a person: pieces by what they are, not by their ids.
 function inWords(text) {
   const named = (doc.pieces ?? []).filter((piece) => text.includes(piece.id)).sort((a, b) => b.id.length - a.id.length);
-  return named.reduce((told, piece) => told.replaceAll(`'${piece.id}'`, `the ${piece.name}`).replaceAll(piece.id, `the ${piece.name}`), text);
+  return named.reduce((told, piece) => told.replaceAll(`'${piece.id}'`, t("the {piece}", { piece: piece.name })).replaceAll(piece.id, t("the {piece}", { piece: piece.name })), text);
 }
 
 function listFinding(found) {
@@ -166,7 +169,7 @@ function listFinding(found) {
 const isBare = () => (doc.levels ?? []).length > 0 && doc.pieces.every((piece) => piece.locked);
 
 function showLists() {
-  $("verdict").textContent = isBare() ? "nothing is arranged yet: press Arrange" : doc.verdict ?? "";
+  $("verdict").textContent = isBare() ? t("nothing is arranged yet: press Arrange") : doc.verdict ?? "";
   fill("findings", toShow(), listFinding);
   fill("left-out", doc.left_out ?? [], (out) => item(`${out.what.replaceAll("_", " ")}: ${out.reason}`, [], out.required));
   fill("changes", changes, (one) => item(inWords(`${one.piece} ${one.change}: ${one.reason}`).replaceAll("_", " "), [one.piece]));
@@ -305,10 +308,10 @@ $("double").onclick = async () => {
 };
 $("exchange").onclick = () => {
   const piece = chosen();
-  openShelf(`In place of the ${piece.name}`, piece.category, ({ asset }) => change("exchange", { piece: piece.id, asset }));
+  openShelf(t("In place of the {piece}", { piece: piece.name }), piece.category, ({ asset }) => change("exchange", { piece: piece.id, asset }));
 };
-$("add").onclick = () => openShelf("Add furniture", "", ({ asset, name }) => {
-  placing = asset; $("plan").classList.add("placing"); say(`${name}: click where it is to stand`);
+$("add").onclick = () => openShelf(t("Add furniture"), "", ({ asset, name }) => {
+  placing = asset; $("plan").classList.add("placing"); say(t("{name}: click where it is to stand", { name }));
 });
 for (const id of ["at-x", "at-y", "at-turn"]) $(id).onchange = () => {
   const piece = chosen(), [x, y, turn] = ["at-x", "at-y", "at-turn"].map((one) => Number($(one).value));
@@ -331,7 +334,7 @@ async function showSpace(walking) {
   $("plan").setAttribute("hidden", "");
   $("solid").ariaPressed = !walking; $("walk").ariaPressed = walking;
   if (!space || spaceOf !== doc.version) {
-    say("building the scene …");
+    say(t("building the scene …"));
     const stood = space?.walking ? space.where() : null;
     space?.close();
     const { open3d } = await import("/walk.js");
@@ -386,7 +389,7 @@ $("breed").onclick = async () => {
 };
 
 $("picture").onclick = async () => {
-  say("drawing …");
+  say(t("drawing …"));
   const reply = await fetch("/picture.png");
   if (!reply.ok) { say((await reply.json()).fault); return; }
   say(""); $("image").src = URL.createObjectURL(await reply.blob()); $("shown").showModal();
@@ -399,7 +402,7 @@ document.addEventListener("drop", (event) => { event.preventDefault(); bring(eve
 async function bring(file) {
   if (!file) return;
   const reply = await fetch(`/bring?name=${encodeURIComponent(file.name)}`, { method: "POST", body: file });
-  const said = await reply.json().catch(() => ({ fault: `the studio answered ${reply.status}` }));
+  const said = await reply.json().catch(() => ({ fault: t("the studio answered {status}", { status: reply.status }) }));
   if (said.fault) say(said.fault);
   await refresh();
 }
@@ -407,13 +410,18 @@ async function bring(file) {
 const events = new EventSource("/events");
 events.onmessage = (message) => {
   const event = JSON.parse(message.data);
-  if (event.changed) refresh();
-  if (event.bred) refreshBreeding();
+  if (event.changed && doc.me?.right !== "rate") refresh();
+  if (event.bred) { refreshBreeding(); refreshPeople(); }
+  if (event.rated) refreshPeople();
   if (event.fault || event.notice) say(event.fault ?? event.notice);
   if (event.boxes) { streamed.set(event.space, event.boxes); if (doc.running) drawStreamed(); }
   if (event.share !== undefined) { $("share").value = event.share; $("share").title = event.what; noteShare(event.share); }
 };
-events.onerror = () => say("the studio does not answer; start it again and use its new link");
+events.onerror = () => say(t("the studio does not answer; start it again and use its new link"));
+
+$("invite-people").onclick = () => openPeople(refresh);
 
 for (const name of await read("/samples")) $("samples").append(new Option(name.replace("sample:", ""), name));
 await refresh();
+// Whoever has a link to rate sees the sheets, and nothing else.
+if (doc.me?.right === "rate") { $("plan").setAttribute("hidden", ""); await showBreeding(async () => {}); }

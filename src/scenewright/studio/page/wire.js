@@ -1,4 +1,6 @@
 // What every part of the page uses: elements, notes, and the server's verbs.
+import { t } from "/words.js";
+
 export const $ = (id) => document.getElementById(id);
 
 export function say(text) {
@@ -9,7 +11,7 @@ export function say(text) {
 
 export async function send(verb, keys = {}, words = (text) => text) {
   const reply = await fetch("/do", { method: "POST", body: JSON.stringify({ verb, ...keys }) });
-  const said = await reply.json().catch(() => ({ fault: `the studio answered ${reply.status}` }));
+  const said = await reply.json().catch(() => ({ fault: t("the studio answered {status}", { status: reply.status }) }));
   if (said.fault) say(words(said.fault));
   return said;
 }

@@ -25,10 +25,9 @@ from scenewright.engine.preference.events import (
     Undo,
     champion_of,
     counting,
-    favourites_of,
     record_of,
 )
-from scenewright.engine.preference.screens import ScreenMix, choose_screen
+from scenewright.engine.preference.screens import ScreenMix
 from scenewright.engine.preference.taste import (
     FeatureScale,
     PersonTaste,
@@ -39,7 +38,8 @@ from scenewright.engine.preference.taste import (
 from scenewright.engine.preference.trust import TrustRecord
 from scenewright.workflow.evolution.archive import CandidateArchive
 from scenewright.workflow.evolution.by_method import MethodRun, best_rated, make_run, refuse
-from scenewright.workflow.evolution.candidate import Screen, ShownCandidate, predicted_shares
+from scenewright.workflow.evolution.candidate import Screen, ShownCandidate
+from scenewright.workflow.evolution.choosing import choose_candidates, predict_candidates
 from scenewright.workflow.evolution.history import read_history
 from scenewright.workflow.evolution.locking import lock_brief, name_epoch
 from scenewright.workflow.evolution.log import EvolutionLog
@@ -290,18 +290,8 @@ class Evolution:
 
     def _choose(self, taste: PersonTaste, epoch: str, screen: int) -> list[int]:
         """The numbers of the candidates of a screen."""
-        rows = self._archive.sane(epoch)
-        champion = champion_of(self._history.events)
-        if champion is not None and champion not in rows:
-            rows = [*rows, champion]
-        values = np.array([self._archive.bred[n].values for n in rows])
-        seen = np.array([n in self._history.shown for n in rows])
-        liked = [n for n in favourites_of(self._history.events) if n in rows]
-        kept = [n for n in (champion,) if n is not None] + liked[: self._mix.favourites]
-        places = [rows.index(number) for number in kept]
         rng = np.random.default_rng([self.seed, 1, screen])
-        chosen = choose_screen(taste, values, seen, places, rng, self._mix)
-        return [rows[k] for k in chosen]
+        return choose_candidates(self._archive, self._history, taste, epoch, rng, self._mix)
 
     def _adopt(
         self, epoch: str, screen: int, progress: OnProgress | None, cancel: OnCancel | None = None
@@ -358,23 +348,9 @@ class Evolution:
             ground = self._nursery.ground("").plan
             valid = {n: self._archive.bred[n].valid for n in numbers}
             return [ShownCandidate(n, self.solution_of(n), ground, valid=valid[n]) for n in numbers]
-        taste = taste or self.taste
-        values = np.array([self._archive.bred[number].values for number in numbers])
-        known = taste.posterior is not None or bool(taste.start.any())
-        mean, deviation = judge_each(taste, values)
-        shares = predicted_shares(mean, deviation)
-        return [
-            ShownCandidate(
-                number,
-                self.solution_of(number),
-                self._nursery.ground(self._archive.epochs[number]).plan,
-                float(mean[k]) if known else None,
-                float(deviation[k]) if known else None,
-                float(shares[k]) if known else None,
-                self._archive.bred[number].valid,
-            )
-            for k, number in enumerate(numbers)
-        ]
+        grounds = [self._nursery.ground(self._archive.epochs[n]).plan for n in numbers]
+        solutions = [self.solution_of(number) for number in numbers]
+        return predict_candidates(self._archive, numbers, solutions, grounds, taste or self.taste)
 
     def _check_lock(self, name: str, champion: int | None) -> None:
         """InputError unless the champion has what is to be locked."""
