@@ -25,7 +25,7 @@ def serve(
     host: str,
     ready: Callable[[str], None],
 ) -> None:
-    """Serve the studio of a project on a socket, under the name of a ``host``; a ``source`` is opened
+    """Serve the studio of a project on a socket, under the name ``host``; a ``source`` is opened
     first. ``ready`` is given the token of the link, once the plan is read."""
     listeners = Listeners()
     session = Session(db, listeners.tell)
