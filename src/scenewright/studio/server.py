@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import json
-from collections.abc import AsyncIterator, Awaitable, Callable
+from collections.abc import AsyncIterator, Awaitable, Callable, Mapping
 from importlib import resources
 from pathlib import Path, PurePath
 from typing import Any
@@ -78,13 +78,54 @@ class Listeners:
             self.queues.discard(mine)
 
 
+Query = Mapping[str, str]
+
+
+def _state(session: Session, person: Person, _query: Query) -> Any:
+    return session.state() | {"me": {"name": person.name, "right": person.right}}
+
+
+def _sheets(session: Session, person: Person) -> Breeding | RaterDesk:
+    return session.breeding if may(person.right, EDIT) else session.desk_of(person)
+
+
+def _cards(session: Session, person: Person, query: Query) -> Any:
+    asked = [int(n) for n in query.get("of", "").split(",") if n.isdecimal()]
+    return _sheets(session, person).draw(asked[:MOST_CARDS])
+
+
+def _ratings(session: Session, person: Person, _query: Query) -> Any:
+    if not may(person.right, OWN):
+        raise InputError("only the owner sees who rated", "ask for a look at it")
+    return session.raters.results()
+
+
+def _export(session: Session, query: Query) -> bytes:
+    asked = query.get("formats", ",".join(FORMATS)).split(",")
+    known = {row.suffix.removeprefix(".") for row in formats() if row.writer}
+    return session.export([ending for ending in asked if ending in known])
+
+
+TOLD: Mapping[str, Callable[[Session, Person, Query], Any]] = {
+    "/state": _state,
+    "/samples": lambda *_: [*samples()],
+    "/breeding": lambda session, person, _: _sheets(session, person).state(),
+    "/ratings": _ratings,
+    "/shelf": lambda session, *_: session.shelf(),
+    "/cards": _cards,
+}
+"""What is told as JSON, by address."""
+GIVEN: Mapping[str, tuple[str, Callable[[Session, Query], bytes]]] = {
+    "/export.zip": ("application/zip", _export),
+    "/picture.png": ("image/png", lambda session, _: session.file("png")),
+    "/scene.glb": ("model/gltf-binary", lambda session, _: session.file("glb")),
+    "/thumb.png": ("image/png", lambda session, query: session.thumb(query.get("asset", ""))),
+}
+"""What is given as a file, by address."""
+
+
 def studio_app(session: Session, listeners: Listeners, folder: Path) -> Starlette:
     """The application; what the page brings is kept in ``folder``, a folder of its own."""
-
-    async def state(request: Request) -> Response:
-        _, name, right = _person(request)
-        shown = await run_in_threadpool(session.state)
-        return JSONResponse(shown | {"me": {"name": name, "right": right}})
 
     async def events(_request: Request) -> Response:
         return StreamingResponse(listeners.stream(), media_type="text/event-stream")
@@ -98,61 +139,36 @@ def studio_app(session: Session, listeners: Listeners, folder: Path) -> Starlett
         name = request.query_params.get("name", "")
         return await _answer(_bring, session, await request.body(), folder, name)
 
-    async def export(request: Request) -> Response:
-        asked = request.query_params.get("formats", ",".join(FORMATS)).split(",")
-        known = {row.suffix.removeprefix(".") for row in formats() if row.writer}
-        return await _file(session.export, "application/zip", [e for e in asked if e in known])
-
-    async def picture(_request: Request) -> Response:
-        return await _file(session.file, "image/png", "png")
-
-    async def model(_request: Request) -> Response:
-        return await _file(session.file, "model/gltf-binary", "glb")
-
-    async def list_samples(_request: Request) -> Response:
-        return JSONResponse([*samples()])
-
-    async def shelf(_request: Request) -> Response:
-        return JSONResponse(await run_in_threadpool(session.shelf))
-
-    async def thumb(request: Request) -> Response:
-        name = request.query_params.get("asset", "")
-        return await _file(session.thumb, "image/png", name)
-
-    def sheets(request: Request) -> Breeding | RaterDesk:
-        person = _person(request)
-        return session.breeding if may(person.right, EDIT) else session.desk_of(person)
-
-    async def breeding(request: Request) -> Response:
-        return JSONResponse(await run_in_threadpool(sheets(request).state))
-
-    async def ratings(request: Request) -> Response:
-        if not may(_person(request).right, OWN):
-            return JSONResponse({"fault": "only the owner sees who rated"}, 403)
-        return JSONResponse(await run_in_threadpool(session.raters.results))
-
-    async def cards(request: Request) -> Response:
-        asked = [int(n) for n in request.query_params.get("of", "").split(",") if n.isdecimal()]
-        return JSONResponse(await run_in_threadpool(sheets(request).draw, asked[:MOST_CARDS]))
-
     return Starlette(
         routes=[
             *(Route(f"/{name}", _page(name)) for name in PAGES),
-            Route("/state", state),
+            *(Route(path, _tell(session, row)) for path, row in TOLD.items()),
+            *(Route(path, _give(session, *row)) for path, row in GIVEN.items()),
             Route("/events", events),
-            Route("/samples", list_samples),
-            Route("/breeding", breeding),
-            Route("/ratings", ratings),
-            Route("/shelf", shelf),
-            Route("/thumb.png", thumb),
-            Route("/cards", cards),
-            Route("/export.zip", export),
-            Route("/picture.png", picture),
-            Route("/scene.glb", model),
             Route("/do", do, methods=["POST"]),
             Route("/bring", bring, methods=["POST"]),
         ]
     )
+
+
+def _tell(session: Session, tell: Callable[..., Any]) -> Callable[[Request], Awaitable[Response]]:
+    async def told(request: Request) -> Response:
+        return await _answer(tell, session, _person(request), request.query_params)
+
+    return told
+
+
+def _give(
+    session: Session, kind: str, make: Callable[..., bytes]
+) -> Callable[[Request], Awaitable[Response]]:
+    async def given(request: Request) -> Response:
+        try:
+            content = await run_in_threadpool(make, session, request.query_params)
+        except InputError as error:
+            return JSONResponse({"fault": str(error)}, 422)
+        return Response(content, media_type=kind)
+
+    return given
 
 
 def _person(request: Request) -> Person:
@@ -190,17 +206,10 @@ def choose_language(header: str) -> str:
     return known[0] if known else LANGUAGES[0]
 
 
-async def _file(make: Callable[..., bytes], kind: str, *args: Any) -> Response:
-    try:
-        return Response(await run_in_threadpool(make, *args), media_type=kind)
-    except InputError as error:
-        return JSONResponse({"fault": str(error)}, 422)
-
-
-async def _answer(verb: Callable[..., Json], session: Session, body: bytes, *more: Any) -> Response:
+async def _answer(verb: Callable[..., Any], *given: Any) -> Response:
     """What a verb answers, or its fault in one line."""
     try:
-        return JSONResponse(await run_in_threadpool(verb, session, body, *more))
+        return JSONResponse(await run_in_threadpool(verb, *given))
     except (InputError, CancelledError) as error:
         return JSONResponse({"fault": str(error)}, 422)
 
