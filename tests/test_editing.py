@@ -6,6 +6,7 @@ import pytest
 
 import scenewright as sw
 from scenewright.core.errors import InputError
+from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
 from scenewright.domains import adjust
 from scenewright.formats import solution_json
@@ -77,9 +78,76 @@ def test_what_cannot_be_done_is_one_line(room: Solution, edits: dict[str, object
     assert "\n" not in str(told.value)
 
 
-def test_only_homes_are_edited_so() -> None:
-    with pytest.raises(InputError, match="only homes"):
-        sw.edit_pieces(sw.solve(sw.read("sample:site-square"), steps=100), remove=["x"])
+OTHERS = {
+    "hall-shop": ("gondola", 1500),
+    "site-square": ("villa", 2),
+    "village-hamlet": ("cottage", 1),
+    "extend-village": ("C", 1),
+}
+
+
+@pytest.fixture(scope="module", params=OTHERS)
+def scene(request: pytest.FixtureRequest) -> Solution:
+    preset = "quick" if request.param.startswith("extend") else "default"
+    brief = sw.read(f"sample:{request.param}")
+    return sw.solve(brief, steps=OTHERS[request.param][1], preset=preset)
+
+
+def moved_ids(before: Solution, after: Solution) -> set[str]:
+    """What there was before and stands elsewhere now, but for trees and lamps."""
+    now = {p.id: p for p in after.pieces}
+    kept = [p for p in before.pieces if not p.group.endswith("/green")]
+    return {p.id for p in kept if p.id in now and now[p.id].pose != p.pose}
+
+
+def movable(solution: Solution) -> list[Piece]:
+    """Buildings, or objects of a hall."""
+    built = [p for p in solution.pieces if p.category == "building"]
+    pieces = built or [p for p in solution.pieces if p.function == "shelving"]
+    return [p for p in pieces if not p.fixed and p.function != "landmark"]
+
+
+def test_other_scenes_take_pieces_by_hand_and_little_else_changes(scene: Solution) -> None:
+    first, *others = movable(scene)
+    twin = next(p for p in others if p.function == first.function)
+    bare = sw.edit_pieces(scene, remove=[twin.id]).solution
+    assert len(moved_ids(scene, bare)) <= 5
+    wide = (first.size.width * 0.98, *first.size[1:])
+    other = others[-1].function if first.category == "building" else others[-1].asset
+    for edits, more in (
+        ({"duplicate": [first.id]}, 1),
+        ({"resize": {first.id: wide}}, 0),
+        ({"exchange": {first.id: other}}, 0),
+        ({"add": [sw.Addition(first.asset, *twin.pose[:2], twin.pose.heading, twin.space)]}, 1),
+    ):
+        after = sw.edit_pieces(bare, **edits).solution
+        assert len(moved_ids(bare, after) - {first.id}) <= 5, edits
+        assert after.brief == scene.brief
+        there = [sum(p.category == first.category for p in s.pieces) for s in (bare, after)]
+        assert there[1] == there[0] + more, edits
+        text = solution_json.dumps(after)
+        assert solution_json.dumps(solution_json.loads(text)) == text
+        blamed = {f.kind for f in sw.check(after).findings if f.is_blamed}
+        assert not blamed & {"missing", "surplus", "malformed", "collision", "changed_given"}, edits
+
+
+def test_what_is_given_another_size_stays_and_what_it_runs_into_gives_way(room: Solution) -> None:
+    desk = next(p for p in room.pieces if p.category == "desk")
+    after = sw.edit_pieces(room, resize={desk.id: (desk.size.width + 0.1, *desk.size[1:])})
+    now = next(p for p in after.solution.pieces if p.id == desk.id)
+    assert now.size.width == pytest.approx(desk.size.width + 0.1)
+    with pytest.raises(InputError, match="does not come in that size; the nearest is"):
+        sw.edit_pieces(room, resize={desk.id: (9.0, 9.0, 9.0)})
+
+
+def test_a_room_is_restyled_by_models_of_a_style(room: Solution) -> None:
+    after = sw.edit_pieces(room, restyle={"room": "retro"}).solution
+    assert [p.pose for p in after.pieces] == [p.pose for p in room.pieces]
+    changed = {b.asset for a, b in zip(room.pieces, after.pieces, strict=True) if a != b}
+    assert changed
+    assert all(asset.endswith("_retro") for asset in changed)
+    with pytest.raises(InputError, match="is made in 'gothic'"):
+        sw.edit_pieces(room, restyle={"room": "gothic"})
 
 
 def test_what_stands_on_a_piece_stands_on_the_one_in_its_place(room: Solution) -> None:

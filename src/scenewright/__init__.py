@@ -54,6 +54,7 @@ if TYPE_CHECKING:
     from scenewright.workflow.meshes import check_meshes
     from scenewright.workflow.observe import observe
     from scenewright.workflow.photograph import photograph
+    from scenewright.workflow.workspace import Workspace as Workspace
 if TYPE_CHECKING:
     from typing import Any
 
@@ -77,6 +78,7 @@ __all__ = [
     "Size",
     "Solution",
     "Space",
+    "Workspace",
     "__version__",
     "alternatives",
     "arrange",
@@ -117,6 +119,7 @@ _HOMES = {
     "solve": "domains:solve",
     "edit_pieces": "workflow.editing:edit_pieces",
     "Addition": "workflow.editing:Addition",
+    "Workspace": "workflow.workspace:Workspace",
     "resolve": "domains:resolve",
     "check": "domains:check",
     "check_meshes": "workflow.meshes:check_meshes",

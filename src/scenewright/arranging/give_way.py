@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from scenewright.core.piece_edits import carry_pieces, frame_of
 from scenewright.core.piece_outlines import outline_of, polygons_of
-from scenewright.core.scene import Piece
+from scenewright.core.scene import Piece, Pose
 
 TOUCH = 0.005
 """Metres by which things beside one another may overlap."""
@@ -33,8 +33,10 @@ Frame = tuple[float, float, float]
 class Ways(NamedTuple):
     """What pieces may do: the ``units`` that move as one, by the id of each piece; the ``floor``
     each piece may stand on; what stays where it is (``held``); what nothing runs into
-    (``through``: rugs); the metres kept ``apart`` where they were there before; and which pieces
-    are ``walls`` within spaces."""
+    (``through``: rugs); the metres kept ``apart`` where they were there before; which pieces are
+    ``walls`` within spaces; the metres in ``front`` of a piece that it is used from; and how many
+    times as far, in steps as much longer, places are tried. What is put in keeps ``apart`` from
+    all where that is ``strict``."""
 
     units: Mapping[str, tuple[str, ...]]
     floor: Callable[[Piece], shapely.Geometry]
@@ -42,6 +44,9 @@ class Ways(NamedTuple):
     through: Callable[[Piece], bool] = lambda _piece: False
     apart: float = 0.0
     walls: Callable[[Piece], bool] = lambda _piece: False
+    front: float = 0.0
+    times: float = 1.0
+    strict: bool = False
 
 
 class GaveWay(NamedTuple):
@@ -79,7 +84,7 @@ def nearest_place(
     pieces: Sequence[Piece], unit: Sequence[str], wanted: Frame, ways: Ways
 ) -> Frame | None:
     """The free place for a unit nearest to the one wanted for its first piece; none if there is
-    none within 12 m. All other pieces stay."""
+    none within reach. All other pieces stay."""
     now = {piece.id: piece for piece in pieces}
     now |= _carry(now, unit, wanted)
     found = _find_place(now, tuple(unit), {*now}, (), ways, stay=True)
@@ -160,21 +165,50 @@ def _find_place(
     floor = ways.floor(lead)
     walls = _walls(floor, [p for p in others if ways.walls(p)])
     backed = bool(_back_distance(walls, lead, np.zeros((1, 2)), 0.0)[0] < BACKED)
-    near = _keep_apart(shapely.union_all(shapes), [*firm, *loose], ways.apart)
+    every = shapely.union_all(polygons_of([*firm, *loose]))
+    near = _keep_apart(None if stay else shapely.union_all(shapes), others, ways.apart)
+    used = [*near, *_fronts([*firm, *loose], ways.front)]
     strangers = [p for p in [*firm, *loose] if p in firm or p.group != lead.group]
-    fronts = [
-        (shapely.union_all(polygons_of(strangers)), backed),
-        (shapely.union_all(near), backed),
-        (shapely.union_all(polygons_of([*firm, *loose])), backed),
-        *([(shapely.union_all(polygons_of([*firm, *loose])), False)] if backed else ()),
-        *([] if stay else [(shapely.union_all(polygons_of(firm)), backed)]),
+    tries = [
+        (shapes, shapely.union_all(polygons_of(strangers)), backed, RINGS[:1]),
+        ([*shapes, *_fronts(here[:1], ways.front)], shapely.union_all(used), backed, RINGS),
+        (shapes, every, backed, RINGS),
+        *([(shapes, every, False, RINGS)] if backed else ()),
+        *([] if stay else [(shapes, shapely.union_all(polygons_of(firm)), backed, RINGS)]),
     ]
-    for number, (taken, at_wall) in enumerate(fronts):
-        line, rings = walls if at_wall else None, RINGS if number else RINGS[:1]
-        frame = _find_free(lead, shapes, floor, taken, line, rings, stay)
+    for own, taken, at_wall, rings in tries[1:2] if stay and ways.strict else tries[stay:]:
+        scaled = [(far * ways.times, step * ways.times) for far, step in rings]
+        frame = _find_free(lead, own, floor, taken, walls if at_wall else None, scaled, stay)
         if frame is not None:
             return _Place(frame, _find_pushed(now, unit, frame, loose, ways))
     return None
+
+
+def _fronts(pieces: Sequence[Piece], deep: float) -> list[shapely.Geometry]:
+    """The ground, some metres ``deep``, before pieces."""
+    if not deep or not pieces:
+        return []
+    ahead = [
+        replace(
+            p,
+            pose=step_ahead(p.pose, (p.size.depth + deep) / 2),
+            size=p.size._replace(depth=deep - 2 * TOUCH),
+            footprint=(),
+        )
+        for p in pieces
+    ]
+    found: list[shapely.Geometry] = polygons_of(ahead).tolist()
+    return found
+
+
+def step_ahead(pose: Pose, ahead: float) -> Pose:
+    """A pose some metres further on along its heading.
+
+    >>> step_ahead(Pose(1.0, 2.0, 0.0, 0.0), 0.5)
+    Pose(x=1.5, y=2.0, z=0.0, heading=0.0)
+    """
+    c, s = math.cos(pose.heading), math.sin(pose.heading)
+    return pose._replace(x=pose.x + ahead * c, y=pose.y + ahead * s)
 
 
 def _may_meet_any(here: Sequence[Piece], other: Piece, ways: Ways) -> bool:
@@ -191,13 +225,16 @@ def _find_pushed(
 
 
 def _keep_apart(
-    shape: shapely.Geometry, others: Sequence[Piece], apart: float
+    shape: shapely.Geometry | None, others: Sequence[Piece], apart: float
 ) -> list[shapely.Geometry]:
-    """Outlines of pieces, grown by the metres kept apart where they are as far now."""
+    """Outlines of pieces, grown by the metres kept apart: those as far from a ``shape`` now, or
+    all."""
     if not others:
         return []
     outlines = polygons_of(others)
-    far = shapely.distance(outlines, shape) >= apart - TOUCH
+    far = np.full(len(outlines), shape is None) | (
+        shapely.distance(outlines, shape) >= apart - TOUCH
+    )
     grown = shapely.buffer(outlines[far], max(apart - TOUCH, 0.0), quad_segs=2)
     return [*outlines[~far].tolist(), *grown.tolist()]
 

@@ -36,6 +36,7 @@ from scenewright.core.brief.fields import FURNITURE
 from scenewright.core.brief.input_report import InputReport, report_input
 from scenewright.core.catalog import OWN, Asset, Catalog
 from scenewright.core.errors import InputError
+from scenewright.core.workspace import check_inside
 
 __all__ = [
     "BUILDING",
@@ -180,6 +181,7 @@ def _unusable(catalogue: ReadCatalog) -> Iterator[tuple[str, str]]:
 def _source(entry: CatalogBrief) -> tuple[Path, Path | None]:
     """Where a catalogue's models are; of a registered one, given by its name, also its table."""
     path = Path(entry.path)
+    check_inside(path)
     if path.exists() or path.name != entry.path or path.suffix:
         return path, None
     table = table_file(entry.path)

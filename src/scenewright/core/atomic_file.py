@@ -21,6 +21,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from scenewright.core.errors import InputError
+from scenewright.core.workspace import check_inside
 
 Name = str | os.PathLike[str]
 Identity = tuple[int, int]
@@ -85,6 +86,7 @@ def check_targets(paths: Sequence[Name]) -> None:
     """Raise InputError unless every path can be a new file or replace a plain one that the run
     does not read, and no two are the same."""
     for path in paths:
+        check_inside(path)
         _check_target(Path(path))
     check_distinct(paths)
 

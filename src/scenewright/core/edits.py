@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from math import isfinite, tau
 from typing import NamedTuple
 
@@ -25,6 +25,30 @@ class Edits(NamedTuple):
     unlock: tuple[str, ...] = ()
     again: tuple[str, ...] = ()
     cancel: Cancel = None
+
+
+class Addition(NamedTuple):
+    """A model of the catalog, by id or name, to be put at (x, y), metres, of a space (left out: the
+    one that is there), looking along ``heading`` (left out: with its back to the nearest wall)."""
+
+    asset: str
+    x: float
+    y: float
+    heading: float | None = None
+    space: str = ""
+
+
+class PieceEdits(NamedTuple):
+    """Changes of single pieces: those to ``remove``, to ``exchange`` for another model, to
+    ``resize`` to width, depth and height in metres, to ``restyle`` by the models of a style (a
+    piece, or all of a space), to ``duplicate``, and what to ``add``."""
+
+    remove: Sequence[str] = ()
+    exchange: Mapping[str, str] = {}
+    resize: Mapping[str, Sequence[float]] = {}
+    restyle: Mapping[str, str] = {}
+    duplicate: Sequence[str] = ()
+    add: Sequence[Addition] = ()
 
 
 class Change(NamedTuple):

@@ -18,6 +18,7 @@ from pydantic import ValidationError
 from scenewright.core.atomic_file import note_read
 from scenewright.core.document_faults import to_input_error
 from scenewright.core.errors import InputError
+from scenewright.core.workspace import check_inside
 
 MEBIBYTE = 2**20
 
@@ -56,6 +57,7 @@ def read_plain(path: str | os.PathLike[str], most: int) -> bytes:
     """The bytes of a plain file of at most ``most`` bytes. Raises OSError where it cannot be
     opened, InputError for a folder, a pipe or a device (none is waited for) and for a larger
     file."""
+    check_inside(path)
     handle = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0))
     with open(handle, "rb") as stream:
         status = os.fstat(handle)
@@ -70,6 +72,7 @@ def read_plain(path: str | os.PathLike[str], most: int) -> bytes:
 def check_plain(path: str | os.PathLike[str], most: int) -> None:
     """InputError unless there is a plain file of at most ``most`` bytes. The run counts as reading
     it, also where its content is known from before."""
+    check_inside(path)
     try:
         status = Path(path).stat()
     except OSError as error:

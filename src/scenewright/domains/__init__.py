@@ -201,7 +201,8 @@ def check(
     quick = not figures and domain.has("findings")
     judge = domain.verb("findings") if quick else domain.verb("check")
     report: Report = judge(judged, made, kinds)
-    found = mark_locked((*restored.findings, *report.findings), restored.locked)
+    judged_by = restored.locked, solution.pieces
+    found = mark_locked((*restored.findings, *report.findings), *judged_by)
     placed = locate_findings(found, judged.pieces, made.spaces)
     unplaced = sum(out.required for out in solution.left_out)
     report = replace(report, findings=placed, unplaced=unplaced)

@@ -7,6 +7,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+from scenewright.core.workspace import check_inside, is_confined
+
 Json = dict[str, Any]
 
 NAMED = ("catalogs", "groups", "sources")
@@ -38,9 +40,11 @@ def resolve_paths(document: Json, folder: Path) -> Json:
 
 
 def absolute(path: str, folder: Path) -> str:
-    """A path below ``folder``, unless it is absolute already or but a name that is not there."""
+    """A path below ``folder``, unless it is absolute already or but a name that is not there; in a
+    workspace names of registered catalogues mean nothing."""
     whole = folder / path
-    plain = Path(path).name == path and not Path(path).suffix
+    check_inside(whole)
+    plain = Path(path).name == path and not Path(path).suffix and not is_confined()
     return path if plain and not whole.exists() else str(whole.absolute())
 
 

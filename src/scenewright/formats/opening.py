@@ -12,6 +12,7 @@ from scenewright.core.atomic_file import note_read
 from scenewright.core.document_faults import check_text
 from scenewright.core.errors import InputError
 from scenewright.core.registry import Format
+from scenewright.core.workspace import check_inside
 from scenewright.formats.foreign import name_foreign
 from scenewright.formats.table import domains, row_of
 
@@ -32,6 +33,7 @@ def open_source(source: str | os.PathLike[str]) -> Opened:
     another program is named."""
     name = os.fspath(source)
     path = _find_sample(name) if name.startswith(SAMPLE) else Path(name)
+    check_inside(path)
     if path.is_dir():
         raise InputError("is a folder", "add --batch for all in it")
     if not path.suffix and not path.exists():

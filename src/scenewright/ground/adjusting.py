@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import shapely
@@ -21,6 +21,8 @@ from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
 
+FEW = 2
+"""Layouts tried for what gives way, where nobody says how many."""
 OVERLAP = 0.01
 """Square metres shared with a building moved by hand that make another give way."""
 
@@ -28,12 +30,15 @@ OVERLAP = 0.01
 class GroundRules(NamedTuple):
     """How a domain is changed by hand: the building that a name means (its errors say why it may
     not be moved), the brief with what is locked in a solution, the ids of buildings that must give
-    way (those locked never do), and a solution with its locked pieces built on again."""
+    way (those locked never do), a solution with its locked pieces built on again, the
+    metres kept ``apart``, and what they are called."""
 
     find: Callable[[Sequence[Piece], str], tuple[Piece, ...]]
     lock: Callable[[Solution], Brief]
     give_way: Callable[[Solution, Edited, set[str]], set[str]]
     build: Callable[[Solution, int | None, int, Cancel], Solution]
+    apart: float = 0.0
+    noun: str = "buildings"
 
 
 def adjust_ground(
@@ -48,25 +53,68 @@ def adjust_ground(
 
     All buildings that need not give way stay; in spaces named in ``again`` only those locked do.
     """
-    edited = apply_edits(solution.pieces, plan, edits, rules.find, _alone)
+    edited = apply_edits(solution.pieces, plan, edits, rules.find, _alone, aligned=0.5)
+    chosen = solution.seed if seed is None else seed
+    after = build_around(solution, edited, rules, steps, chosen, edits.cancel)
+    return list_adjusted(solution, after, edited, skip="/green")
+
+
+def build_around(
+    solution: Solution,
+    edited: Edited,
+    rules: GroundRules,
+    steps: int | None,
+    seed: int,
+    cancel: Cancel = None,
+) -> Solution:
+    """A solution with its pieces ``edited``: what must give way to them placed again, ways and
+    trees laid out anew. The brief stays as it is, but where buildings that it has stand."""
     locked = {p.id for p in edited.pieces if p.fixed}
     free = rules.give_way(solution, edited, locked)
-    free |= {p.id for p in edited.pieces if p.space in edited.again} - locked
-    chosen = solution.seed if seed is None else seed
-    if not free and not edited.moved:
-        after = replace(solution, pieces=edited.pieces)
-    else:
-        held = {p.id for p in edited.pieces if p.category == "building"} - free
-        standing = replace(solution, pieces=with_locks(edited.pieces, held))
-        found = rules.build(standing, steps, chosen, edits.cancel)
-        after = replace(
-            found,
-            brief=rules.lock(standing),
-            pieces=with_locks(found.pieces, locked),
-            brief_hash=solution.brief_hash,
-        )
-    after = replace(after, brief=rules.lock(after), seed=chosen)
-    return list_adjusted(solution, after, edited, skip="/green")
+    few = FEW if free else 1
+    again = {p.id for p in edited.pieces if p.space in edited.again} - locked
+    free |= again
+    brief = _follow_fixed(solution, edited, rules)
+    same = {p.id for p in solution.pieces} == {p.id for p in edited.pieces}
+    if not free and not edited.moved and same:
+        return replace(solution, pieces=edited.pieces, brief=brief, seed=seed)
+    held = {p.id for p in edited.pieces if p.category == "building"} - free
+    standing = replace(solution, pieces=with_locks(edited.pieces, held))
+    found = rules.build(standing, steps or (None if again else few), seed, cancel)
+    told = () if again else solution.left_out
+    return replace(
+        found,
+        brief=brief,
+        pieces=with_locks(found.pieces, locked),
+        left_out=tuple(dict.fromkeys((*told, *found.left_out))),
+        brief_hash=solution.brief_hash,
+    )
+
+
+def _follow_fixed(solution: Solution, edited: Edited, rules: GroundRules) -> Brief:
+    """The brief with the buildings it has standing where they were moved to; itself if none
+    was."""
+    part = solution.brief.part
+    rows = {name: list(areas) for name, areas in part if isinstance(areas, list)}
+    kept = {row.id for areas in rows.values() for area in areas for row in _fixed(area)}
+    if kept.isdisjoint(edited.moved):
+        return solution.brief
+    locked = rules.lock(replace(solution, pieces=edited.pieces)).part
+    updated = {
+        name: [
+            area.model_copy(update={"fixed": [row for row in _fixed(area) if row.id in kept]})
+            if _fixed(area)
+            else area
+            for area in getattr(locked, name)
+        ]
+        for name in rows
+    }
+    return solution.brief.model_copy(update={"part": part.model_copy(update=updated)})
+
+
+def _fixed(area: Any) -> list[Any]:
+    found: list[Any] = getattr(area, "fixed", [])
+    return found
 
 
 def find_overlapped(_solution: Solution, edited: Edited, locked: set[str]) -> set[str]:

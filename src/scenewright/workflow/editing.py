@@ -1,4 +1,4 @@
-"""Furniture put in, taken away, doubled or exchanged by hand: nothing else moves.
+"""Pieces put in, taken away, doubled, exchanged, resized or restyled by hand.
 
 What is put in is locked, so that whatever is solved afterwards goes round it; what is taken away
 is listed as left out. The referee judges the answer as any other.
@@ -10,14 +10,13 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import islice
-from typing import NamedTuple
 
 import numpy as np
 import shapely
 
 from scenewright.catalog.loading import catalog_of, find_asset
 from scenewright.core.catalog import Asset, Catalog, footprint_of
-from scenewright.core.edits import Adjusted, Change
+from scenewright.core.edits import Addition, Adjusted, Change, PieceEdits
 from scenewright.core.errors import InputError
 from scenewright.core.piece_edits import carry_pieces, find_piece, frame_of
 from scenewright.core.piece_outlines import outline_of
@@ -26,7 +25,16 @@ from scenewright.core.registry import domain_of
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.solution import LeftOut, Solution
 from scenewright.core.space import Space
-from scenewright.domains import check, plan_of
+from scenewright.domains import adjust, check, plan_of
+from scenewright.workflow.by_hand import (
+    EXCHANGED,
+    PUT_IN,
+    REMOVED,
+    RESIZED,
+    edit_by_rules,
+    list_restyled,
+    resize_piece,
+)
 
 STEP, FAR = 0.1, 3.0
 """Metres between places that are tried for a piece, and how far from the wanted one."""
@@ -36,18 +44,6 @@ TOUCH = 0.005
 """Metres by which things beside one another may overlap."""
 ALONE = "fixed"
 """Group and function of what belongs to no furniture group."""
-REMOVED, PUT_IN, EXCHANGED = "removed by hand", "put in by hand", "another model, by hand"
-
-
-class Addition(NamedTuple):
-    """A model of the catalog, by id or name, to be put at (x, y), metres, of a space (left out: the
-    one that is there), looking along ``heading`` (left out: with its back to the nearest wall)."""
-
-    asset: str
-    x: float
-    y: float
-    heading: float | None = None
-    space: str = ""
 
 
 def edit_pieces(
@@ -58,41 +54,84 @@ def edit_pieces(
     remove: Sequence[str] = (),
     duplicate: Sequence[str] = (),
     exchange: Mapping[str, str] | None = None,
+    resize: Mapping[str, Sequence[float]] | None = None,
+    restyle: Mapping[str, str] | None = None,
 ) -> Adjusted:
-    """Put in, take away, double or exchange furniture of a home by hand, in this order: remove,
-    exchange (a piece for a model of the catalog), duplicate, add. Pieces are named as in
-    :func:`scenewright.domains.adjust`.
+    """Put in, take away, double, exchange, resize (to width, depth and height in metres) or restyle
+    pieces of any scene by hand, in this order: remove, exchange (for a model of the catalog, or one
+    like another that stands there), resize, restyle (a piece or a space), duplicate, add. Pieces
+    are named as in :func:`scenewright.domains.adjust`.
 
-    What is added or doubled stands at the nearest free place, within 3 m of the wanted one, that
-    breaks no rule, if there is one among the first few, else at the nearest. What lies on a piece
-    goes, and is doubled, with it. Raises :class:`InputError` for a name there
-    is not, a place outside, or where nothing is free.
+    What is added or doubled stands at the nearest free place: in homes, within 3 m of the wanted
+    one, that breaks no rule, if there is one among the first few. What lies on a piece goes, and is
+    doubled, with it. What a piece in another size runs into gives way as little as it can. Raises
+    :class:`InputError` for a name there is not, a place outside, or where nothing is free.
     """
-    if solution.detail is not None or not domain_of(solution.brief.domain).rooms:
-        raise InputError("only homes take pieces by hand so far", "change the brief")
     made = plan or plan_of(solution.brief)
-    catalog = catalog_of(solution.brief.catalogs)
+    edits = PieceEdits(remove, exchange or {}, resize or {}, restyle or {}, duplicate, add)
+    catalog, domain = catalog_of(solution.brief.catalogs), domain_of(solution.brief.domain)
+    if domain.has("editing"):
+        rules = domain.verb("editing")(solution, made)
+        return edit_by_rules(solution, made, rules, edits, catalog)
+    if solution.brief.domain != "home":
+        raise InputError(f"a {solution.brief.domain} takes no pieces by hand", "change the brief")
+    return _edit_home(solution, made, edits, catalog)
+
+
+def _edit_home(solution: Solution, made: Plan, edits: PieceEdits, catalog: Catalog) -> Adjusted:
     pieces = list(solution.pieces)
     changes: list[Change] = []
     left_out = list(solution.left_out)
-    for name in remove:
+    for name in edits.remove:
         for piece in _with_carried(pieces, name):
             pieces.remove(piece)
             if piece.on is None:
                 left_out.append(LeftOut(piece.space, piece.category, REMOVED, False))
             changes.append(Change(piece.id, piece.id, "gone", piece.space, REMOVED))
-    for name, model in (exchange or {}).items():
-        piece = _named(pieces, name)
-        other = _exchanged(piece, find_asset(catalog, model))
-        for one in _with_carried(pieces, name):
-            pieces[pieces.index(one)] = other if one is piece else _lifted(one, piece, other)
-        changes.append(Change(piece.id, piece.id, "exchanged", piece.space, EXCHANGED))
-    for free in _list_new(pieces, made, catalog, duplicate, add):
+    changes += _alter(pieces, edits, catalog)
+    for free in _list_new(pieces, made, catalog, edits.duplicate, edits.add):
         new = _choose(replace(solution, left_out=tuple(left_out)), made, pieces, free)
         pieces += new
         changes.append(Change(new[0].id, "", "new", new[0].space, PUT_IN))
     edited = replace(solution, pieces=tuple(pieces), left_out=tuple(left_out))
+    grown = [name for name in edits.resize if name] and _find_crowding(solution, edited, made)
+    if grown:
+        poses = {p.id: (*p.pose[:2], p.pose.heading) for p in pieces if p.id in grown}
+        edited, more = adjust(edited, plan=made, move=poses)
+        changes += [c for c in more if c.piece not in grown]
     return Adjusted(edited, tuple(changes))
+
+
+def _alter(pieces: list[Piece], edits: PieceEdits, catalog: Catalog) -> Iterator[Change]:
+    """Exchange, resize and restyle among ``pieces``, which are changed in place."""
+    wanted = [(name, find_asset(catalog, model)) for name, model in edits.exchange.items()]
+    for name, model in wanted:
+        piece = _named(pieces, name)
+        yield _replace_piece(pieces, piece, _exchanged(piece, model), EXCHANGED)
+    for name, size in edits.resize.items():
+        piece = _named(pieces, name)
+        other = replace(resize_piece(piece, Size(*size), catalog), fixed=True)
+        yield _replace_piece(pieces, piece, other, RESIZED)
+    for name, style in edits.restyle.items():
+        here = [p for p in pieces if p.space == name] or [_named(pieces, name)]
+        for piece, like in list_restyled(here, name, style, catalog):
+            other = replace(piece, asset=like)
+            yield _replace_piece(pieces, piece, other, EXCHANGED)
+
+
+def _replace_piece(pieces: list[Piece], piece: Piece, other: Piece, why: str) -> Change:
+    for one in _with_carried(pieces, piece.id):
+        pieces[pieces.index(one)] = other if one is piece else _lifted(one, piece, other)
+    return Change(piece.id, piece.id, "exchanged", piece.space, why)
+
+
+def _find_crowding(before: Solution, after: Solution, plan: Plan) -> list[str]:
+    """Pieces that were changed and now run into others."""
+    was = {piece.id: piece for piece in before.pieces}
+    changed = {p.id for p in after.pieces if p.id in was and was[p.id].size != p.size}
+    report = check(after, plan=plan, figures=False)
+    named = {n for f in report.of("collision") for n in (f.piece, *f.other.split(","))}
+    return sorted(changed & named)
 
 
 def _list_new(
@@ -135,7 +174,8 @@ def _choose(
 
 
 def _named(pieces: Sequence[Piece], name: str) -> Piece:
-    return find_piece(pieces, name, lambda piece: piece.on is None)
+    known = next((piece for piece in pieces if piece.id == name), None)
+    return known or find_piece(pieces, name, lambda piece: piece.on is None)
 
 
 def _with_carried(pieces: Sequence[Piece], name: str) -> list[Piece]:

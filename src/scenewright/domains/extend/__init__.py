@@ -30,6 +30,7 @@ DOMAIN = Domain(
         "draw": ".drawing.plan:draw",
         "describe": ".reasons:describe_extension",
         "adjust": ".adjust:adjust",
+        "editing": ".adjust:rules_of",
         "locked": ".locks:lock_extension",
         "features": ".features:measure_features",
         "breeder": ".breeding:make_breeder",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from scenewright.arranging.hand_rules import HandRules
 from scenewright.core.edits import Adjusted, Cancel, Edits
 from scenewright.core.errors import InputError
 from scenewright.core.piece_edits import find_piece
@@ -17,8 +18,12 @@ from scenewright.domains.extend.solvers import EXTEND_SOLVERS
 from scenewright.domains.extend.solving import solve
 from scenewright.engine.rows import solver_again
 from scenewright.ground.adjusting import GroundRules, adjust_ground, find_overlapped
+from scenewright.ground.by_hand import ground_rules
 from scenewright.ground.locks import check_lockable, count_buildings
 from scenewright.ground.names import assign_ids
+
+APART = 2.0
+"""Metres kept between buildings where one is put in by hand."""
 
 
 def adjust(
@@ -35,8 +40,7 @@ def adjust(
     is not locked does. All other buildings stay, old ones too.
     """
     made = plan or plan_extend(solution.brief)
-    rules = GroundRules(_find_building, lock_extension, find_overlapped, _grow_again)
-    return adjust_ground(solution, made, edits, rules, steps, seed)
+    return adjust_ground(solution, made, edits, _rules(solution), steps, seed)
 
 
 def _grow_again(standing: Solution, steps: int | None, seed: int, cancel: Cancel) -> Solution:
@@ -58,3 +62,12 @@ def _find_building(pieces: Sequence[Piece], name: str) -> tuple[Piece, ...]:
         raise InputError(f"'{found.id}' stood before", 'change it in the brief, under "sources"')
     check_lockable(found, *WORDS)
     return (found,)
+
+
+def rules_of(solution: Solution, plan: Plan) -> HandRules:
+    """How buildings are put in, taken away and exchanged by hand."""
+    return ground_rules(solution, plan, _rules(solution))
+
+
+def _rules(_solution: Solution) -> GroundRules:
+    return GroundRules(_find_building, lock_extension, find_overlapped, _grow_again, APART)

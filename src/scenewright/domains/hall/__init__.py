@@ -28,6 +28,7 @@ DOMAIN = Domain(
         "compare": ".alternatives:compare",
         "describe": ".alternatives:describe",
         "adjust": ".adjust:adjust",
+        "editing": ".editing:rules_of",
         "locked": ".record:lock_halls",
         "floors": ".floors:floors_of",
         "detail_document": ".record:detail_document",

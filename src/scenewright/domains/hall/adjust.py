@@ -49,7 +49,7 @@ def adjust(
     named by its id and moved as one, an object by its own; locks are of whole groups. Terms and
     energies stay those of the layout as it was solved last."""
     plan = plan or plan_rooms(solution.brief)
-    edited = apply_edits(solution.pieces, plan, edits, _find_together, _group_of)
+    edited = apply_edits(solution.pieces, plan, edits, find_together, _group_of)
     edited = make_way(solution, edited, plan)
     after = replace(solution, pieces=edited.pieces)
     locked = {p.id for p in edited.pieces if p.fixed}
@@ -70,7 +70,7 @@ def adjust(
     return list_adjusted(solution, after, edited)
 
 
-def _find_together(pieces: Sequence[Piece], name: str) -> tuple[Piece, ...]:
+def find_together(pieces: Sequence[Piece], name: str) -> tuple[Piece, ...]:
     """What a name means: all of a group, or an object with its chairs."""
     leaders = {p.group: p.id for p in reversed(pieces) if p.group}
     found = find_piece(pieces, name, lambda piece: leaders.get(piece.group) == piece.id)

@@ -27,6 +27,8 @@ from scenewright.domains.hall.seats.chairs import CHAIRS
 from scenewright.domains.hall.visit.tour import tour
 
 PARTITION = "partition"
+FRONT = 0.6
+"""Metres of floor before an object that one stands on who uses it."""
 OUTSIDE_HALL = 0.05
 """How far outside its hall a piece may be put, metres: outlines are not drawn more exactly."""
 
@@ -51,6 +53,7 @@ def ways_of(solution: Solution, plan: Plan) -> Ways:
         lambda piece: piece.category in kinds and kinds[piece.category].flat,
         solution.brief.passage_width,
         lambda piece: piece.function == PARTITION,
+        FRONT,
     )
 
 

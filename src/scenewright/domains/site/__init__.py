@@ -31,6 +31,7 @@ DOMAIN = Domain(
         "describe": ".alternatives:describe",
         "schemes": ".schemes:measure_schemes",
         "adjust": ".adjust:adjust",
+        "editing": ".adjust:rules_of",
         "locked": ".locks:lock_sites",
         "detail_document": ".record:detail_document",
         "detail_of": ".record:detail_of",

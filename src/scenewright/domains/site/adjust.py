@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import shapely
 
+from scenewright.arranging.hand_rules import HandRules
 from scenewright.core.edits import Adjusted, Cancel, Edits
 from scenewright.core.errors import InputError
 from scenewright.core.piece_edits import Edited, find_piece
@@ -13,13 +14,15 @@ from scenewright.core.piece_outlines import polygons_of
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
-from scenewright.domains.site.locks import LANDMARK, WORDS, lock_sites
+from scenewright.domains.site.locks import LANDMARK, WORDS, ask_for_standing, lock_sites
 from scenewright.domains.site.plan import plan_sites
 from scenewright.domains.site.solvers import SITE_SOLVERS
 from scenewright.domains.site.solving import solve
 from scenewright.engine.rows import solver_again
 from scenewright.ground.adjusting import GroundRules, adjust_ground
+from scenewright.ground.by_hand import ground_rules
 from scenewright.ground.locks import check_lockable
+from scenewright.ground.names import assign_ids
 
 
 def adjust(
@@ -36,12 +39,11 @@ def adjust(
     ``again`` all that is not locked does. All other buildings stay; trees and lamps follow.
     """
     made = plan or plan_sites(solution.brief)
-    rules = GroundRules(_find_building, lock_sites, _find_crowded, _build_again)
-    return adjust_ground(solution, made, edits, rules, steps, seed)
+    return adjust_ground(solution, made, edits, _rules(solution), steps, seed)
 
 
 def _build_again(standing: Solution, steps: int | None, seed: int, cancel: Cancel) -> Solution:
-    brief = lock_sites(standing)
+    brief = ask_for_standing(lock_sites(standing), standing)
     solver = solver_again(SITE_SOLVERS, standing.solver)
     return solve(
         brief, preset=standing.preset, solver=solver, steps=steps, seed=seed, cancel=cancel
@@ -60,10 +62,9 @@ def _find_building(pieces: Sequence[Piece], name: str) -> tuple[Piece, ...]:
 def _find_crowded(solution: Solution, edited: Edited, locked: set[str]) -> set[str]:
     """Ids of buildings that stand nearer to a moved one than their site's spacing."""
     found: set[str] = set()
-    for plan, site in zip(
-        plan_sites(solution.brief).spaces, solution.brief.part.sites, strict=True
-    ):
-        here = [p for p in edited.pieces if p.space == plan.id and p.category == "building"]
+    sites = solution.brief.part.sites
+    for name, site in zip(assign_ids(sites, "site", "sites"), sites, strict=True):
+        here = [p for p in edited.pieces if p.space == name and p.category == "building"]
         moved = [p for p in here if p.id in edited.moved]
         others = [p for p in here if p.id not in locked]
         if not moved or not others:
@@ -72,3 +73,13 @@ def _find_crowded(solution: Solution, edited: Edited, locked: set[str]) -> set[s
         near = tree.query(polygons_of(moved), predicate="dwithin", distance=site.spacing - 1e-6)
         found |= {others[k].id for k in near[1].tolist()}
     return found
+
+
+def rules_of(solution: Solution, plan: Plan) -> HandRules:
+    """How buildings are put in, taken away and exchanged by hand."""
+    return ground_rules(solution, plan, _rules(solution))
+
+
+def _rules(solution: Solution) -> GroundRules:
+    apart = min(site.spacing for site in solution.brief.part.sites)
+    return GroundRules(_find_building, lock_sites, _find_crowded, _build_again, apart)

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections import Counter
+
 from scenewright.core.brief import Brief
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
-from scenewright.domains.site.brief import LockedBuilding
+from scenewright.domains.site.brief import Building, LockedBuilding, Site
 from scenewright.ground.locks import lock_areas
 from scenewright.ground.names import assign_ids
 
@@ -37,3 +39,33 @@ def _keep_building(piece: Piece) -> LockedBuilding | None:
         size=(*piece.size,),
         footprint=list(piece.footprint) or None,
     )
+
+
+def ask_for_standing(brief: Brief, standing: Solution) -> Brief:
+    """The brief, asking for the buildings of a solution where those are other than it asks for."""
+    sites = brief.part.sites
+    names = assign_ids(sites, "site", "sites")
+    updated = [_ask(site, name, standing) for site, name in zip(sites, names, strict=True)]
+    return brief.model_copy(update={"part": brief.part.model_copy(update={"sites": updated})})
+
+
+def _ask(site: Site, name: str, standing: Solution) -> Site:
+    here = [p for p in standing.pieces if p.space == name and p.category == "building"]
+    counts = Counter(
+        (p.function, p.asset, p.size, p.footprint) for p in here if p.function != LANDMARK
+    )
+    asked = Counter[str]()
+    for row in site.buildings:
+        asked[row.model] += row.count
+    there = Counter[str]()
+    for (_, model, _, _), count in counts.items():
+        there[model] += count
+    if asked == there:
+        return site
+    rows = [
+        Building(
+            model=model, name=label, size=(*size,), footprint=list(covered) or None, count=count
+        )
+        for (label, model, size, covered), count in counts.items()
+    ]
+    return site.model_copy(update={"buildings": rows, "library": []})

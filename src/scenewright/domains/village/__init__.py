@@ -29,6 +29,7 @@ DOMAIN = Domain(
         "scene": ".furnish:scene_of_village",
         "draw": ".drawing.plan:draw",
         "adjust": ".adjust:adjust",
+        "editing": ".adjust:rules_of",
         "styles": ".library:list_looks",
         "learn_style": ".learning.learn:learn_style",
         "learn_nets": ".learning.paper.learn:learn_nets",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from scenewright.arranging.hand_rules import HandRules
 from scenewright.core.edits import Adjusted, Cancel, Edits
 from scenewright.core.piece_edits import find_piece
 from scenewright.core.plan import Plan
@@ -15,7 +16,11 @@ from scenewright.domains.village.solvers import VILLAGE_SOLVERS
 from scenewright.domains.village.solving import solve
 from scenewright.engine.rows import solver_again
 from scenewright.ground.adjusting import GroundRules, adjust_ground, find_overlapped
+from scenewright.ground.by_hand import ground_rules
 from scenewright.ground.locks import check_lockable, count_buildings
+
+APART = 2.0
+"""Metres kept between buildings where one is put in by hand."""
 
 
 def adjust(
@@ -32,8 +37,7 @@ def adjust(
     not locked does. All other houses stay; trees follow.
     """
     made = plan or plan_village(solution.brief)
-    rules = GroundRules(_find_house, lock_village, find_overlapped, _fill_again)
-    return adjust_ground(solution, made, edits, rules, steps, seed)
+    return adjust_ground(solution, made, edits, _rules(solution), steps, seed)
 
 
 def _fill_again(standing: Solution, steps: int | None, seed: int, cancel: Cancel) -> Solution:
@@ -53,3 +57,12 @@ def _find_house(pieces: Sequence[Piece], name: str) -> tuple[Piece, ...]:
     found = find_piece(pieces, name, lambda _piece: False)
     check_lockable(found, *WORDS)
     return (found,)
+
+
+def rules_of(solution: Solution, plan: Plan) -> HandRules:
+    """How buildings are put in, taken away and exchanged by hand."""
+    return ground_rules(solution, plan, _rules(solution))
+
+
+def _rules(_solution: Solution) -> GroundRules:
+    return GroundRules(_find_house, lock_village, find_overlapped, _fill_again, APART, "houses")

@@ -8,6 +8,7 @@ from scenewright.catalog.models.city_documents import document_of
 from scenewright.catalog.models.files import MEBIBYTE, json_of, whole
 from scenewright.core.atomic_file import note_read
 from scenewright.core.errors import InputError
+from scenewright.core.workspace import check_inside
 from scenewright.ground.built import BuiltScene
 from scenewright.ground.geodata.kinds import is_map
 
@@ -40,6 +41,7 @@ def _read(path: Path, origin: tuple[float, float] | None, scale: float) -> Built
     from scenewright.ground.reading.models import SUFFIXES, model_scene
     from scenewright.ground.reading.saved import saved_scene
 
+    check_inside(path)
     if path.is_dir() or (path.is_file() and path.suffix.lower() in SUFFIXES):
         return _with_buildings(model_scene(path, scale))
     if not path.is_file():
