@@ -7,6 +7,7 @@ cookie, or too long are refused before anything reads them.
 
 from __future__ import annotations
 
+import asyncio
 import hmac
 import secrets
 from collections.abc import Awaitable, Callable, Collection, MutableMapping
@@ -14,6 +15,9 @@ from http.cookies import CookieError, SimpleCookie
 from typing import Any
 from urllib.parse import parse_qs
 
+from starlette.exceptions import HTTPException
+
+from scenewright.studio.limits import BODY_SECONDS, longest
 from scenewright.studio.people import OWNER, Person
 
 Scope = MutableMapping[str, Any]
@@ -26,8 +30,6 @@ LOCAL = ("127.0.0.1", "localhost")
 COOKIE = "scenewright-studio"
 STAY = 90 * 86400
 """Seconds that a guest is remembered."""
-LONGEST = 64 << 20
-"""Bytes that a request may bring."""
 HEADERS = (
     (
         b"content-security-policy",
@@ -71,7 +73,8 @@ def guarded(app: App, keys: Keys) -> App:
             await app(scope, receive, send)
             return
         headers = {k.decode("latin-1"): v.decode("latin-1") for k, v in scope["headers"]}
-        fault = refuse(scope["method"], headers, keys.hosts)
+        most = longest(scope["path"])
+        fault = refuse(scope["method"], headers, keys.hosts, most)
         if fault:
             await _reply(send, *fault)
         elif cookie := _enter(scope, headers.get("cookie", ""), keys):
@@ -79,14 +82,16 @@ def guarded(app: App, keys: Keys) -> App:
             await _reply(send, 303, "", more)
         elif person := who_is(headers.get("cookie", ""), keys):
             scope["person"] = person
-            await app(scope, _limited(receive), _with_headers(send))
+            await app(scope, _bounded(scope, receive, most), _with_headers(send))
         else:
             await _reply(send, 403, "use the link that the studio printed; it is good once")
 
     return answer
 
 
-def refuse(method: str, headers: dict[str, str], hosts: set[str]) -> tuple[int, str] | None:
+def refuse(
+    method: str, headers: dict[str, str], hosts: set[str], most: int = 0
+) -> tuple[int, str] | None:
     """Status and words for a request that is refused whoever it comes from.
 
     >>> refuse("GET", {"host": "127.0.0.1:80"}, {"127.0.0.1:80"})
@@ -101,8 +106,8 @@ def refuse(method: str, headers: dict[str, str], hosts: set[str]) -> tuple[int, 
     if method not in ("GET", "HEAD") and not origin:
         return 403, "requests that change something must name their origin"
     length = headers.get("content-length", "0")
-    if not length.isdecimal() or int(length) > LONGEST:
-        return 413, f"at most {LONGEST >> 20} MB"
+    if not (length.isdecimal() and len(length) < 20 and int(length) <= most):
+        return 413, too_long(most)
     return None
 
 
@@ -130,17 +135,36 @@ def who_is(header: str, keys: Keys) -> Person | None:
     return OWNER if hmac.compare_digest(found.value, keys.cookie) else keys.find(found.value)
 
 
-def _limited(receive: Receive) -> Receive:
-    """The request's body, cut off where it grows longer than it may be."""
-    seen = 0
+def _bounded(scope: Scope, receive: Receive, most: int) -> Receive:
+    """The parts of a request; a body that outgrows ``most`` bytes, or never ends, is refused where
+    it does."""
+    clock = asyncio.get_running_loop().time
+    seen, whole, end = 0, scope["method"] in ("GET", "HEAD"), clock() + BODY_SECONDS
 
     async def next_part() -> MutableMapping[str, Any]:
-        nonlocal seen
-        message = await receive()
+        nonlocal seen, whole
+        if whole:
+            return await receive()
+        try:
+            message = await asyncio.wait_for(receive(), max(end - clock(), 0.01))
+        except TimeoutError:
+            raise HTTPException(408, "the request took too long to arrive") from None
         seen += len(message.get("body", b""))
-        return {"type": "http.disconnect"} if seen > LONGEST else message
+        whole = not message.get("more_body", False)
+        if seen > most:
+            raise HTTPException(413, too_long(most), {"connection": "close"})
+        return message
 
     return next_part
+
+
+def too_long(most: int) -> str:
+    """What is said of a body that is longer than it may be.
+
+    >>> too_long(1 << 20)
+    'at most 1 MB'
+    """
+    return f"at most {most >> 20} MB"
 
 
 def _with_headers(send: Send) -> Send:

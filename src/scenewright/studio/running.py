@@ -6,10 +6,12 @@ import socket
 import sqlite3
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import uvicorn
 
-from scenewright.studio.guard import LOCAL, Keys, guarded
+from scenewright.studio.guard import LOCAL, App, Keys, guarded
+from scenewright.studio.limits import bounded_connections
 from scenewright.studio.server import Listeners, studio_app
 from scenewright.studio.session import Session
 
@@ -33,9 +35,20 @@ def serve(
         session.open(source)
     keys = Keys(listening.getsockname()[1], session.people.find, (host, *LOCAL))
     app = guarded(studio_app(session, listeners, folder), keys)
-    config = uvicorn.Config(
-        app, log_level="warning", timeout_graceful_shutdown=PATIENCE, lifespan="off"
-    )
     ready(keys.token or "")
-    uvicorn.Server(config).run(sockets=[listening])
+    make_server(app).run(sockets=[listening])
     session.close()
+
+
+def make_server(app: App) -> uvicorn.Server:
+    """The server of an application, within :mod:`.limits`."""
+    protocol: Any = bounded_connections()
+    config = uvicorn.Config(
+        app,
+        http=protocol,
+        ws="none",
+        log_level="critical",
+        timeout_graceful_shutdown=PATIENCE,
+        lifespan="off",
+    )
+    return uvicorn.Server(config)
