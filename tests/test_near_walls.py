@@ -118,7 +118,7 @@ def test_a_shelf_at_a_lowered_wall_stays_under_what_stands_on_it(scene: Scene) -
 
 
 def test_a_picture_at_a_lowered_wall_leaves_its_rail(scene: Scene) -> None:
-    def measure_top(y: float, heading: float, asset: str = "wall_exhibit_painting_1") -> float:
+    def measure_top(y: float, heading: float, asset: str = "wall_exhibit_painting_a") -> float:
         pose, size = Pose(1.0, y, 0.0, heading), Size(1.2, 0.4, 2.2)
         piece = Piece("art", "wall_exhibit", asset, "south", pose, size)
         shown = things(replace(scene, pieces=(piece,)), shipped(), INDOORS.cut, INDOORS.towards)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
 import numpy as np
@@ -126,3 +127,21 @@ def asset_of(drawing: Drawing, kind: Kind) -> Asset:
         called=drawing.called,
         suit=drawing.suit,
     )
+
+
+def letter_models(
+    category: str,
+    symbol: Symbol,
+    meshes: Iterable[Mesher],
+    own: str = "",
+    name: str = "",
+    sizes: SizeRange | tuple[()] = (),
+    called: str = "",
+) -> Iterator[Drawing]:
+    """Models of one kind and size that hold other things."""
+    for mesh, letter in zip(meshes, LETTERS, strict=False):
+        label = f"{name or category.replace('_', ' ').capitalize()}, {letter}"
+        stem = own or category
+        identity = stem if letter == "a" and not called else f"{stem}_{letter}"
+        words = tuple(called.split())
+        yield Drawing(category, mesh, symbol, identity, label, sizes, called=words)

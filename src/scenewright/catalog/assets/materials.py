@@ -115,3 +115,4 @@ LACQUERS = tuple(
         *(("green", (0.14, 0.28, 0.21)), ("bronze", (0.42, 0.29, 0.20))),
     )
 )
+AMETHYST = Material("amethyst", (0.46, 0.32, 0.58), 0.2)

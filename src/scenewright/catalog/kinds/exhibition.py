@@ -76,7 +76,7 @@ KINDS = (
                 ja="壁面展示",
             ),
         ),
-        drawn_by=(".public.exhibition",),
+        drawn_by=(".public.exhibition", ".public.paintings"),
     ),
     Kind(
         "interactive_table",

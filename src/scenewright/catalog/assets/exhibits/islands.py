@@ -3,20 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 from itertools import pairwise
 from math import pi
 
 import numpy as np
 
-from scenewright.catalog.assets.drawing import Drawing
-from scenewright.catalog.assets.materials import BLACK, BONE, CONCRETE, PAPER, ROCK, STEEL, STONE
+from scenewright.catalog.assets.drawing import LETTERS, Drawing
+from scenewright.catalog.assets.exhibits.treasures import show
+from scenewright.catalog.assets.joinery import spread
+from scenewright.catalog.assets.materials import BLACK, BONE, CONCRETE, PAPER, STEEL
 from scenewright.catalog.assets.model import Parts, parts
 from scenewright.catalog.assets.objects import Stuff, wobble
 from scenewright.catalog.assets.public.wares import merge_by_material
 from scenewright.catalog.assets.symbols import Lines, box, close_line, rectangle
 from scenewright.core.scene import Size
 from scenewright.geometry.mesh import Mesh, rotate_mesh, translate_mesh
-from scenewright.geometry.solids import ball, block, rod, slab, tube
+from scenewright.geometry.solids import ball, block, rod, tube
 
 Bone = tuple[float, float, float]
 
@@ -33,32 +36,20 @@ def lay_podium(size: Size, top: float) -> Stuff:
     }
 
 
-def _rock(rx: float, ry: float, rz: float, at: tuple[float, float, float], seed: int) -> Mesh:
-    """An uneven lump that lies flat at the height ``at[2]``, its middle above that."""
-    lump = ball(1.0, 1.0, 1.0, (0, 0, 0), 12, 6)
-    uneven = np.array([0.8 + 0.2 * wobble(seed + k) for k in range(len(lump.vertices))])
-    points = lump.vertices * uneven[:, None] * (rx, ry, rz) + at + (0, 0, 0.6 * rz)
-    points[:, 2] = np.maximum(points[:, 2], at[2])
-    return Mesh(points, lump.faces)
-
-
-def _island(size: Size) -> Parts:
-    """A boulder with two stones beside it."""
+def _island(size: Size, names: Sequence[str]) -> Parts:
+    """Treasures beside one another on a podium, each as large as fits."""
     w, d, h = size.width / 2, size.depth / 2, size.height
-    top = min(0.3, 0.25 * h)
-    base, tall = top + 0.01, h - top
-    boulder = _rock(0.64 * w, 0.68 * d, 0.6 * tall, (-0.12 * w, -0.08 * d, base), 3)
-    boulder.vertices[:, 2] = base + (boulder.vertices[:, 2] - base) * (h - base) / (
-        boulder.vertices[:, 2].max() - base
-    )
-    stones = [
-        _rock(0.2 * w, 0.2 * d, 0.2 * tall, (0.66 * w, -0.3 * d, base), 40),
-        _rock(0.14 * w, 0.16 * d, 0.13 * tall, (0.2 * w, 0.74 * d, base), 80),
-    ]
-    bed = slab((-0.88 * w, 0.88 * w), (-0.88 * d, 0.88 * d), (top, top + 0.02), 0.3)
-    return parts(
-        size, merge_by_material(lay_podium(size, top), {ROCK: [boulder, *stones], STONE: [bed]})
-    )
+    top = min(0.25, 0.2 * h)
+    found = lay_podium(size, top)
+    places = spread(-0.9 * w, 0.9 * w, len(names))
+    for k, (name, (a, b)) in enumerate(zip(names, places, strict=True)):
+        tall = (h - top) * (1.0 - 0.22 * (k % 2))
+        back = 0.1 * d * (k % 2)
+        here = show(
+            name, (a + 0.05, b - 0.05), (back - 0.75 * d, back + 0.55 * d), (top, top + tall)
+        )
+        found = merge_by_material(found, here)
+    return parts(size, found)
 
 
 _SPINE = (
@@ -143,8 +134,28 @@ _BONES = (
     "squelette dinosaure esqueleto dinosaurio 恐龙 骨骼 恐竜"
 )
 
+ISLANDS = (
+    "capital torso capital",
+    "sarcophagus",
+    "amphora krater jug",
+    "gown coat gown",
+    "crystals ammonite",
+    "column pebbles",
+    "ship",
+)
+"""What stands together on islands that are called nothing in particular."""
+
 ASSETS = (
-    Drawing("exhibit_island", _island, draw_island, name="Island with a boulder"),
+    *(
+        Drawing(
+            "exhibit_island",
+            partial(_island, names=names.split()),
+            draw_island,
+            f"exhibit_island_{LETTERS[k]}" if k else "",
+            f"Island, {names.replace(' ', ', ')}",
+        )
+        for k, names in enumerate(ISLANDS)
+    ),
     Drawing(
         "exhibit_island",
         _island_skeleton,

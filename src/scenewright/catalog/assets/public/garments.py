@@ -111,7 +111,7 @@ OUTFITS = (
 )
 
 
-def _trunk(h: float, low: float, high: float, loose: float, flare: float) -> Mesh:
+def trunk(h: float, low: float, high: float, loose: float, flare: float) -> Mesh:
     """A body between two heights; below the hips a hem that flares."""
     table = np.array(_TRUNK)
     levels = [low, *(z for z in table[:, 0] if low + 0.015 < z < high - 0.01), high]
@@ -145,10 +145,10 @@ def dress_mannequin(h: float, outfit: Outfit, seed: int) -> Stuff:
     """A mannequin ``h`` metres high in an outfit, in the colours of a seed."""
     upper = CLOTHS[int(wobble(seed) * len(CLOTHS))]
     lower: Material = (m.CHARCOAL, m.DENIM, m.LINEN, m.NAVY)[int(wobble(seed + 0.5) * 4)]
-    body: list[Mesh] = [_trunk(h, 0.8, 0.885, 1.0, 1.0)]
-    found: Stuff = {upper: [_trunk(h, outfit.upper, 0.836, outfit.loose, outfit.flare)]}
+    body: list[Mesh] = [trunk(h, 0.8, 0.885, 1.0, 1.0)]
+    found: Stuff = {upper: [trunk(h, outfit.upper, 0.836, outfit.loose, outfit.flare)]}
     if outfit.upper > outfit.hem:
-        below = _trunk(h, outfit.hem, outfit.upper + 0.03, outfit.loose * 0.97, outfit.flare)
+        below = trunk(h, outfit.hem, outfit.upper + 0.03, outfit.loose * 0.97, outfit.flare)
         found.setdefault(lower, []).append(below)
     if outfit.stand:
         post = [limb([(0, 0, 0.02), (0, 0, outfit.upper * h)], (0.015, 0.015), 8)]

@@ -13,16 +13,8 @@ from scenewright.catalog.assets import materials as m
 from scenewright.catalog.assets.joinery import spread
 from scenewright.catalog.assets.objects import Stuff, wobble
 from scenewright.core.catalog import Material
-from scenewright.geometry.mesh import Mesh, loft, rotate_mesh
-from scenewright.geometry.solids import (
-    Interval,
-    ball,
-    block,
-    disc,
-    lathe,
-    oval_ring,
-    rectangle_ring,
-)
+from scenewright.geometry.mesh import Mesh, loft
+from scenewright.geometry.solids import Interval, ball, block, lathe, oval_ring, rectangle_ring
 
 PAINTED = (m.WHITE, m.TERRACOTTA, m.ACCENT, m.MUSTARD, m.SAGE, m.BLACK)
 CLOTHS = (m.NAVY, m.LINEN, m.TERRACOTTA, m.SAGE_FABRIC, m.DENIM, m.MUSTARD, m.CHARCOAL, m.FABRIC)
@@ -320,46 +312,3 @@ def stack_folded_cloth(x: Interval, y: Interval, z: Interval, start: int = 0) ->
                 layer = ((a + inset, b - inset), (c + inset, e - inset), (low, high - 0.001))
                 found.setdefault(cloth, []).append(_fold(*layer))
     return found
-
-
-SKEW = 0.3
-
-
-def exhibits(x: Interval, y: Interval, z: Interval, start: int = 0, most: int = 5) -> Stuff:
-    """Small objects in a row on a deck: vessels, tablets, figures; at most ``most``."""
-    found: Stuff = {}
-    count = min(most, max(1, round((x[1] - x[0]) / 0.32)))
-    deep = (y[0] + y[1]) / 2
-    for i, (a, b) in enumerate(spread(*x, count)):
-        radius = min(0.36 * (b - a), 0.42 * (y[1] - y[0]), 0.5 * (z[1] - z[0]), 0.16)
-        tall = (z[1] - z[0]) * (0.6 + 0.25 * wobble(start + i + 0.5))
-        for material, mesh in _exhibit((start + i) % 4, radius, tall, (a + b) / 2, deep, z[0]):
-            found.setdefault(material, []).append(mesh)
-    return found
-
-
-def _exhibit(
-    which: int, radius: float, tall: float, x: float, y: float, z: float
-) -> list[tuple[Material, Mesh]]:
-    if which == 0:
-        return [(m.CLAY, vessel(0.8 * radius, z, tall, (x, y)))]
-    if which == 1:
-        thick = 0.25 * radius
-        slab = block((x - radius, x + radius), (y - thick, y + thick), (z + 0.004, z + 0.85 * tall))
-        return [(m.STONE, rotate_mesh(slab, "x", 0.5 * SKEW, (x, y, z)))]
-    if which == 2:
-        foot = disc(0.4 * radius, (z, z + 0.25 * tall), (x, y), 8)
-        size = min(0.75 * radius, 0.35 * tall)
-        return [
-            (m.OAK_DARK, foot),
-            (m.BRONZE, ball(size, size, size, (x, y, z + 0.25 * tall + size), 8, 5)),
-        ]
-    shape = [(0.3, 0), (0.3, 0.1), (0.95, 0.75), (1, 1), (0.85, 1), (0.2, 0.3)]
-    bowl = lathe([(r * radius, z + v * 0.6 * min(tall, 2 * radius)) for r, v in shape], (x, y), 10)
-    return [(m.CERAMIC, bowl)]
-
-
-def vessel(radius: float, low: float, tall: float, at: tuple[float, float], sides: int = 8) -> Mesh:
-    """A tall-necked vessel."""
-    shape = [(0.5, 0), (1, 0.38), (0.85, 0.6), (0.38, 0.8), (0.55, 1)]
-    return lathe([(r * radius, low + z * tall) for r, z in shape], at, sides)
