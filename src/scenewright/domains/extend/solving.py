@@ -23,6 +23,7 @@ from scenewright.core.scene import Piece
 from scenewright.core.solution import LeftOut, Solution, TermValue
 from scenewright.domains.extend.areas import AreaPlan, ExtendPlan
 from scenewright.domains.extend.build_problem import build_problem
+from scenewright.domains.extend.fronting import front_pieces
 from scenewright.domains.extend.furnish import new_pieces, old_pieces
 from scenewright.domains.extend.given import standing_pieces
 from scenewright.domains.extend.models import (
@@ -177,9 +178,10 @@ def assemble_solution(
         for line in plan.left_out
     )
     new = tuple(piece for one in found for piece in one.pieces)
+    pieces = (*new, *old_pieces(plan, brief.style, catalog))
     return Solution(
         brief=with_source_models(brief, plan),
-        pieces=(*new, *old_pieces(plan, brief.style, catalog)),
+        pieces=front_pieces(plan.ground, pieces) if solver == "grow" else pieces,
         patches=(),
         terms=tuple(term for one in found for term in one.terms),
         left_out=(*(out for one in found for out in one.left_out), *skipped),
