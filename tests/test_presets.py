@@ -202,7 +202,7 @@ def test_every_setting_is_listed() -> None:
             assert isinstance(preset, Preset)
             assert set(listed[domain.name, name]) == set(getattr(preset.settings, "_fields", ()))
     assert listed["home", "default"]["chains"]["hot"] == 0.07
-    assert listed["site", "default"]["fill"]["loosest"] == (8.0, 2.0, *(1.0,) * 6)
+    assert listed["site", "default"]["fill"]["loosest"] == (8.0, 2.0, *(1.0,) * 10)
 
 
 def test_an_unknown_preset_is_refused_with_those_there_are() -> None:
