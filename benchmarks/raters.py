@@ -19,9 +19,9 @@ import numpy as np
 from scenewright.engine.preference.events import Pick, Worst
 from scenewright.formats import read
 from scenewright.studio.people import People
-from scenewright.studio.project import open_project
 from scenewright.workflow.evolution.log import EvolutionLog
 from scenewright.workflow.evolution.raters import RaterPool
+from scenewright.workflow.project import open_project
 
 Record = dict[str, Any]
 Progress = Callable[[float, str], None]

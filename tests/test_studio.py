@@ -27,11 +27,11 @@ from scenewright.core.errors import InputError
 pytest.importorskip("starlette")
 from starlette.testclient import TestClient
 
-from scenewright.studio import project
 from scenewright.studio.guard import Keys, guarded
 from scenewright.studio.server import PAGES, Listeners, studio_app
 from scenewright.studio.session import Session, put
 from scenewright.studio.verbs import do_verb
+from scenewright.workflow import project
 
 PORT = 8420
 HOME = f"http://127.0.0.1:{PORT}"
@@ -268,7 +268,7 @@ KILLED = """
 import sys
 from pathlib import Path
 from typing import Any
-from scenewright.studio import project
+from scenewright.workflow import project
 db = project.open_project(Path(sys.argv[1]))
 for number in range(100000):
     print(project.add_version(db, number, "step", "x" * 5000), flush=True)

@@ -20,11 +20,11 @@ from scenewright.workflow.evolution.nursery import WORKERS
 from scenewright.workflow.evolution.population import BreedingPlan
 
 pytest.importorskip("starlette")
-from scenewright.studio import project
 from scenewright.studio.breeding import name_log
 from scenewright.studio.drawable import Json
 from scenewright.studio.session import Session
 from scenewright.studio.verbs import do_verb
+from scenewright.workflow import project
 
 HOME = "sample:home-room"
 FEW = BreedingPlan(first=4, each=2, rounds=1, brood=4)

@@ -11,12 +11,12 @@ import pytest
 from scenewright.core.errors import InputError
 
 pytest.importorskip("starlette")
-from scenewright.studio import project
 from scenewright.studio.draft_faults import read_draft
 from scenewright.studio.drafting import draw_act, new_draft
 from scenewright.studio.drawable import Json
 from scenewright.studio.session import Session
 from scenewright.studio.verbs import do_verb
+from scenewright.workflow import project
 
 LEFT = {"act": "room", "outline": [[0, 0], [4, 0], [4, 3], [0, 3]], "name": "Living room"}
 RIGHT = {"act": "room", "outline": [[4, 0], [7, 0], [7, 3], [4, 3]], "name": "Bedroom"}

@@ -23,11 +23,11 @@ from scenewright.workflow.evolution.raters import Mark, RaterPool
 pytest.importorskip("starlette")
 from starlette.testclient import TestClient
 
-from scenewright.studio import project
 from scenewright.studio.guard import Keys, guarded
 from scenewright.studio.people import People
 from scenewright.studio.server import Listeners, studio_app
 from scenewright.studio.session import Session
+from scenewright.workflow import project
 
 HOME = "sample:home-room"
 FEW = BreedingPlan(first=6, each=2, rounds=1, brood=4)

@@ -54,6 +54,7 @@ if TYPE_CHECKING:
     from scenewright.workflow.meshes import check_meshes
     from scenewright.workflow.observe import observe
     from scenewright.workflow.photograph import photograph
+    from scenewright.workflow.scene_project import Project as Project
     from scenewright.workflow.workspace import Workspace as Workspace
 if TYPE_CHECKING:
     from typing import Any
@@ -73,6 +74,7 @@ __all__ = [
     "Piece",
     "Pose",
     "Problem",
+    "Project",
     "Report",
     "Scene",
     "Size",
@@ -119,6 +121,7 @@ _HOMES = {
     "solve": "domains:solve",
     "edit_pieces": "workflow.editing:edit_pieces",
     "Addition": "workflow.editing:Addition",
+    "Project": "workflow.scene_project:Project",
     "Workspace": "workflow.workspace:Workspace",
     "resolve": "domains:resolve",
     "check": "domains:check",

@@ -28,8 +28,8 @@ def mcp(
     """
     require("mcp")
     from scenewright.studio.agents import serve_agents
-    from scenewright.studio.project import open_project, shown_version
     from scenewright.studio.session import Session
+    from scenewright.workflow.project import open_project, shown_version
 
     with closing(open_project(project or Path(":memory:"))) as db:
         if source and shown_version(db) is not None:

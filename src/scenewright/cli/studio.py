@@ -45,8 +45,8 @@ def studio(
     """
     for module in ("starlette", "uvicorn"):
         require(module)
-    from scenewright.studio.project import SUFFIX, open_project, shown_version
     from scenewright.studio.running import serve
+    from scenewright.workflow.project import SUFFIX, open_project, shown_version
 
     named = source.endswith(SUFFIX)
     path = Path(source) if named else project or Path(_stem(source) + SUFFIX)

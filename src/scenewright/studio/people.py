@@ -16,8 +16,8 @@ from threading import Event, Lock
 from typing import Any, NamedTuple
 
 from scenewright.core.errors import InputError
-from scenewright.studio.project import path_of, saved
 from scenewright.workflow.evolution.raters import Mark
+from scenewright.workflow.project import path_of, saved
 
 VIEW, RATE, EDIT, OWN = RIGHTS = ("view", "rate", "edit", "own")
 """What a person may do, each with what those before it may."""

@@ -23,7 +23,6 @@ from scenewright.core.plan import Plan
 from scenewright.core.report import Report
 from scenewright.core.solution import Solution, unfurnished
 from scenewright.formats import read_planned, solution_json, write
-from scenewright.studio import project
 from scenewright.studio.breeding import Breeding
 from scenewright.studio.draft_faults import DraftFault, read_draft
 from scenewright.studio.drafting import FORMAT, draw_act, new_draft
@@ -32,6 +31,7 @@ from scenewright.studio.people import AUTHOR, RATE, People, Person
 from scenewright.studio.raters import RaterDesk, Raters
 from scenewright.studio.shelf import draw_shelf, list_shelf
 from scenewright.studio.streaming import stream_layouts
+from scenewright.workflow import project
 
 Tell = Callable[[Json], None]
 """Called with every event: progress, and that another version is shown."""

@@ -8,6 +8,7 @@ what was acknowledged survives a kill at any moment.
 from __future__ import annotations
 
 import sqlite3
+import time
 import zlib
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -23,6 +24,8 @@ TABLES = """
 CREATE TABLE IF NOT EXISTS version (
     id INTEGER PRIMARY KEY, parent INTEGER, what TEXT NOT NULL, solution BLOB NOT NULL);
 CREATE TABLE IF NOT EXISTS shown (id INTEGER PRIMARY KEY, version INTEGER NOT NULL);
+CREATE TABLE IF NOT EXISTS act (
+    version INTEGER PRIMARY KEY, at REAL NOT NULL, who TEXT NOT NULL, edit TEXT NOT NULL);
 """
 
 
@@ -32,6 +35,16 @@ class Version(NamedTuple):
     id: int
     parent: int
     what: str
+
+
+class Act(NamedTuple):
+    """How a version came about: seconds since 1970, who made it, and the edit asked for, as JSON
+    (empty: none)."""
+
+    version: int
+    at: float
+    who: str
+    edit: str
 
 
 def open_project(path: Path) -> sqlite3.Connection:
@@ -85,8 +98,11 @@ def saved(db: sqlite3.Connection) -> Iterator[None]:
     db.execute("COMMIT")
 
 
-def add_version(db: sqlite3.Connection, parent: int, what: str, solution: str) -> int:
-    """Add a version made from ``parent`` and show it; its number.
+def add_version(
+    db: sqlite3.Connection, parent: int, what: str, solution: str, *, who: str = "", edit: str = ""
+) -> int:
+    """Add a version made from ``parent`` and show it; its number. ``who`` made it and the ``edit``
+    that was asked for, as JSON, are kept beside it with the time.
 
     >>> db = open_project(Path(":memory:"))
     >>> add_version(db, 0, "arranged", "{}"), shown_version(db), solution_text(db, 1)
@@ -98,8 +114,14 @@ def add_version(db: sqlite3.Connection, parent: int, what: str, solution: str) -
             "INSERT INTO version (parent, what, solution) VALUES (?, ?, ?)", (parent, what, packed)
         )
         number = int(row.lastrowid or 0)
+        db.execute("INSERT INTO act VALUES (?, ?, ?, ?)", (number, time.time(), who, edit))
         db.execute("INSERT INTO shown (version) VALUES (?)", (number,))
     return number
+
+
+def list_acts(db: sqlite3.Connection) -> list[Act]:
+    """When and by whom versions were made, and what was asked for, in that order."""
+    return [Act(*row) for row in db.execute("SELECT * FROM act ORDER BY version")]
 
 
 def show_version(db: sqlite3.Connection, number: int) -> None:

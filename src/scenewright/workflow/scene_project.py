@@ -1,0 +1,147 @@
+"""A scene under work in Python: edits by name, each a version of its project; undo and redo."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from threading import RLock
+from typing import Any
+
+from scenewright.core.edits import Adjusted, Change
+from scenewright.core.errors import InputError
+from scenewright.core.solution import Solution
+from scenewright.domains import adjust, plan_of
+from scenewright.formats import solution_json
+from scenewright.workflow import project
+from scenewright.workflow.editing import edit_pieces
+
+BY_PLACE = ("move", "swap", "lock", "unlock", "again")
+BY_PIECE = ("remove", "exchange", "resize", "restyle", "duplicate", "add")
+"""Verbs by what does them: :func:`scenewright.domains.adjust`, and
+:func:`scenewright.edit_pieces`."""
+IN_MEMORY = Path(":memory:")
+
+
+class Project:
+    """The versions of one scene in a file, or in memory: nothing is overwritten, what returns is on
+    disk, and any thread may use it, one at a time.
+
+    >>> import scenewright as sw
+    >>> work = Project()
+    >>> room = work.begin(sw.solve(sw.read("sample:home-room"), steps=200))
+    >>> changed = work.edit(remove=["wardrobe"])
+    >>> work.undo().pieces == room.pieces
+    True
+    """
+
+    def __init__(self, path: Path | str = IN_MEMORY, who: str = "") -> None:
+        self._db, self.who, self._lock = project.open_project(Path(path)), who, RLock()
+
+    def begin(self, solution: Solution) -> Solution:
+        """Begin with a solution."""
+        with self._lock:
+            self._add(0, "began", solution, "")
+        return solution
+
+    @property
+    def solution(self) -> Solution:
+        """The version shown; InputError where there is none yet."""
+        return self._shown()[1]
+
+    def edit(self, seed: int | None = None, **edits: Any) -> Adjusted:
+        """Change the scene by verbs of :func:`scenewright.domains.adjust` (move, swap, lock,
+        unlock, again) and :func:`scenewright.edit_pieces` (remove, exchange, resize, restyle,
+        duplicate, add), all as one step; InputError, and nothing is kept, where one cannot be."""
+        strange = [name for name in edits if name not in BY_PLACE + BY_PIECE]
+        if strange:
+            known = ", ".join(BY_PLACE + BY_PIECE)
+            raise InputError(f"unknown edit '{strange[0]}'", f"use one of: {known}")
+        with self._lock:
+            number, before = self._shown()
+            done = self._change(before, edits, seed)
+            asked = edits if seed is None else edits | {"seed": seed}
+            self._add(number, name_edits(edits), done.solution, json.dumps(asked, default=_plain))
+        return done
+
+    def undo(self) -> Solution:
+        """Show the version that this one was made from."""
+        with self._lock:
+            parent = self._must_show().parent
+            if not parent:
+                raise InputError("there is nothing to undo", "change something first")
+            return self._go(parent)
+
+    def redo(self) -> Solution:
+        """Show again what was undone last."""
+        with self._lock:
+            following = project.next_version(self._db, self._must_show().id)
+            if not following:
+                raise InputError("there is nothing to redo", "undo something first")
+            return self._go(following)
+
+    def history(self) -> list[tuple[project.Version, project.Act | None]]:
+        """All versions in the order in which they were made, and how each came about."""
+        with self._lock:
+            acts = {act.version: act for act in project.list_acts(self._db)}
+            return [(row, acts.get(row.id)) for row in project.list_versions(self._db)]
+
+    def close(self) -> None:
+        """Close the file."""
+        with self._lock:
+            self._db.close()
+
+    def _change(self, before: Solution, edits: Mapping[str, Any], seed: int | None) -> Adjusted:
+        plan = plan_of(before.brief)
+        after, changes = before, tuple[Change, ...]()
+        verbs: tuple[tuple[Callable[..., Adjusted], tuple[str, ...]], ...]
+        verbs = ((adjust, BY_PLACE), (edit_pieces, BY_PIECE))
+        for change, names in verbs:
+            asked: dict[str, Any] = {name: edits[name] for name in names if name in edits}
+            if asked and change is adjust:
+                asked["seed"] = seed
+            if asked:
+                same = after.brief is before.brief
+                done = change(after, plan=plan if same else plan_of(after.brief), **asked)
+                after, changes = done.solution, (*changes, *done.changes)
+        return Adjusted(after, changes)
+
+    def _must_show(self) -> project.Version:
+        version = project.shown_version(self._db)
+        if version is None:
+            raise InputError("the project is empty", "begin with a solution")
+        return version
+
+    def _shown(self) -> tuple[int, Solution]:
+        with self._lock:
+            number = self._must_show().id
+            return number, self._load(number)
+
+    def _load(self, number: int) -> Solution:
+        return solution_json.loads(project.solution_text(self._db, number))
+
+    def _go(self, number: int) -> Solution:
+        solution = self._load(number)
+        project.show_version(self._db, number)
+        return solution
+
+    def _add(self, parent: int, what: str, solution: Solution, edit: str) -> None:
+        text = solution_json.dumps(solution)
+        project.add_version(self._db, parent, what, text, who=self.who, edit=edit)
+
+
+def name_edits(edits: Mapping[str, Any]) -> str:
+    """What was done, for the history.
+
+    >>> name_edits({"remove": ["living/sofa"], "move": {"bed": (1.0, 2.0)}})
+    'remove living/sofa, move bed'
+    """
+    return ", ".join(f"{verb} {' '.join(map(_name, asked))}" for verb, asked in edits.items())
+
+
+def _name(asked: Any) -> str:
+    return str(getattr(asked, "asset", asked))
+
+
+def _plain(value: Any) -> Any:
+    return value._asdict() if hasattr(value, "_asdict") else str(value)
