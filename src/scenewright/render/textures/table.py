@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from functools import lru_cache
+from functools import cache, lru_cache
+from hashlib import blake2b
+from pathlib import Path
 from typing import Any, Literal, NamedTuple
 from zlib import crc32
 
@@ -12,7 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.render.textures import generators as g
+from scenewright.render.textures import noise
 from scenewright.render.textures import printed as q
+from scenewright.render.textures.kept import keep_arrays
 
 Laying = Literal["grain", "upright", "whole"]
 """``grain``: the texture runs along the longest side of each board of a part; ``upright``: across
@@ -180,15 +184,26 @@ def texture_of(material: str) -> Texture | None:
 
 @lru_cache(maxsize=len(TEXTURES))
 def bake(name: str) -> Baked:
-    """Draw a texture, once a process; its noise is seeded by its name.
+    """Draw a texture once, its noise seeded by its name; kept in the user's cache folder.
 
     >>> tone, height = bake("mosaic")
     >>> tone.shape, tone.mean((0, 1)).round(2).tolist()
     ((256, 256, 3), [1.0, 1.0, 1.0])
     """
     row = TEXTURES[name]
-    rng = np.random.default_rng(crc32(name.encode()))
+    facts = (name, row.draw.__name__, row.metres, row.pixels, sorted(row.settings.items()))
+    return Baked(*keep_arrays(f"{facts} {_version()}", lambda: _draw(row)))
+
+
+def _draw(row: Texture) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    rng = np.random.default_rng(crc32(row.name.encode()))
     drawn = row.draw(rng, row.pixels, row.metres, **row.settings)
     tone = np.maximum(drawn.tone, 0.02)
-    tone = tone / tone.mean((0, 1))
-    return Baked(tone.astype(np.float32), drawn.height.astype(np.float32))
+    return (tone / tone.mean((0, 1))).astype(np.float32), drawn.height.astype(np.float32)
+
+
+@cache
+def _version() -> str:
+    """Changes with what draws textures: their sources, and numpy."""
+    texts = (Path(module.__file__ or "").read_bytes() for module in (g, q, noise))
+    return blake2b(b"".join(texts) + np.__version__.encode(), digest_size=8).hexdigest()
