@@ -22,6 +22,7 @@ from scenewright.core.scene import Piece
 from scenewright.core.space import Space
 from scenewright.domains.hall.classes import is_audience_seat
 from scenewright.domains.hall.demands.holdings import HallDemand
+from scenewright.domains.hall.demands.themes import Island
 from scenewright.domains.hall.measures import HEAD_HEIGHT
 from scenewright.domains.hall.patterns import PATTERNS
 from scenewright.domains.hall.problem import Floats, HallGround, HallProblem, Ints, Units
@@ -49,7 +50,8 @@ SIDES = ("front", "left", "back", "right")
 class HallContext(NamedTuple):
     """A hall ready to be posed: its space, zones and links, borders between zones, the walls of
     each zone, fixed objects, the width of the route, objects of other rooms that
-    reach in, and the ``passage`` wished for between objects people walk round."""
+    reach in, the ``passage`` wished for between objects people walk round, boxes of the floor on
+    which people queue, and the ``island`` that stands where floor is left empty."""
 
     space: Space
     plan: HallPlan
@@ -66,6 +68,8 @@ class HallContext(NamedTuple):
 
     settings: HallSettings = HallSettings()
     passage: float = 1.2
+    queues: tuple[tuple[float, ...], ...] = ()
+    island: Island = ()
 
 
 def hall_of(
@@ -91,7 +95,8 @@ def taken_floor(hall: HallContext) -> Floats:
     """Boxes (n, 5) of the floor that doors and windows need, and of fixed objects."""
     solid = [piece for piece in (*hall.fixed, *hall.beside) if _solid(piece)]
     standing = [list(box) for piece in solid for box in boxes_of(piece)]
-    return _rows([*_kept_free(hall.space, gates(hall.space)), *standing], 5)
+    queues = [list(box) for box in hall.queues]
+    return _rows([*_kept_free(hall.space, gates(hall.space)), *queues, *standing], 5)
 
 
 def zone_areas(hall: HallContext) -> Floats:
@@ -175,7 +180,7 @@ def _ground(
     return HallGround(
         edges=edges_of(hall.space),
         obstacles=_rows([box for piece in solid for box in boxes_of(piece)], 5),
-        keep_free=_rows(_kept_free(hall.space, seen), 5),
+        keep_free=_rows([*_kept_free(hall.space, seen), *map(list, hall.queues)], 5),
         doors=_rows([throat(gate) for gate in doors], 5),
         zone_edges=np.concatenate(rings),
         zone_spans=np.stack([ends - [len(ring) for ring in rings], ends], 1),

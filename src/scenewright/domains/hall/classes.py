@@ -21,6 +21,8 @@ BEDS = ("double_bed", "single_bed")
 """Beside which nightstands stand."""
 SHOWS = ("stage", "screen", "lectern")
 """Kinds an audience looks at."""
+ALTARS = ("altar", "autel", "communion", "abendmahl", "bimah", "祭壇", "祭坛")
+"""Parts of the names of what a congregation looks at."""
 FRAMED = ("stage", "screen")
 """Kinds with planters at both sides."""
 MAIN_EXHIBITS = ("exhibit_island", "showcase", "plinth", "interactive_table", "stage", "screen")
@@ -66,6 +68,17 @@ def is_pew(category: str, width: float) -> bool:
     (True, False)
     """
     return category == "pew" or (category == "bench" and width > LONGEST_BENCH)
+
+
+def is_altar(category: str, name: str) -> bool:
+    """Whether a stage, or a box of one's own, is an altar by its name; a stage always is.
+
+    >>> is_altar("box", "High altar"), is_altar("box", "font"), is_altar("stage", "")
+    (True, False, True)
+    """
+    return category == "stage" or (
+        category == "box" and any(word in name.casefold() for word in ALTARS)
+    )
 
 
 def is_audience_seat(category: str, width: float) -> bool:

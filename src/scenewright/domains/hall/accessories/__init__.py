@@ -62,17 +62,18 @@ ACCESSORIES: dict[str, Accessory] = {
 
 
 def split_accessories(
-    wishes: list[HallDemand], together: bool
+    wishes: list[HallDemand], together: bool, there: list[HallDemand]
 ) -> tuple[list[HallDemand], list[HallDemand]]:
     """Demands that are laid out by patterns, and those of small objects that are ``set_last``, once
-    these stand; none where all are laid out ``together`` or nothing else is asked for."""
+    these and those ``there`` already stand; none where all are laid out ``together`` or nothing
+    else is asked for."""
     small = [
         wish
         for wish in wishes
         if wish.unstated
         and wish.category in ACCESSORIES
         and len(wish.sizes) <= MANY
-        and _belongs(wish, wishes)
+        and _belongs(wish, [*wishes, *there])
     ]
     rest = [wish for wish in wishes if wish not in small]
     if together or not rest:

@@ -25,6 +25,7 @@ from scenewright.domains.hall.demands.programme import (
     AT_WALLS,
     CROSS_AISLE,
     LONGEST_RUN,
+    PLAYED,
     PROGRAMMES,
     RUNS,
     WALL_BETWEEN,
@@ -62,6 +63,7 @@ def open_numbers(brief: Brief, room: Room, hall: HallContext) -> Room:
     theme = theme_of(brief, room)
     if not theme or room.fill == "none":
         return room
+    room = _call_desks(room, THEMES[theme].desk)
     demands = [*room.demands, *(_missing(room, hall, theme) if room.theme else ())]
     goods = THEMES[theme].goods
     opened = [k for k, d in enumerate(demands) if is_open(d) and d.category in goods]
@@ -88,12 +90,26 @@ def open_numbers(brief: Brief, room: Room, hall: HallContext) -> Room:
     return room.model_copy(update={"demands": demands})
 
 
+def _call_desks(room: Room, name: str) -> Room:
+    """A hall whose desks without a name have that of its theme."""
+    if not name:
+        return room
+    desks = [d.category == "desk" and not d.name and not d.id for d in room.demands]
+    called = [
+        d.model_copy(update={"name": name}) if desk else d
+        for d, desk in zip(room.demands, desks, strict=True)
+    ]
+    return room.model_copy(update={"demands": called}) if any(desks) else room
+
+
 def _missing(room: Room, hall: HallContext, theme: str) -> list[Demand]:
     """What the programme of a theme holds and a hall does not name, each merely welcome; what
     fills has its number left open."""
     area, around = float(zone_areas(hall).sum()), float(wall_lengths(hall).sum())
     named = {demand.category for demand in room.demands}
     filling = {row.category for row in PROGRAMMES[theme] if row.share}
+    own = any(demand.category == "box" for demand in room.demands)
+    named |= {row.category for row in PROGRAMMES[theme] if own and row.name}
     return [
         d.model_copy(update={"required": False, "count": None if open_ else d.count})
         for d in shop_programme(theme, area, around)
@@ -127,7 +143,11 @@ def _line_walls(
     """A demand at walls with its part of the share of the ``walls`` of its zones that others leave,
     and of the floor."""
     mine = zones_of(demand, hall)
-    others = [d for k, d in enumerate(every) if k not in alike and fill_defaults(d, "").at_wall]
+    others = [
+        d
+        for k, d in enumerate(every)
+        if k not in alike and (d.category in PLAYED or fill_defaults(d, "").at_wall)
+    ]
     sharing = [every[k] for k in alike if (zones_of(every[k], hall) * mine).any()]
     taken = sum(len(sizes_of(d)) * _front(d) for d in others)
     wall = walls * float((wall_lengths(hall) * mine).sum()) - taken

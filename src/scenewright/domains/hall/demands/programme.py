@@ -11,7 +11,7 @@ from typing import Any, Literal, NamedTuple
 
 from scenewright.catalog.kinds import SIZES, hall_use
 from scenewright.core.brief.zones import AisleBrief, Demand
-from scenewright.domains.hall.demands.themes import THEME_OF, THEMES, Sides
+from scenewright.domains.hall.demands.themes import THEME_OF, THEMES, USUAL_ROLES, Sides
 
 LONGEST_RUN, CROSS_AISLE, RUNS = 10.0, 1.5, 8
 """Metres of goods in a row between two aisles across it, at most, how wide these are, and how many
@@ -245,6 +245,8 @@ PROGRAMMES: dict[str, tuple[Fixture, ...]] = {
 }
 """The contents of each kind of unit. A row may name one category twice, at walls and in rows."""
 
+PLAYED = frozenset(role.category for role in USUAL_ROLES)
+"""What stands where its role has it."""
 _EMPTY = frozenset({"vacant", "no", "disused", "empty", "mall"})
 _TAGS = ("shop", "amenity", "room")
 _UNMAPPED = frozenset({"museum", "fair", "gate", "worship", "office"})
@@ -328,8 +330,8 @@ def demand_of(row: Fixture, count: int, demand_id: str) -> Demand:
         category=row.category,
         count=count,
         size=row.size if row.stated else None,
-        clearance=row.clear,
-        place=row.place,
+        clearance=None if row.category in PLAYED else row.clear,
+        place=None if row.category in PLAYED else row.place,
         patterns=list(row.patterns),
         required=row.required,
         aisle=broken if row.clear == _BOTH and count >= RUNS * broken.every else None,

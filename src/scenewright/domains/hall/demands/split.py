@@ -37,11 +37,15 @@ def find_locked(hall: HallContext) -> tuple[Piece, ...]:
 
 
 def split_demands(
-    hall: HallContext, asked: list[HallDemand], catalog: Catalog, together: bool
+    hall: HallContext,
+    asked: list[HallDemand],
+    catalog: Catalog,
+    together: bool,
+    played: list[HallDemand],
 ) -> SplitDemands:
     """The demands of a hall, chairs joined with tables, sofas with low tables and beds with
     nightstands; pianos and small objects are laid out with the rest if all are ``together``, and
-    sofas and beds by themselves."""
+    sofas and beds by themselves. Small objects may belong to what is ``played``, set at doors."""
     asked = [break_rows(wish) for wish in asked]
     if not together:
         asked = [group_shown(wish) for wish in join_bedsides(join_lounges(asked, hall.route))]
@@ -49,6 +53,6 @@ def split_demands(
     joined = joined if together else keep_stools(turn_to_show(joined, catalog))
     parted = part_desks(hall, abut_stands(hall, joined, catalog))
     wishes, carried = split_carried(parted, hall.fixed, together)
-    rest, small = split_accessories(wishes, together)
+    rest, small = split_accessories(wishes, together, played)
     rest, low = split_low_tables(rest) if not together else (rest, [])
     return SplitDemands(rest, carried, [*small, *low])

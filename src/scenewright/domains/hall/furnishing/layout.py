@@ -20,6 +20,7 @@ from scenewright.domains.hall.energy import parts_of
 from scenewright.domains.hall.fit import Fitted
 from scenewright.domains.hall.furnishing.assemble import Laid
 from scenewright.domains.hall.furnishing.pieces import furnish_hall, kept_groups, placed_groups
+from scenewright.domains.hall.furnishing.voids import fill_voids
 from scenewright.domains.hall.gates.barriers import place_barriers
 from scenewright.domains.hall.gates.barring_ropes import find_served_at
 from scenewright.domains.hall.gates.fewer_ropes import place_fewer_of_each
@@ -108,7 +109,7 @@ def furnish_layout(
     every = (*around, *grown, *low, *rails)
     standing_hall = StandingHall(hall, fitted.problem, best, wishes, every)
     small, more, lost_small = furnish_accessories(standing_hall, catalog, stopped)
-    groups = (*groups, *more)
+    groups, small = (*groups, *more), (*small, *fill_voids(hall, (*every, *small), catalog))
     layout = HallLayout(hall.plan.zones, hall.plan.links, groups, tuple(w.id for w in walls))
     way = tour(hall.space, (*every, *small), layout, catalog, hall.route)
     return Laid(

@@ -1,134 +1,184 @@
-"""What meets a door is set there before all else, once and for all: gates of a zone that people
-only leave by stand in one row before its exit, with barriers back to the wall beside them, and
-where people sit and wait to board, so do the desks beside it; cash machines stand beside the way
-in."""
+"""What meets a door by its role is set there before all else, once and for all: gates of a zone
+that people only leave by in one row before its exit, with barriers back to the wall beside them;
+cash machines beside the way in; desks at walls in sight of their door (:mod:`.service`)."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 import shapely
 
-from scenewright.building.door_approach import DoorApproach, door_zone, edges_of, gates
+from scenewright.building.door_approach import DoorApproach, edges_of, gates
 from scenewright.core.catalog import Catalog
 from scenewright.core.layout import corners
 from scenewright.core.piece_outlines import boxes_of
 from scenewright.core.scene import Piece, Pose
-from scenewright.domains.hall.build_problem import HallContext
-from scenewright.domains.hall.classes import is_audience_seat
+from scenewright.domains.hall.accessories.stools import COUNTER, STOOL
+from scenewright.domains.hall.build_problem import HallContext, taken_floor
+from scenewright.domains.hall.classes import QUEUED_AT, is_audience_seat
 from scenewright.domains.hall.demands.holdings import HallDemand
+from scenewright.domains.hall.demands.themes import Role
+from scenewright.domains.hall.desks.chairs import desk_chairs
 from scenewright.domains.hall.furnishing.pieces import make_piece
 from scenewright.domains.hall.gates.barriers import make_barriers
+from scenewright.domains.hall.gates.nave import furnish_nave
 from scenewright.domains.hall.gates.rails import LANE, RowOfGates, WayIn, lay_rails, sides_of
-from scenewright.domains.hall.measures import DOOR_OUTSIDE, QUEUE
+from scenewright.domains.hall.gates.service import (
+    Service,
+    find_service,
+    furnish_service,
+    place_ropes,
+)
+from scenewright.domains.hall.measures import DOOR_OUTSIDE
 from scenewright.domains.hall.problem import Floats
 from scenewright.domains.hall.retouch.arrivals import box_round
 from scenewright.domains.hall.retouch.places import walk_edges
 from scenewright.domains.hall.visit.doors import visitor_exits, ways_in
 from scenewright.domains.hall.visit.roles import GATE
+from scenewright.domains.hall.visit.visitor_plan import BELT
 
 BOARDING_OFF = (1.3, 1.9, 2.3)
 """Metres between gates and the exit they stand before, farther where its leaves open inwards."""
 BOARDING_LITTLE = 0.005
-BESIDE_LEAST, ALONG_STEP = 0.5, 0.3
-"""Metres between a door and what stands beside it at least, and between the places tried."""
-
-
-class DoorRole(NamedTuple):
-    """What of a ``category`` stands at a door: one people only ``leave`` by, else the main
-    entrance; across the way to it, or ``beside`` it at walls within so many metres, ``off`` these,
-    with floor ``before`` it for those who come."""
-
-    category: str
-    leave: bool
-    beside: float = 0.0
-    off: float = 0.0
-    before: float = 0.0
-
-
-DOOR_ROLES = {
-    role.category: role
-    for role in (
-        DoorRole(GATE, leave=True),
-        DoorRole("counter", leave=True, beside=4.5, off=0.9, before=QUEUE),
-        DoorRole("cash_machine", leave=False, beside=5.0, off=0.02),
-    )
-}
-"""By category; gates come first."""
+LANES_OFF, ASIDES = (2.0, 2.6, 3.4), tuple(0.6 * k for k in range(-9, 10))
+"""Metres between a way out and the lanes before it, and beside it, that are tried."""
+ROPE = "rope_barrier"
+STOOLS, BETWEEN = 0.9, 1.0
+"""Metres before a counter with stools, and between tills with belts."""
+AT_WALL, ALONG_STEP = 0.02, 0.3
+"""Metres off the wall of what stands beside a door, and between the places tried."""
 
 
 class SetAtDoors(NamedTuple):
-    """A hall with what stands at its doors, the demands less that, and its pieces."""
+    """A hall with what stands at its doors, the demands less that, its pieces, and the demands that
+    stand so."""
 
     hall: HallContext
     asked: list[HallDemand]
     pieces: tuple[Piece, ...]
+    played: list[HallDemand]
 
 
 def set_at_doors(
-    hall: HallContext, asked: list[HallDemand], catalog: Catalog, together: bool = False
+    hall: HallContext, asked: list[HallDemand], catalog: Catalog, roles: tuple[Role, ...]
 ) -> SetAtDoors:
-    """What meets doors in its place there, gates in one row before each exit, where they and the
-    route beside them find free floor; none where all are laid out ``together``."""
-    used, rest, found = set[str](), list[HallDemand](), list[Piece]()
+    """What meets doors by its role in its place there, gates in one row before each exit, desks
+    with their staff and queue, where they and the route beside them find free floor."""
+    before, lines = asked, list[Service]()
+    by_kind, rest, used = {r.category: r for r in roles}, list[HallDemand](), set[str]()
+    found, doors = list[Piece](), {gate.opening.id: gate for gate in gates(hall.space)}
+    for way in ways_in(hall.space)[: bool(roles)]:
+        asked, pieces = furnish_nave(hall, asked, doors[way.id], catalog)
+        hall, found = hall._replace(fixed=(*hall.fixed, *pieces)), [*pieces]
     seats = any(is_audience_seat(w.category, 0.0) and not w.facing for w in asked)
     boards = seats and any(wish.category == GATE for wish in asked)
+    stools = any(wish.category == STOOL for wish in asked)
     for wish in sorted(asked, key=lambda wish: wish.category != GATE):
-        role = None if together or not wish.unstated else DOOR_ROLES.get(wish.category)
-        doors = _find_doors(hall, wish, role, boards) if role else []
-        free = [d for d in doors if d.opening.id not in used or wish.category != GATE]
-        there = (*hall.fixed, *found)
-        rows = ((door, line) for door in free for line in _line_up(hall, wish, door))
-        ahead = max(role.before if role else 0.0, hall.route)
-        fits = _is_free if wish.category == GATE else partial(_is_served, ahead)
-        row = next((row for row in rows if fits(hall, row[1], there)), None)
-        if row is None:
+        role = by_kind.get(wish.category) if wish.unstated else None
+        if role is not None and _has_belts(wish):
+            role = role._replace(stands="lanes")
+        if role is not None and stools and wish.category == COUNTER:
+            role = role._replace(queue=STOOLS)
+        near = _find_doors(hall, wish, role, boards) if role else []
+        free = [door for door in near if door.opening.id not in used or wish.category != GATE]
+        made = _set_one(hall, wish, role, free, catalog) if role else None
+        if made is None:
             rest.append(wish)
             continue
-        used.add(row[0].opening.id)
-        found += _make_row(hall, wish, row[1], catalog)
+        hall, pieces, door, line = made
+        found += pieces
+        used.add(door)
+        lines += [line] if line and wish.category in QUEUED_AT else []
+    names = {wish.id: wish.name for wish in asked}
+    desks = tuple(piece for piece in found if piece.function in names)
+    chairs = desk_chairs(desks, names, (), tuple(found), catalog)
+    hall, rest, ropes = _set_ropes(hall, rest, lines, catalog)
+    left = {wish.id for wish in rest}
+    played = [wish for wish in before if wish.id not in left]
+    return SetAtDoors(hall, rest, (*found, *chairs, *ropes), played)
+
+
+def _set_ropes(
+    hall: HallContext, asked: list[HallDemand], lines: list[Service], catalog: Catalog
+) -> tuple[HallContext, list[HallDemand], tuple[Piece, ...]]:
+    """Ropes two by two before the first line of desks people queue at, with a lane between them."""
+    wish = next((w for w in asked if w.category == ROPE and w.unstated), None)
+    row = place_ropes(hall, lines[0], wish) if wish and lines else None
+    if wish is None or row is None:
+        return hall, asked, ()
+    pieces = _make_row(hall, wish, row, catalog)
+    rest = [other for other in asked if other is not wish]
+    return hall._replace(fixed=(*hall.fixed, *pieces)), rest, pieces
+
+
+def _has_belts(wish: HallDemand) -> bool:
+    """Whether a demand is of several tills with lanes between them."""
+    belts = wish.category == "checkout" and len(wish.sizes) > 1
+    return belts and min(size.depth for size in wish.sizes) > BELT
+
+
+def _set_one(
+    hall: HallContext, wish: HallDemand, role: Role, doors: list[DoorApproach], catalog: Catalog
+) -> tuple[HallContext, tuple[Piece, ...], str, Service | None] | None:
+    """The hall with a demand at the first door that has room for it, its pieces, that door, and the
+    line of desks they are."""
+    for door in doors:
+        if role.stands == "served":
+            place = find_service(hall, wish, role, door)
+            if place is None:
+                continue
+            pieces, stand = furnish_service(hall, wish, place, catalog)
+            queue = (tuple(place.queue),) if role.queue else ()
+            hall = hall._replace(fixed=(*hall.fixed, *stand), queues=(*hall.queues, *queue))
+            return hall, pieces, door.opening.id, place
+        row = next((r for r in _line_up(hall, wish, role, door) if _is_free(hall, r)), None)
+        if row is None:
+            continue
+        pieces = _make_row(hall, wish, row, catalog)
         if wish.category == GATE:
+            rails = _lay_rails(hall, door, row, hall.fixed)
             name = f"{hall.space.id}/{wish.id}"
-            rails = _lay_rails(hall, row[0], row[1], there)
-            found += make_barriers(hall.space, name, wish.id, rails, catalog)
-    return SetAtDoors(hall._replace(fixed=(*hall.fixed, *found)), rest, tuple(found))
+            pieces = (*pieces, *make_barriers(hall.space, name, wish.id, rails, catalog))
+        return hall._replace(fixed=(*hall.fixed, *pieces)), pieces, door.opening.id, None
+    return None
 
 
 def _find_doors(
-    hall: HallContext, wish: HallDemand, role: DoorRole, boards: bool
+    hall: HallContext, wish: HallDemand, role: Role, boards: bool
 ) -> list[DoorApproach]:
-    """The doors a demand is set at: of what stands at the entrance, the main one, if it is in its
-    zone; of a hall where one ``boards``, those that nobody comes in by; else of gates those
-    visitors leave their zone by, if none comes in there."""
+    """The doors a demand is set at: the main entrance, or those visitors leave by; where one
+    ``boards``, those that nobody comes in by; of gates else those visitors leave their zone by, if
+    none comes in there."""
     ways = [door.id for door in ways_in(hall.space)]
     leave = [door.id for door in visitor_exits(hall.space)]
+    near = {gate.opening.id: gate for gate in gates(hall.space)}
     if len(wish.zones) == 1:
         outline = hall.plan.zones[hall.names.index(wish.zones[0])].outline
         low, high = outline.min(0) - DOOR_OUTSIDE, outline.max(0) + DOOR_OUTSIDE
-        near = {g.opening.id: g for g in gates(hall.space) if _lies_in(g.face, low, high)}
-    else:
-        near = {g.opening.id: g for g in gates(hall.space)}
-    if not role.leave:
-        return [near[name] for name in ways[:1] if name in near]
-    if boards and len(wish.zones) != 1:
-        return [near[name] for name in leave if name not in ways]
-    if wish.category != GATE or len(wish.zones) != 1 or any(name in near for name in ways):
-        return []
-    return [near[name] for name in leave if name in near]
+        near = {name: gate for name, gate in near.items() if _lies_in(gate.face, low, high)}
+    only = [name for name in leave if name not in ways]
+    if wish.category == GATE:
+        named = len(wish.zones) == 1 and not any(name in near for name in ways)
+        leave = only if boards and len(wish.zones) != 1 else leave if named else []
+    return [near[name] for name in (ways[:1] if role.door == "in" else leave) if name in near]
 
 
 def _lies_in(point: Floats, low: Floats, high: Floats) -> bool:
     return bool((low <= point).all() and (point <= high).all())
 
 
-def _line_up(hall: HallContext, wish: HallDemand, door: DoorApproach) -> Iterator[Floats]:
-    """Boxes (n, 5) of gates side by side across the way to a door, looking into the room; of what
-    stands beside it at walls, the nearest to it first."""
-    role, long = DOOR_ROLES[wish.category], sum(size.width for size in wish.sizes)
-    if not role.beside:
+def _line_up(
+    hall: HallContext, wish: HallDemand, role: Role, door: DoorApproach
+) -> Iterator[Floats]:
+    """Boxes (n, 5) side by side across the way to a door, looking into the room; of what stands
+    beside it at walls, the nearest to it first."""
+    long = sum(size.width for size in wish.sizes)
+    if role.stands == "lanes":
+        yield from _line_lanes(wish, door)
+        return
+    if role.stands == "across":
         for off in BOARDING_OFF:
             yield _stand_along(wish, door.face, door.inward, -0.5 * long, off)
         return
@@ -139,11 +189,24 @@ def _line_up(hall: HallContext, wish: HallDemand, door: DoorApproach) -> Iterato
     walls = [(w.x0, w.y0, w.x1, w.y1) for one in hall.walls for w in one]
     for start, along, left, length in walk_edges(np.array(walls).reshape(-1, 4)):
         for at in np.arange(0.5 * long, length - 0.5 * long + 1e-9, ALONG_STEP):
-            off = max(role.off, wish.clearance[2] if role.before else 0.0)
-            row = _stand_along(wish, start + at * along, left, -0.5 * long, off)
+            row = _stand_along(wish, start + at * along, left, -0.5 * long, AT_WALL)
             far = float(shapely.polygons(corners(box_round(row)[None]))[0].distance(way))
-            rows += [(far, row)] if BESIDE_LEAST <= far <= role.beside else []
+            rows += [(far, row)] if role.least <= far <= role.within else []
     yield from (row for _, row in sorted(rows, key=lambda one: one[0]))
+
+
+def _line_lanes(wish: HallDemand, door: DoorApproach) -> Iterator[Floats]:
+    """Boxes (n, 5) of tills side by side before a door, their lanes leading to it."""
+    right, size = np.array([door.inward[1], -door.inward[0]]), wish.sizes[0]
+    pitch, turn = size.depth + BETWEEN, float(np.arctan2(right[1], right[0]))
+    at = pitch * (np.arange(len(wish.sizes)) - 0.5 * (len(wish.sizes) - 1))
+    for off in LANES_OFF:
+        for aside in sorted(ASIDES, key=abs):
+            start = door.face + (off + 0.5 * size.width) * door.inward + aside * right
+            boxes = np.empty((len(at), 5))
+            boxes[:, :2] = start + at[:, None] * right
+            boxes[:, 2:] = turn, size.width, size.depth
+            yield boxes
 
 
 def _stand_along(wish: HallDemand, face: Floats, inward: Floats, at: float, off: float) -> Floats:
@@ -159,30 +222,12 @@ def _stand_along(wish: HallDemand, face: Floats, inward: Floats, at: float, off:
     return np.array(found)
 
 
-def _is_free(hall: HallContext, row: Floats, there: tuple[Piece, ...]) -> bool:
-    """Whether boxes (n, 5) and the route beside them lie on the free floor of a hall."""
-    return _covers(hall, row + np.array([0.0, 0.0, 0.0, 2.0 * hall.route, 0.0]), there)
-
-
-def _is_served(deep: float, hall: HallContext, row: Floats, there: tuple[Piece, ...]) -> bool:
-    """Whether boxes (n, 5), the route at one end of them and floor so ``deep`` before them are
-    free."""
-    box, turn = box_round(row), float(row[0, 2])
-    ahead = np.array([np.cos(turn), np.sin(turn)])
-    aside = 0.5 * hall.route * np.array([ahead[1], -ahead[0]])
-    wider = np.append(box[:2] + 0.5 * deep * ahead, box[2:])
-    wider += np.array([0.0, 0.0, 0.0, hall.route, deep])
-    ends = (np.append(wider[:2] + side * aside, wider[2:]) for side in (1.0, -1.0))
-    return any(_covers(hall, end[None], there) for end in ends)
-
-
-def _covers(hall: HallContext, boxes: Floats, there: tuple[Piece, ...]) -> bool:
-    """Whether the floor of a hall that is free of pieces covers boxes (n, 5)."""
-    little = np.array([0.0, 0.0, 0.0, 0.0, 2.0 * BOARDING_LITTLE])
-    needed = shapely.union_all(shapely.polygons(corners(boxes - little)))
-    solid = [box for piece in there for box in boxes_of(piece)]
-    solid += [list(box) for gate in gates(hall.space) for box in door_zone(hall.space, gate)]
-    taken = shapely.polygons(corners(np.array(solid).reshape(-1, 5)))
+def _is_free(hall: HallContext, row: Floats) -> bool:
+    """Whether boxes (n, 5) and the route beside them, or before those at walls, lie on the free
+    floor of a hall."""
+    little = np.array([0.0, 0.0, 0.0, -2.0 * hall.route, 2.0 * BOARDING_LITTLE])
+    needed = shapely.union_all(shapely.polygons(corners(row - little)))
+    taken = shapely.polygons(corners(taken_floor(hall)))
     floor = shapely.Polygon(hall.space.outline, hall.space.holes)
     return bool(floor.covers(needed) and not shapely.intersects(taken, needed).any())
 

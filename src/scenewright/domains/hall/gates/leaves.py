@@ -36,11 +36,11 @@ def with_leaves(space: Space, pieces: Sequence[Piece], catalog: Catalog) -> tupl
     bare = {p.group: p for p in fenced if p.group not in {post.group for post in posts}}
     spans = [(post, _span_to_gate(post, pieces)) for post in posts]
     spans += [(rail, _span_to_wall(space, rail.group, pieces)) for rail in bare.values()]
-    leaves = (_make_leaf(of, span, catalog) for of, span in spans if span is not None)
+    leaves = (make_leaf(of, span, catalog) for of, span in spans if span is not None)
     return (*pieces, *leaves)
 
 
-def _make_leaf(of: Piece, span: Span, catalog: Catalog) -> Piece:
+def make_leaf(of: Piece, span: Span, catalog: Catalog) -> Piece:
     """The leaf between two points, of the group of a piece."""
     start, end = span
     (x, y), along = 0.5 * (start + end), end - start

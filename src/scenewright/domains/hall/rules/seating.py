@@ -38,7 +38,7 @@ SEATING = (
         ),
     ),
     Row(
-        "seat_back", LOUNGE_SEAT, faces(TURNED_FROM, FLAT, SEEN_FROM_DOOR), AT_DOORS, 0.0, 1.5,
+        "seat_back", LOUNGE_SEAT, faces(TURNED_FROM, FLAT, SEEN_FROM_DOOR), AT_DOORS, 0.0, 4.0,
         "{of} turns its back to {to}", _SEEN,
         example=Example(
             broken=(Place("lounge seat", 2.5, 3.0, 90.0, 0.8, 0.8),),

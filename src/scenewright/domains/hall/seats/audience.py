@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from scenewright.catalog.kinds.usual import DESKS, TABLES, is_high
 from scenewright.core.brief.zones import Demand
-from scenewright.domains.hall.classes import SHOWS, TABLE_CHAIRS, is_audience_seat
+from scenewright.domains.hall.classes import SHOWS, TABLE_CHAIRS, is_altar, is_audience_seat
 from scenewright.domains.hall.demands.checked import usual_size
 
 MEALS = (*TABLES, "reading_table")
@@ -27,7 +27,13 @@ def may_share_zone(one: Demand, other: Demand) -> bool:
 def find_shows(demands: Sequence[Demand], ids: Sequence[str]) -> list[str]:
     """The id of the stage, screen or lectern each demand looks at if it does not say: one in its
     own zone before others; empty for what is no audience."""
-    shows = [(d, name) for d, name in zip(demands, ids, strict=True) if d.category in SHOWS]
+    named = zip(demands, ids, strict=True)
+    shows = [
+        (d, name)
+        for d, name in named
+        if d.category in SHOWS or is_altar(d.category, f"{name} {d.name}")
+    ]
+    shows.sort(key=lambda row: row[0].category == "lectern")
     found = []
     for one in demands:
         near = sorted(shows, key=lambda row: not _zones(row[0]) & _zones(one))

@@ -1,0 +1,222 @@
+"""Where people are served: a line of desks generated at a wall, looking to the door it belongs to,
+with the floor of its staff behind, shut off at its ends, and free floor before it to queue on."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from functools import partial
+from math import cos, sin
+from typing import NamedTuple
+
+import numpy as np
+import shapely
+
+from scenewright.building.door_approach import DoorApproach, before, gates
+from scenewright.core.catalog import Catalog
+from scenewright.core.layout import corners
+from scenewright.core.scene import Piece, Pose, Size
+from scenewright.domains.hall.build_problem import HallContext, taken_floor
+from scenewright.domains.hall.demands.holdings import HallDemand
+from scenewright.domains.hall.demands.themes import Role
+from scenewright.domains.hall.furnishing.pieces import make_piece
+from scenewright.domains.hall.gates.barriers import make_barriers
+from scenewright.domains.hall.gates.leaves import make_leaf
+from scenewright.domains.hall.measures import WAY_WIDTH
+from scenewright.domains.hall.problem import Floats
+from scenewright.domains.hall.retouch.places import walk_edges
+
+STEP, LITTLE, RAIL = 0.3, 0.005, 0.06
+"""Metres between the places tried along a wall, by how much floor is measured less than it is, and
+how thick what shuts an end off is."""
+STAFF = 0.95
+"""Metres from the back of a desk to the wall behind it (Neufert 2012, shops: 0.75 to 0.9 m)."""
+ON_WAY = 2.5
+"""Metres behind a door on which no desk and no queue stands, where those who come in look round."""
+OPEN_END, PER_METRE, PER_BACK = 0.8, 0.8, 0.06
+"""What an end that no wall closes costs, each metre off the wished distance, and each metre from
+the nearest door at the back."""
+FROM_DESK, LANE = 1.0, 1.2
+"""Metres from a desk to the ropes before it, and between two."""
+AWAY = -0.25
+"""The least cosine between a front and the way to the door."""
+
+
+class Service(NamedTuple):
+    """A line of desks: boxes (n, 5) of these, the floor of the line with its staff and that of its
+    queue (5,), and boxes (k, 5) of what shuts its ends off, that one comes in by first."""
+
+    row: Floats
+    body: Floats
+    queue: Floats
+    ends: Floats
+
+
+def find_service(
+    hall: HallContext, wish: HallDemand, role: Role, door: DoorApproach
+) -> Service | None:
+    """The best free place of a line of desks by its role at a door; None where there is none."""
+    ranked = sorted(_list_places(hall, wish, role, door), key=lambda one: one[0])
+    floor = shapely.Polygon(hall.space.outline, hall.space.holes)
+    way = before(door, max(WAY_WIDTH, door.opening.width), ON_WAY)
+    taken = shapely.polygons(corners(taken_floor(hall)))
+    tree = shapely.STRtree([*taken, shapely.polygons(corners(np.array([way])))[0]])
+    fits = partial(_is_free, hall, floor, tree)
+    return next((place for _, place in ranked if fits(place)), None)
+
+
+def _list_places(
+    hall: HallContext, wish: HallDemand, role: Role, door: DoorApproach
+) -> Iterator[tuple[float, Service]]:
+    """Places of a line along the walls of its zones with what each costs."""
+    wide = sum(size.width for size in wish.sizes)
+    backs = [
+        gate.face
+        for gate in gates(hall.space)
+        if gate.opening.kind != "window" and gate.opening.id != door.opening.id
+    ]
+    named = [k for k, name in enumerate(hall.names) if not wish.zones or name in wish.zones]
+    walls = [(w.x0, w.y0, w.x1, w.y1) for k in named for w in hall.walls[k]]
+    floor = shapely.prepared.prep(shapely.Polygon(hall.space.outline, hall.space.holes))
+    for start, along, left, length in walk_edges(np.array(walls).reshape(-1, 4)):
+        spare = length - wide
+        if spare < 0.0:
+            continue
+        for at in np.unique([0.02, *np.arange(STEP, spare, STEP), max(spare - 0.02, 0.0)]):
+            place = _stand(wish, role, start + at * along, along, left)
+            if at > spare:
+                continue
+            shut = [_meets_wall(floor, place, along, left, side) for side in (-1, 1)]
+            if not all(shut):
+                ends = _list_ends(place, along, left, shut)
+                cost = _weigh(place.row, role, door, backs) + OPEN_END * len(ends)
+                yield cost, place._replace(ends=ends)
+
+
+def _stand(wish: HallDemand, role: Role, start: Floats, along: Floats, left: Floats) -> Service:
+    """A line that begins at a point of a wall; right of its fronts is where the wall begins."""
+    turn, rows, at = float(np.arctan2(left[1], left[0])), list[list[float]](), 0.0
+    deep = max(size.depth for size in wish.sizes)
+    for size in reversed(wish.sizes):
+        x, y = start + (at + 0.5 * size.width) * along + (STAFF + deep - 0.5 * size.depth) * left
+        rows.append([float(x), float(y), turn, size.width, size.depth])
+        at += size.width
+    middle = start + 0.5 * at * along
+    body = np.array([*(middle + 0.5 * (STAFF + deep) * left), turn, at, STAFF + deep])
+    ahead = STAFF + deep + 0.5 * role.queue
+    queue = np.array([*(middle + ahead * left), turn, at, max(role.queue, 0.01)])
+    return Service(np.array(rows[::-1]), body, queue, np.zeros((0, 5)))
+
+
+def _side(place: Service, along: Floats, left: Floats, side: int) -> Floats:
+    """The middle (2,) of the open end of the floor of staff on one side."""
+    deep = place.body[4] - STAFF
+    middle: Floats = place.body[:2] - 0.5 * deep * left + side * 0.5 * place.body[3] * along
+    return middle
+
+
+def _meets_wall(
+    floor: shapely.prepared.PreparedGeometry, place: Service, along: Floats, left: Floats, side: int
+) -> bool:
+    """Whether a wall closes one end of the floor of staff."""
+    end = _side(place, along, left, side)
+    points = (end + side * 0.12 * along + off * left for off in (-0.3, 0.0, 0.3))
+    return not any(floor.contains(shapely.Point(point)) for point in points)
+
+
+def _list_ends(place: Service, along: Floats, left: Floats, shut: list[bool]) -> Floats:
+    """Boxes (k, 5) that close the ends no wall does, the one farther from the door last."""
+    turn = float(np.arctan2(along[1], along[0]))
+    found = [
+        [*(_side(place, along, left, side) - side * 0.5 * RAIL * along), turn, STAFF - 0.02, RAIL]
+        for side, closed in zip((-1, 1), shut, strict=True)
+        if not closed
+    ]
+    return np.array(found).reshape(-1, 5)
+
+
+def _weigh(row: Floats, role: Role, door: DoorApproach, backs: list[Floats]) -> float:
+    """What a place of desks (n, 5) costs by its distance from the door, where it looks, and how far
+    the door at the back is; infinite where it turns its back to who comes in."""
+    middle, turn = row[:, :2].mean(0), float(row[0, 2])
+    far, way = float(np.hypot(*(door.face - middle))), door.face + ON_WAY * door.inward - middle
+    facing = float(way @ (cos(turn), sin(turn))) / max(float(np.hypot(*way)), 1e-9)
+    if facing < AWAY:
+        return float("inf")
+    off = max(far - role.within, 0.0) + max(role.least - far, 0.0)
+    back = min((float(np.hypot(*(at - middle))) for at in backs), default=0.0)
+    return PER_METRE * off + role.faces * (1.0 - facing) + role.back * PER_BACK * back
+
+
+def _is_free(
+    hall: HallContext, floor: shapely.Polygon, taken: shapely.STRtree, place: Service
+) -> bool:
+    """Whether a line, its queue and the way round its open end lie on free floor."""
+    boxes = [place.body, place.queue]
+    if len(place.ends):
+        aside = place.ends[0].copy()
+        way = aside[:2] - place.body[:2]
+        along = np.array([sin(place.body[2]), -cos(place.body[2])])
+        aside[:2] += np.sign(way @ along) * 0.5 * hall.route * along
+        aside[4] = hall.route
+        boxes.append(aside)
+    needed = np.array(boxes) - np.array([0.0, 0.0, 0.0, 2.0 * LITTLE, 2.0 * LITTLE])
+    shapes = shapely.polygons(corners(needed))
+    return bool(floor.covers(shapely.union_all(shapes))) and not len(
+        taken.query(shapes, "intersects")[0]
+    )
+
+
+def place_ropes(hall: HallContext, line: Service, wish: HallDemand) -> Floats | None:
+    """Boxes (n, 5) of ropes along both sides of a lane to the middle of a line, the first of them
+    a step before it; None where they would bar something."""
+    turn, wide = float(line.body[2]), max(size.width for size in wish.sizes)
+    left, along = np.array([cos(turn), sin(turn)]), np.array([sin(turn), -cos(turn)])
+    start = line.body[:2] + (0.5 * line.body[4] + FROM_DESK) * left
+    rows = [
+        [
+            *(start + (k // 2 + 0.5) * wide * left + (0.5 - k % 2) * LANE * along),
+            *(turn + 0.5 * np.pi, size.width, size.depth),
+        ]
+        for k, size in enumerate(wish.sizes)
+    ]
+    boxes, free = np.array(rows), hall._replace(queues=())
+    floor = shapely.Polygon(hall.space.outline, hall.space.holes)
+    around = boxes + np.array([0.0, 0.0, 0.0, 0.0, 2.0 * hall.route])
+    shapes = shapely.polygons(corners(around))
+    taken = shapely.union_all(shapely.polygons(corners(taken_floor(free))))
+    return (
+        boxes
+        if floor.covers(shapely.union_all(shapes)) and shapely.disjoint(shapes, taken).all()
+        else None
+    )
+
+
+def furnish_service(
+    hall: HallContext, wish: HallDemand, place: Service, catalog: Catalog
+) -> tuple[tuple[Piece, ...], tuple[Piece, ...]]:
+    """The pieces of a line with what shuts it off, and the desks as large as the floor they take
+    with their staff while the rest is laid out."""
+    group = f"{hall.space.id}/{wish.id}"
+    desks = tuple(
+        make_piece(hall, wish, group, number, (Pose(x, y, 0.0, turn), size), catalog)
+        for number, (size, (x, y, turn, *_)) in enumerate(
+            zip(wish.sizes, place.row.tolist(), strict=True), 1
+        )
+    )
+    more = make_barriers(hall.space, group, wish.id, place.ends[1:], catalog)
+    if len(place.ends):
+        x, y, turn, wide, _ = place.ends[0]
+        half = 0.5 * wide * np.array([sin(turn), -cos(turn)])
+        of = replace(desks[0], function=f"{wish.id}/barriers")
+        span = (np.array([x, y]) - half, np.array([x, y]) + half)
+        more = (*more, make_leaf(of, span, catalog))
+    return (*desks, *more), tuple(_grow(desk, place.body[4]) for desk in desks)
+
+
+def _grow(desk: Piece, deep: float) -> Piece:
+    """A desk as deep as its line with its staff."""
+    off, turn = 0.5 * (deep - desk.size.depth), desk.pose.heading
+    pose = Pose(desk.pose.x - off * cos(turn), desk.pose.y - off * sin(turn), 0.0, turn)
+    size = Size(desk.size.width, deep, desk.size.height)
+    return replace(desk, pose=pose, size=size, footprint=())

@@ -1,0 +1,87 @@
+"""Desks at their doors, closed behind, altars at the far wall, and islands in empty floor."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+import shapely
+
+from scenewright.building import plan
+from scenewright.core.brief import Brief
+from scenewright.core.piece_outlines import polygons_of
+from scenewright.core.solution import Solution
+from scenewright.domains import check
+from scenewright.domains.hall.furnishing.voids import EMPTY
+from scenewright.domains.hall.solving import solve
+
+
+def lay(demands: list[dict[str, Any]], **room: Any) -> Solution:
+    wide, deep = room.pop("sides", (10.0, 12.0))
+    hall: dict[str, Any] = {
+        "name": "Hall",
+        "outline": [[0, 0], [wide, 0], [wide, deep], [0, deep]],
+        "doors": [{"id": "street", "at": [wide / 2, 0], "width": 1.8, "swing": "slide"}],
+        "demands": demands,
+    }
+    brief = {"domain": "hall", "name": "Hall", "rooms": [hall | room]}
+    return solve(Brief.model_validate(brief), steps=200, threads=1)
+
+
+@pytest.mark.parametrize(
+    ("category", "theme", "far"),
+    [("info_desk", "library", 6.0), ("checkout", "clothes", 5.0), ("counter", "food", 12.5)],
+)
+def test_a_desk_looks_to_its_door_and_its_staff_is_shut_off(
+    category: str, theme: str, far: float
+) -> None:
+    solution = lay([{"category": category}, {"category": "round_table", "count": 2}], theme=theme)
+    [desk] = [p for p in solution.pieces if p.category == category]
+    to_door = np.array([5.0 - desk.pose.x, 2.5 - desk.pose.y])
+    ahead = np.array([math.cos(desk.pose.heading), math.sin(desk.pose.heading)])
+    assert math.hypot(5.0 - desk.pose.x, desk.pose.y) < far
+    assert to_door @ ahead > -0.3 * np.hypot(*to_door)
+    behind = shapely.Point(np.array(desk.pose[:2]) - (0.5 * desk.size.depth + 0.4) * ahead)
+    [space] = plan.spaces(solution.brief)
+    hall = shapely.Polygon(space.outline)
+    closing = [p for p in solution.pieces if p.category in ("gate_leaf", "glass_barrier")]
+    solid = shapely.union_all(polygons_of([desk, *closing])).buffer(0.06)
+    rooms = shapely.get_parts(hall.buffer(-0.05).difference(solid))
+    [mine] = [part for part in rooms if part.contains(behind)]
+    assert mine.area < 4.0
+    assert not check(solution).findings
+
+
+def test_an_altar_of_ones_own_stands_at_the_far_wall_with_pews_before_it() -> None:
+    altar = {"category": "box", "name": "High altar", "size": [1.8, 0.8, 1.0]}
+    solution = lay([altar, {"category": "pew", "count": 8}], theme="worship", sides=(9.0, 16.0))
+    [shown] = [p for p in solution.pieces if p.category == "box"]
+    pews = [p for p in solution.pieces if p.category == "pew"]
+    assert not [p for p in solution.pieces if p.category == "stage"]
+    assert shown.pose.x == pytest.approx(4.5, abs=0.01)
+    assert shown.pose.y > 13.0
+    assert len(pews) == 8
+    assert all(math.sin(p.pose.heading) > 0.99 and p.pose.y < shown.pose.y for p in pews)
+    assert not check(solution).findings
+
+
+def test_floor_left_empty_gets_islands_where_numbers_are_open() -> None:
+    demands = [{"category": "wall_shelving"}, {"category": "checkout"}]
+    for fill, least in ((None, 1), ("none", 0)):
+        room = {"theme": "generic", "sides": (14.0, 14.0)} | ({"fill": fill} if fill else {})
+        solution = lay([*demands, {"category": "gondola", "count": 2}], **room)
+        islands = [p for p in solution.pieces if p.function == "island"]
+        assert bool(islands) == bool(least)
+    assert EMPTY <= 2.5
+
+
+def test_doors_called_after_who_works_there_are_not_the_way_in() -> None:
+    doors = [
+        {"id": "workshop", "at": [10, 9], "width": 3.0, "swing": "slide"},
+        {"id": "front", "at": [3, 0], "width": 1.8, "swing": "slide"},
+    ]
+    solution = lay([{"category": "info_desk"}], theme="showroom", doors=doors)
+    [desk] = [p for p in solution.pieces if p.category == "info_desk"]
+    assert math.hypot(desk.pose.x - 3.0, desk.pose.y) < math.hypot(desk.pose.x - 10, desk.pose.y - 9)
