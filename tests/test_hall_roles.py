@@ -14,7 +14,7 @@ from scenewright.core.brief import Brief
 from scenewright.core.piece_outlines import polygons_of
 from scenewright.core.solution import Solution
 from scenewright.domains import check
-from scenewright.domains.hall.furnishing.voids import EMPTY
+from scenewright.domains.hall.furnishing.voids import EMPTY_RADIUS
 from scenewright.domains.hall.solving import solve
 
 
@@ -74,7 +74,7 @@ def test_floor_left_empty_gets_islands_where_numbers_are_open() -> None:
         solution = lay([*demands, {"category": "gondola", "count": 2}], **room)
         islands = [p for p in solution.pieces if p.function == "island"]
         assert bool(islands) == bool(least)
-    assert EMPTY <= 2.5
+    assert EMPTY_RADIUS <= 2.5
 
 
 def test_doors_called_after_who_works_there_are_not_the_way_in() -> None:
@@ -84,4 +84,6 @@ def test_doors_called_after_who_works_there_are_not_the_way_in() -> None:
     ]
     solution = lay([{"category": "info_desk"}], theme="showroom", doors=doors)
     [desk] = [p for p in solution.pieces if p.category == "info_desk"]
-    assert math.hypot(desk.pose.x - 3.0, desk.pose.y) < math.hypot(desk.pose.x - 10, desk.pose.y - 9)
+    assert math.hypot(desk.pose.x - 3.0, desk.pose.y) < math.hypot(
+        desk.pose.x - 10, desk.pose.y - 9
+    )

@@ -109,8 +109,6 @@ def test_counters_stand_at_a_wall_where_the_brief_leaves_it_open(seed: int) -> N
     counters = of(found, "counter")
     assert scenewright.check(found).valid
     assert len(counters) == 5
-    assert found.detail is not None
-    assert "wall" in {g.pattern for g in found.detail.layout.groups if g.demand == "counter"}
     assert all(0.8 < wall_gap(found, piece) < 1.2 for piece in counters)
     assert len({round(piece.pose.heading, 6) for piece in counters}) == 1
 

@@ -92,7 +92,8 @@ class VisitorPlan(NamedTuple):
     objects as high; ``roles`` (g,) of the units, as bits: 1 seen first, 2 a till, 4 the main
     exhibit, 8 tills in lanes, 16 ropes, 32 lecterns, 64 what keeps off columns, 128 lounge seats,
     256 low tables, 512 stages, 1024 tables to sit at; ``inward`` (1, 2) the unit direction in at
-    the main entrance. Empty arrays: nobody comes."""
+    the main entrance; ``served`` (d, 5) boxes of desks that do not move. Empty arrays: nobody
+    comes."""
 
     entrances: Floats = _NONE
     exits: Floats = _NONE
@@ -101,6 +102,7 @@ class VisitorPlan(NamedTuple):
     tall: Floats = _NONE
     roles: Floats = _NONE
     inward: Floats = _NONE
+    served: Floats = np.zeros((0, 5))
 
 
 class HallProblem(NamedTuple):

@@ -34,10 +34,9 @@ from scenewright.domains.hall.compose import compose
 from scenewright.domains.hall.demands.checked import ids_of
 from scenewright.domains.hall.demands.filling import fill_halls, settle_counts
 from scenewright.domains.hall.demands.holdings import HallDemand, collect_demands, restrict_patterns
-from scenewright.domains.hall.demands.open_numbers import theme_of
+from scenewright.domains.hall.demands.open_numbers import with_theme
 from scenewright.domains.hall.demands.shared import find_models, share_demands
 from scenewright.domains.hall.demands.split import find_locked, split_demands
-from scenewright.domains.hall.demands.themes import THEMES, USUAL_ROLES
 from scenewright.domains.hall.desks.staff_room import fit_with_staff
 from scenewright.domains.hall.desks.turning import turn_desks
 from scenewright.domains.hall.desks.unserved import count_unserved
@@ -332,12 +331,7 @@ def _lay(
     asked = collect_demands(brief, task.number, find_locked(hall), catalog)
     asked = restrict_patterns(asked, task.lean)
     together = preset.settings.whole or task.solver != "anneal"
-    room = brief.rooms[task.number]
-    theme = THEMES.get(theme_of(brief, room))
-    roles = () if together else theme.roles if theme else USUAL_ROLES
-    opened = any(demand.most or demand.fill for demand in room.demands)
-    if theme and not together and opened and room.fill != "none":
-        hall = hall._replace(island=theme.island)
+    hall, roles = with_theme(brief, task.number, hall, together)
     hall, asked, boarding, played = set_at_doors(hall, asked, catalog, roles)
     locked, weights, seed = find_locked(hall), preset.weights, task.seed
     wishes, carried, small = split_demands(hall, asked, catalog, together, played)

@@ -33,7 +33,14 @@ from scenewright.domains.hall.demands.programme import (
     WALLS_OF_FILL,
     shop_programme,
 )
-from scenewright.domains.hall.demands.themes import LINED, THEMES, guess_theme, read_theme
+from scenewright.domains.hall.demands.themes import (
+    LINED,
+    THEMES,
+    USUAL_ROLES,
+    Role,
+    guess_theme,
+    read_theme,
+)
 from scenewright.domains.hall.problem import Floats
 
 FEWEST_LINING = 3
@@ -60,8 +67,8 @@ def theme_of(brief: Brief, room: Room) -> str:
 
 def open_numbers(brief: Brief, room: Room, hall: HallContext) -> Room:
     """A hall whose open demands say how many there may be at ``most``, at walls, or ``fill``."""
-    theme = theme_of(brief, room)
-    if not theme or room.fill == "none":
+    theme, fill = theme_of(brief, room), room.fill
+    if not theme or fill == "none":
         return room
     room = _call_desks(room, THEMES[theme].desk)
     demands = [*room.demands, *(_missing(room, hall, theme) if room.theme else ())]
@@ -69,7 +76,7 @@ def open_numbers(brief: Brief, room: Room, hall: HallContext) -> Room:
     opened = [k for k, d in enumerate(demands) if is_open(d) and d.category in goods]
     if not opened and len(demands) == len(room.demands):
         return room
-    share = THEMES[theme].fill if room.fill is None else room.fill
+    share = THEMES[theme].fill if fill is None else fill
     at_wall = [k for k in opened if fill_defaults(demands[k], "").at_wall]
     free = [] if at_wall or theme not in LINED else opened
     lining = [d for k in free for d in _stand_at_wall(demands[k])][:1]
@@ -88,6 +95,20 @@ def open_numbers(brief: Brief, room: Room, hall: HallContext) -> Room:
         )
         demands[k] = demands[k].model_copy(update=number)
     return room.model_copy(update={"demands": demands})
+
+
+def with_theme(
+    brief: Brief, number: int, hall: HallContext, together: bool
+) -> tuple[HallContext, tuple[Role, ...]]:
+    """A hall with the island of its theme where numbers are open, and the roles of that; neither
+    where all are laid out ``together``."""
+    room = brief.rooms[number]
+    theme = THEMES.get(theme_of(brief, room))
+    if theme is None or together:
+        return hall, () if together else USUAL_ROLES
+    opened = any(demand.most or demand.fill for demand in room.demands)
+    island = theme.island if opened and room.fill != "none" else ()
+    return hall._replace(island=island), theme.roles
 
 
 def _call_desks(room: Room, name: str) -> Room:

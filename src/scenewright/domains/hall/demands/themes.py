@@ -46,7 +46,7 @@ USUAL_ROLES = (
     Role("ticket_gate", "out", "across", 3.0),
     Role("cash_machine", "in", "beside", 5.0, least=0.5),
     Role("info_desk", "in", "served", 4.0, least=2.5, faces=1.6),
-    Role("checkout", "out", "served", 3.5, least=2.0, faces=0.6),
+    Role("checkout", "out", "served", 3.5, least=2.0, faces=1.4),
     Role("counter", "in", "served", 9.0, least=2.5, faces=2.0, back=1.0),
 )
 """Where visitors ask, pay and are served: desks to ask at and to pay at are at hand beside the way
@@ -64,10 +64,7 @@ Island = tuple[tuple[str, float, float], ...]
 """Kinds of an island, how far each is ahead of its middle, in metres, and turned, in degrees."""
 _GOODS: Island = (("display_table", 0.0, 0.0),)
 _BENCHES: Island = (("bench", 0.3, 0.0), ("bench", -0.3, 180.0))
-_LOUNGE: Island = (
-    *(("coffee_table", 0.0, 90.0), ("lounge_seat", 1.0, 180.0)),
-    ("lounge_seat", -1.0, 0.0),
-)
+_LOUNGE: Island = (("lounge_seat", 0.45, 0.0), ("lounge_seat", -0.45, 180.0))
 _GREEN: Island = (("planter", 0.0, 0.0),)
 
 

@@ -3,6 +3,7 @@ middle of the widest empty circles, off the way in and the floor people queue on
 
 from __future__ import annotations
 
+from functools import partial
 from math import atan2, cos, radians, sin
 
 import numpy as np
@@ -18,11 +19,12 @@ from scenewright.domains.hall.build_problem import HallContext, taken_floor
 from scenewright.domains.hall.classes import SERVING
 from scenewright.domains.hall.measures import QUEUE, WAY_WIDTH
 from scenewright.domains.hall.problem import Floats
+from scenewright.domains.hall.visit.doors import ways_in
 
-EMPTY, GRID, MOST, LARGE = 2.4, 0.5, 16, 1000.0
+EMPTY_RADIUS, VOID_GRID, MOST_ISLANDS, LARGE_HALL = 2.4, 0.5, 16, 1000.0
 """Radius of a circle of floor that stays empty at most, metres between the points looked at, the
 most islands, and square metres of halls from which on none are set."""
-ON_WAY, ASIDE, FUNCTION = 3.0, 0.9, "island"
+ISLAND_OFF_WAY, ISLAND_ASIDE, FUNCTION = 3.0, 0.9, "island"
 """Metres of the way in that stay free, around an island at least, and its function."""
 
 
@@ -31,23 +33,28 @@ def fill_voids(
 ) -> tuple[Piece, ...]:
     """The pieces of islands in the empty circles of a hall; none where it has no theme."""
     floor = shapely.Polygon(hall.space.outline, hall.space.holes)
-    if not hall.island or floor.area >= LARGE:
+    if not hall.island or floor.area >= LARGE_HALL:
         return ()
-    axis = atan2(*np.diff(hall.space.outline[:2], axis=0)[0][::-1])
+    along = atan2(*np.diff(hall.space.outline[:2], axis=0)[0][::-1])
+    doors = {gate.opening.id: gate.face for gate in gates(hall.space)}
+    ways = [doors[door.id] for door in ways_in(hall.space)]
     found, low = list[Piece](), [p for p in standing if p.pose.z < 1.0 and not p.on]
     shapes = [floor.boundary, *polygons_of(low)]
     free = floor.difference(shapely.union_all(shapely.polygons(corners(_list_kept(hall, low)))))
     points = _list_points(floor)
-    for number in range(1, MOST + 1):
+    for number in range(1, MOST_ISLANDS + 1):
         far = shapely.STRtree(shapes).query_nearest(
             points, return_distance=True, all_matches=False
         )[1]
         island = list[Piece]()
-        for k in np.argsort(-far)[: int((far > EMPTY).sum())]:
+        for k in np.argsort(-far)[: int((far > EMPTY_RADIUS).sum())]:
             at = shapely.get_coordinates(points[k])[0]
+            axis = min((along, along + 0.5 * np.pi), key=partial(_look_to, at, ways))
             island = _make_island(hall, at, axis, number, catalog)
             around = shapely.union_all(polygons_of(island))
-            if free.covers(around) and around.buffer(ASIDE).disjoint(shapely.union_all(shapes)):
+            if free.covers(around) and around.buffer(ISLAND_ASIDE).disjoint(
+                shapely.union_all(shapes)
+            ):
                 break
             island = []
         if not island:
@@ -57,9 +64,17 @@ def fill_voids(
     return tuple(found)
 
 
+def _look_to(at: Floats, ways: list[Floats], axis: float) -> float:
+    """The cosine between an axis and the way from a point to the main entrance."""
+    off = [way - at for way in ways[:1]]
+    return sum(abs(float(x * cos(axis) + y * sin(axis))) for x, y in off)
+
+
 def _list_points(floor: shapely.Polygon) -> Floats:
     x0, y0, x1, y1 = floor.bounds
-    grid = np.meshgrid(np.arange(x0 + GRID, x1, GRID), np.arange(y0 + GRID, y1, GRID))
+    grid = np.meshgrid(
+        np.arange(x0 + VOID_GRID, x1, VOID_GRID), np.arange(y0 + VOID_GRID, y1, VOID_GRID)
+    )
     points = shapely.points(*(part.ravel() for part in grid))
     return np.asarray(points[shapely.contains(floor, points)])
 
@@ -67,7 +82,7 @@ def _list_points(floor: shapely.Polygon) -> Floats:
 def _list_kept(hall: HallContext, standing: list[Piece]) -> Floats:
     """Boxes (k, 5) of floor on which no island stands."""
     doors = [gate for gate in gates(hall.space) if gate.opening.kind != "window"]
-    ways = [before(gate, max(gate.opening.width, WAY_WIDTH), ON_WAY) for gate in doors]
+    ways = [before(gate, max(gate.opening.width, WAY_WIDTH), ISLAND_OFF_WAY) for gate in doors]
     desks = np.array([b for p in standing if p.category in SERVING for b in boxes_of(p)])
     desks = desks.reshape(-1, 5).copy()
     off = 0.5 * (desks[:, 4] + QUEUE)

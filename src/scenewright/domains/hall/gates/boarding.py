@@ -42,12 +42,12 @@ from scenewright.domains.hall.visit.visitor_plan import BELT
 BOARDING_OFF = (1.3, 1.9, 2.3)
 """Metres between gates and the exit they stand before, farther where its leaves open inwards."""
 BOARDING_LITTLE = 0.005
-LANES_OFF, ASIDES = (2.0, 2.6, 3.4), tuple(0.6 * k for k in range(-9, 10))
+LANES_OFF, LANES_ASIDE = (2.0, 2.6, 3.4), tuple(0.6 * k for k in range(-9, 10))
 """Metres between a way out and the lanes before it, and beside it, that are tried."""
 ROPE = "rope_barrier"
-STOOLS, BETWEEN = 0.9, 1.0
+STOOLS_DEEP, TILLS_APART = 0.9, 1.0
 """Metres before a counter with stools, and between tills with belts."""
-AT_WALL, ALONG_STEP = 0.02, 0.3
+BESIDE_OFF, ALONG_STEP = 0.02, 0.3
 """Metres off the wall of what stands beside a door, and between the places tried."""
 
 
@@ -80,7 +80,7 @@ def set_at_doors(
         if role is not None and _has_belts(wish):
             role = role._replace(stands="lanes")
         if role is not None and stools and wish.category == COUNTER:
-            role = role._replace(queue=STOOLS)
+            role = role._replace(queue=STOOLS_DEEP)
         near = _find_doors(hall, wish, role, boards) if role else []
         free = [door for door in near if door.opening.id not in used or wish.category != GATE]
         made = _set_one(hall, wish, role, free, catalog) if role else None
@@ -189,7 +189,7 @@ def _line_up(
     walls = [(w.x0, w.y0, w.x1, w.y1) for one in hall.walls for w in one]
     for start, along, left, length in walk_edges(np.array(walls).reshape(-1, 4)):
         for at in np.arange(0.5 * long, length - 0.5 * long + 1e-9, ALONG_STEP):
-            row = _stand_along(wish, start + at * along, left, -0.5 * long, AT_WALL)
+            row = _stand_along(wish, start + at * along, left, -0.5 * long, BESIDE_OFF)
             far = float(shapely.polygons(corners(box_round(row)[None]))[0].distance(way))
             rows += [(far, row)] if role.least <= far <= role.within else []
     yield from (row for _, row in sorted(rows, key=lambda one: one[0]))
@@ -198,10 +198,10 @@ def _line_up(
 def _line_lanes(wish: HallDemand, door: DoorApproach) -> Iterator[Floats]:
     """Boxes (n, 5) of tills side by side before a door, their lanes leading to it."""
     right, size = np.array([door.inward[1], -door.inward[0]]), wish.sizes[0]
-    pitch, turn = size.depth + BETWEEN, float(np.arctan2(right[1], right[0]))
+    pitch, turn = size.depth + TILLS_APART, float(np.arctan2(right[1], right[0]))
     at = pitch * (np.arange(len(wish.sizes)) - 0.5 * (len(wish.sizes) - 1))
     for off in LANES_OFF:
-        for aside in sorted(ASIDES, key=abs):
+        for aside in sorted(LANES_ASIDE, key=abs):
             start = door.face + (off + 0.5 * size.width) * door.inward + aside * right
             boxes = np.empty((len(at), 5))
             boxes[:, :2] = start + at[:, None] * right

@@ -21,15 +21,15 @@ from scenewright.domains.hall.furnishing.pieces import make_piece
 from scenewright.domains.hall.measures import AISLE
 from scenewright.domains.hall.problem import Floats
 
-BEHIND, BEFORE, SIDE, BACK = 1.2, 1.9, 0.75, 2.2
+ALTAR_BEHIND, ALTAR_BEFORE, NAVE_SIDE, NAVE_BACK = 1.2, 1.9, 0.75, 2.2
 """Metres behind an altar and before it, beside the pews, and behind the last of them (Neufert 2012,
 churches: 1.5 m before the altar, aisles of 0.75 and 1.2 m)."""
-PITCH, MIDDLE_SHARE = PEW_PITCH + 0.05, 0.4
+NAVE_PITCH, NAVE_MIDDLE = PEW_PITCH + 0.05, 0.4
 """Metres from pew to pew, and the share of what is left across that the middle aisle takes."""
-LECTERN, ASIDE, AHEAD = "lectern", 0.9, 0.3
+LECTERN, LECTERN_ASIDE, LECTERN_AHEAD = "lectern", 0.9, 0.3
 """What is read at, and how far beside the altar and ahead of its front it stands, in metres."""
 STAGE = "stage"
-REACH = 200.0
+BEYOND_HALL = 200.0
 """Metres beyond which no hall goes."""
 
 
@@ -47,39 +47,38 @@ class Nave(NamedTuple):
 def furnish_nave(
     hall: HallContext, asked: list[HallDemand], door: DoorApproach, catalog: Catalog
 ) -> tuple[list[HallDemand], tuple[Piece, ...]]:
-    """The demands less altar, lectern and pews, where one altar and pews leave open how they stand,
-    and the pieces of these."""
+    """The demands less altar, lectern and pews, where one altar and pews leave open how they stand
+    and all have room, and the pieces of these."""
     altars = [wish for wish in asked if is_altar(wish.category, f"{wish.id} {wish.name}")]
     pews = [wish for wish in asked if _is_nave(wish)]
     if len(altars) != 1 or len(altars[0].sizes) != 1 or not pews or altars[0].zones:
         return asked, ()
     nave, altar = _find_nave(hall, door), altars[0]
     size, stage = altar.sizes[0], altar.category == STAGE
-    behind = 0.02 if stage else BEHIND
+    behind = 0.02 if stage else ALTAR_BEHIND
     boxes = [_stand(nave, behind + 0.5 * size.depth, 0.0, size)]
     sets = [(altar, boxes, [size])]
     for wish in (w for w in asked if w.category == LECTERN and len(w.sizes) == 1 and not stage):
-        own, aside = wish.sizes[0], 0.5 * size.width + ASIDE
-        sets.append((wish, [_stand(nave, behind + size.depth + AHEAD, aside, own)], [own]))
+        own, aside = wish.sizes[0], 0.5 * size.width + LECTERN_ASIDE
+        sets.append((wish, [_stand(nave, behind + size.depth + LECTERN_AHEAD, aside, own)], [own]))
     if not all(_is_free(nave, box) for _, boxes, _ in sets for box in boxes):
         return asked, ()
-    first, rest = behind + size.depth + BEFORE, []
+    first = behind + size.depth + ALTAR_BEFORE
     for wish in pews:
         spots = [box for box in _list_pews(nave, wish.sizes[0], first) if _is_free(nave, box)]
         spots = spots[: len(wish.sizes)]
         if spots:
             sets.append((wish, spots, list(wish.sizes[: len(spots)])))
-            first += PITCH * (1 + len({round(float(nave.back @ b[:2]), 2) for b in spots}))
-        left = len(wish.sizes) - len(spots)
-        if left and not (wish.least and len(spots) >= wish.least):
-            rest.append(wish._replace(sizes=wish.sizes[len(spots) :]))
+            first += NAVE_PITCH * (1 + len({round(float(nave.back @ b[:2]), 2) for b in spots}))
+        if len(spots) < (wish.least or len(wish.sizes)):
+            return asked, ()
     done = {wish.id for wish, _, _ in sets} | {wish.id for wish in pews}
     pieces = tuple(
         make_piece(hall, wish, f"{hall.space.id}/{wish.id}", k, (_pose(box), one), catalog)
         for wish, boxes, sizes in sets
         for k, (box, one) in enumerate(zip(boxes, sizes, strict=True), 1)
     )
-    return [*(wish for wish in asked if wish.id not in done), *rest], pieces
+    return [wish for wish in asked if wish.id not in done], pieces
 
 
 def _is_nave(wish: HallDemand) -> bool:
@@ -107,7 +106,7 @@ def _find_nave(hall: HallContext, door: DoorApproach) -> Nave:
 
 def _cut(inside: shapely.Polygon, point: Floats, way: Floats) -> Floats:
     """The ends (2, 2) of the longest piece of a line through a point inside a hall."""
-    ends = np.array([point - REACH * way, point + REACH * way])
+    ends = np.array([point - BEYOND_HALL * way, point + BEYOND_HALL * way])
     parts = shapely.get_parts(shapely.intersection(shapely.LineString(ends), inside))
     return shapely.get_coordinates(max(parts, key=lambda part: part.length))[[0, -1]]
 
@@ -131,13 +130,13 @@ def _is_free(nave: Nave, box: Floats) -> bool:
 
 def _list_pews(nave: Nave, size: Size, first: float) -> Iterator[Floats]:
     """Boxes (5,) of pews from the front, two by two beside the middle aisle."""
-    for row in range(int(max(nave.length - BACK - first, 0.0) / PITCH)):
-        far = first + row * PITCH + 0.5 * size.depth
+    for row in range(int(max(nave.length - NAVE_BACK - first, 0.0) / NAVE_PITCH)):
+        far = first + row * NAVE_PITCH + 0.5 * size.depth
         at = nave.end + far * nave.back
         wide = float(np.ptp(_cut(nave.floor.envelope, at, nave.across) @ nave.across))
-        each = int((0.5 * (wide - AISLE) - SIDE) / size.width + 1e-6)
-        spare = wide - AISLE - 2.0 * (SIDE + each * size.width)
-        middle = 0.5 * (AISLE + MIDDLE_SHARE * max(spare, 0.0))
+        each = int((0.5 * (wide - AISLE) - NAVE_SIDE) / size.width + 1e-6)
+        spare = wide - AISLE - 2.0 * (NAVE_SIDE + each * size.width)
+        middle = 0.5 * (AISLE + NAVE_MIDDLE * max(spare, 0.0))
         for k in range(each):
             aside = middle + (k + 0.5) * size.width
             yield _stand(nave, far, -aside, size, turned=True)

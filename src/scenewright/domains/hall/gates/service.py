@@ -26,20 +26,20 @@ from scenewright.domains.hall.measures import WAY_WIDTH
 from scenewright.domains.hall.problem import Floats
 from scenewright.domains.hall.retouch.places import walk_edges
 
-STEP, LITTLE, RAIL = 0.3, 0.005, 0.06
+SERVICE_STEP, SERVICE_LITTLE, END_RAIL = 0.3, 0.005, 0.06
 """Metres between the places tried along a wall, by how much floor is measured less than it is, and
 how thick what shuts an end off is."""
-STAFF = 0.95
+STAFF_FLOOR = 0.95
 """Metres from the back of a desk to the wall behind it (Neufert 2012, shops: 0.75 to 0.9 m)."""
-ON_WAY = 2.5
+CLEAR_OF_WAY = 2.5
 """Metres behind a door on which no desk and no queue stands, where those who come in look round."""
 OPEN_END, PER_METRE, PER_BACK = 0.8, 0.8, 0.06
 """What an end that no wall closes costs, each metre off the wished distance, and each metre from
 the nearest door at the back."""
-FROM_DESK, LANE = 1.0, 1.2
+ROPES_OFF, ROPE_LANE = 1.0, 1.2
 """Metres from a desk to the ropes before it, and between two."""
-AWAY = -0.25
-"""The least cosine between a front and the way to the door."""
+LOOKS_AWAY, JUST_INSIDE = -0.3, 1.0
+"""The least cosine between a front and the way to who comes in, so many metres inside the door."""
 
 
 class Service(NamedTuple):
@@ -58,7 +58,7 @@ def find_service(
     """The best free place of a line of desks by its role at a door; None where there is none."""
     ranked = sorted(_list_places(hall, wish, role, door), key=lambda one: one[0])
     floor = shapely.Polygon(hall.space.outline, hall.space.holes)
-    way = before(door, max(WAY_WIDTH, door.opening.width), ON_WAY)
+    way = before(door, max(WAY_WIDTH, door.opening.width), CLEAR_OF_WAY)
     taken = shapely.polygons(corners(taken_floor(hall)))
     tree = shapely.STRtree([*taken, shapely.polygons(corners(np.array([way])))[0]])
     fits = partial(_is_free, hall, floor, tree)
@@ -82,7 +82,9 @@ def _list_places(
         spare = length - wide
         if spare < 0.0:
             continue
-        for at in np.unique([0.02, *np.arange(STEP, spare, STEP), max(spare - 0.02, 0.0)]):
+        for at in np.unique(
+            [0.02, *np.arange(SERVICE_STEP, spare, SERVICE_STEP), max(spare - 0.02, 0.0)]
+        ):
             place = _stand(wish, role, start + at * along, along, left)
             if at > spare:
                 continue
@@ -98,19 +100,21 @@ def _stand(wish: HallDemand, role: Role, start: Floats, along: Floats, left: Flo
     turn, rows, at = float(np.arctan2(left[1], left[0])), list[list[float]](), 0.0
     deep = max(size.depth for size in wish.sizes)
     for size in reversed(wish.sizes):
-        x, y = start + (at + 0.5 * size.width) * along + (STAFF + deep - 0.5 * size.depth) * left
+        x, y = (
+            start + (at + 0.5 * size.width) * along + (STAFF_FLOOR + deep - 0.5 * size.depth) * left
+        )
         rows.append([float(x), float(y), turn, size.width, size.depth])
         at += size.width
     middle = start + 0.5 * at * along
-    body = np.array([*(middle + 0.5 * (STAFF + deep) * left), turn, at, STAFF + deep])
-    ahead = STAFF + deep + 0.5 * role.queue
+    body = np.array([*(middle + 0.5 * (STAFF_FLOOR + deep) * left), turn, at, STAFF_FLOOR + deep])
+    ahead = STAFF_FLOOR + deep + 0.5 * role.queue
     queue = np.array([*(middle + ahead * left), turn, at, max(role.queue, 0.01)])
     return Service(np.array(rows[::-1]), body, queue, np.zeros((0, 5)))
 
 
 def _side(place: Service, along: Floats, left: Floats, side: int) -> Floats:
     """The middle (2,) of the open end of the floor of staff on one side."""
-    deep = place.body[4] - STAFF
+    deep = place.body[4] - STAFF_FLOOR
     middle: Floats = place.body[:2] - 0.5 * deep * left + side * 0.5 * place.body[3] * along
     return middle
 
@@ -128,7 +132,12 @@ def _list_ends(place: Service, along: Floats, left: Floats, shut: list[bool]) ->
     """Boxes (k, 5) that close the ends no wall does, the one farther from the door last."""
     turn = float(np.arctan2(along[1], along[0]))
     found = [
-        [*(_side(place, along, left, side) - side * 0.5 * RAIL * along), turn, STAFF - 0.02, RAIL]
+        [
+            *(_side(place, along, left, side) - side * 0.5 * END_RAIL * along),
+            turn,
+            STAFF_FLOOR - 0.02,
+            END_RAIL,
+        ]
         for side, closed in zip((-1, 1), shut, strict=True)
         if not closed
     ]
@@ -139,9 +148,12 @@ def _weigh(row: Floats, role: Role, door: DoorApproach, backs: list[Floats]) -> 
     """What a place of desks (n, 5) costs by its distance from the door, where it looks, and how far
     the door at the back is; infinite where it turns its back to who comes in."""
     middle, turn = row[:, :2].mean(0), float(row[0, 2])
-    far, way = float(np.hypot(*(door.face - middle))), door.face + ON_WAY * door.inward - middle
+    far, way = (
+        float(np.hypot(*(door.face - middle))),
+        door.face + JUST_INSIDE * door.inward - middle,
+    )
     facing = float(way @ (cos(turn), sin(turn))) / max(float(np.hypot(*way)), 1e-9)
-    if facing < AWAY:
+    if facing < LOOKS_AWAY:
         return float("inf")
     off = max(far - role.within, 0.0) + max(role.least - far, 0.0)
     back = min((float(np.hypot(*(at - middle))) for at in backs), default=0.0)
@@ -160,7 +172,7 @@ def _is_free(
         aside[:2] += np.sign(way @ along) * 0.5 * hall.route * along
         aside[4] = hall.route
         boxes.append(aside)
-    needed = np.array(boxes) - np.array([0.0, 0.0, 0.0, 2.0 * LITTLE, 2.0 * LITTLE])
+    needed = np.array(boxes) - np.array([0.0, 0.0, 0.0, 2.0 * SERVICE_LITTLE, 2.0 * SERVICE_LITTLE])
     shapes = shapely.polygons(corners(needed))
     return bool(floor.covers(shapely.union_all(shapes))) and not len(
         taken.query(shapes, "intersects")[0]
@@ -172,10 +184,10 @@ def place_ropes(hall: HallContext, line: Service, wish: HallDemand) -> Floats | 
     a step before it; None where they would bar something."""
     turn, wide = float(line.body[2]), max(size.width for size in wish.sizes)
     left, along = np.array([cos(turn), sin(turn)]), np.array([sin(turn), -cos(turn)])
-    start = line.body[:2] + (0.5 * line.body[4] + FROM_DESK) * left
+    start = line.body[:2] + (0.5 * line.body[4] + ROPES_OFF) * left
     rows = [
         [
-            *(start + (k // 2 + 0.5) * wide * left + (0.5 - k % 2) * LANE * along),
+            *(start + (k // 2 + 0.5) * wide * left + (0.5 - k % 2) * ROPE_LANE * along),
             *(turn + 0.5 * np.pi, size.width, size.depth),
         ]
         for k, size in enumerate(wish.sizes)

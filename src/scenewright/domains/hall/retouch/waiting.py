@@ -56,7 +56,8 @@ def _find_waiting(problem: HallProblem, kept: Kept) -> list[int]:
 
 
 def _find_desks(problem: HallProblem, boxes: Floats) -> Floats:
-    """Boxes (d, 5) round the desks of each group of those that are served from behind."""
+    """Boxes (d, 5) round the desks of each group of those that are served from behind, and of those
+    set at doors."""
     spans, access = problem.units.spans, problem.units.access
     roles = problem.visitors.roles.astype(int)
     served = (roles & (FIRST | TILL) > 0) & (roles & MACHINE == 0)
@@ -65,7 +66,7 @@ def _find_desks(problem: HallProblem, boxes: Floats) -> Floats:
         for span, mine in zip(spans, served, strict=False)
         if mine and not access[span[0], BACK]
     ]
-    return np.array(found).reshape(-1, 5)
+    return np.concatenate([np.array(found).reshape(-1, 5), problem.visitors.served])
 
 
 def _measure(desks: Floats, seats: Floats) -> float:

@@ -13,6 +13,7 @@ from scenewright.domains.hall.classes import (
     LOUNGE_SEATS,
     MAIN_EXHIBITS,
     ON_SHOW,
+    SERVING,
     SITTING_TABLES,
     TABLE_CHAIRS,
 )
@@ -82,6 +83,9 @@ def plan_visitors(
         tall=np.array([float(size.height > EYES) for size in sizes]),
         roles=_roles(wishes, units),
         inward=_inward(space),
+        served=np.array(
+            [box for piece in fixed if piece.category in SERVING for box in boxes_of(piece)]
+        ).reshape(-1, 5),
     )
 
 
