@@ -20,6 +20,7 @@ from scenewright.render.observations.world import VisibleWorld, build_world
 from scenewright.render.photo.denoising import smooth_film
 from scenewright.render.photo.developing import develop
 from scenewright.render.photo.following import Exposure, expose
+from scenewright.render.photo.panes import pass_panes
 from scenewright.render.photo.photograph import views_of
 from scenewright.render.photo.sources import Sources, find_sources
 from scenewright.render.photo.standpoints import EYE, frame_of, stand_in_rooms
@@ -125,6 +126,27 @@ def test_a_window_lights_the_floor_as_its_integral_says(floor_world: VisibleWorl
     falling = float((z * 3.0 / square**2).sum() * 1e-4)
     expected = ALBEDO / np.pi * 0.8 * 2.0 * falling
     assert _light_below(floor_world, sources, 256) == pytest.approx(expected, rel=0.03)
+
+
+def test_a_pane_mirrors_by_fresnel_and_tints_the_rest(floor_world: VisibleWorld) -> None:
+    pane = np.array([[[-9, -9, 1], [9, -9, 1], [0, 15, 1]]], np.float32)
+    tints = np.array([[0.5, 0.5, 0.5, 0.4]], np.float32)
+    stage = floor_world.stage._replace(glass=pane, tints=tints)
+    world = floor_world._replace(stage=stage, casters=build_casters(stage))
+    count = 4000
+    starts = np.tile(np.array([0, 0, 2], np.float32), (count, 1))
+    ways = np.tile(np.array([0, 0, -1], np.float32), (count, 1))
+    through = np.ones((count, 3), np.float32)
+    pass_panes(world, 0, 0, starts, ways, through)
+    mirrored = ways[:, 2] > 0
+    assert mirrored.mean() == pytest.approx(0.08, abs=0.015)
+    assert (starts[mirrored, 2] > 1).all()
+    assert np.allclose(through[~mirrored], 1 - 0.4 * 0.5)
+    assert (through[mirrored] == 1).all()
+    below = np.tile(np.array([0, 0, -5], np.float32), (count, 1))
+    ways[:] = (0, 0, -1)
+    pass_panes(world, 0, 0, below, ways, through)
+    assert (ways[:, 2] == -1).all(), "nothing is beyond the floor"
 
 
 def test_twice_the_light_is_twice_the_film(floor_world: VisibleWorld) -> None:

@@ -125,7 +125,7 @@ def _follow(lit: LitWorld, camera: PhotoFrame, pixels: Ints, sample: int, film: 
     )
     rows = np.arange(count, dtype=np.int32)
     through = np.ones((count, 3), np.float32)
-    pass_panes(lit.world, (sample, int(pixels[0])), starts, ways, through)
+    pass_panes(lit.world, int(pixels[0]), sample, starts, ways, through)
     paths = Paths(pixels, rows, starts, ways, through, np.ones(count, np.bool_))
     step = float(camera.frame[2])
     for bounce in range(BOUNCES + 1):
