@@ -39,6 +39,10 @@ SURFACES: dict[str, Material] = {
     "carpet_grey": Material("carpet, grey", (0.49, 0.50, 0.52), roughness=1.0),
     "carpet_sand": Material("carpet, sand", (0.64, 0.59, 0.53), roughness=1.0),
     "carpet_sage": Material("carpet, sage", (0.50, 0.53, 0.48), roughness=1.0),
+    "plinth": Material("plinth", (0.62, 0.60, 0.56), roughness=0.95),
+    "water": Material("water", (0.30, 0.42, 0.47), roughness=0.15),
+    "around": Material("meadow", (0.47, 0.54, 0.36), roughness=1.0),
+    "earth": Material("earth", (0.50, 0.43, 0.35), roughness=1.0),
     "marking": Material("road marking", (0.93, 0.93, 0.91), roughness=0.9),
 }
 """Finishes of the ground and of floors of halls, by kind."""

@@ -48,6 +48,9 @@ KINDS = (
     "open_court",
     "changed_landmark",
     "too_high",
+    "door_off_ground",
+    "steep_way",
+    "in_water",
 )
 
 

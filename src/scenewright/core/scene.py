@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from scenewright.core.footprint import Footprint
+from scenewright.core.heights import HeightGrid
 from scenewright.core.space import Level, Opening, Points, Space
 from scenewright.core.stairs import Stairs
 from scenewright.core.views import describe, show
@@ -99,12 +100,25 @@ class GroundSurface(NamedTuple):
     top: float
 
 
+class Terrain(NamedTuple):
+    """The ground of a scene that is not flat: its heights as ``natural`` and as ``finished`` for
+    what stands on it, and with ways led over water (``deck``); ``plinths`` are prisms between the
+    ground and floors, with steps at doors; ``waters`` the outlines of water and its levels."""
+
+    natural: HeightGrid
+    finished: HeightGrid
+    deck: HeightGrid
+    plinths: tuple[Prism, ...] = ()
+    waters: tuple[tuple[Points, float], ...] = ()
+
+
 @dataclass(frozen=True, slots=True, repr=False)
 class Scene:
     """Everything that is drawn: the shell (levels, spaces, walls, openings), what lies on open
     ground, the pieces, and the stairs; ``palette`` names the colours it is drawn in (empty: those
     of the models), ``hour`` the time of day it is lit for (empty: none); ``sources`` the author and
-    licence of data that the layout was learned from, and what was learned."""
+    licence of data that the layout was learned from, and what was learned; ``terrain`` the heights
+    of its ground, on which surfaces lie and pieces stand (none: it is flat)."""
 
     name: str
     levels: tuple[Level, ...]
@@ -117,6 +131,7 @@ class Scene:
     palette: str = ""
     hour: str = ""
     sources: tuple[tuple[str, str, str], ...] = ()
+    terrain: Terrain | None = None
 
     def __repr__(self) -> str:
         """One line: the name, and how much there is."""

@@ -34,6 +34,7 @@ from scenewright.core.solution import Solution
 from scenewright.core.space import Space
 from scenewright.domains.contract import Domain
 from scenewright.domains.explaining import advise, explain_solution
+from scenewright.domains.terrain import check_terrain, judge_ground, lay_on_terrain
 from scenewright.engine.preference.features import composition_features
 
 if TYPE_CHECKING:
@@ -68,7 +69,6 @@ __all__ = [
     "trace_passes",
 ]
 
-
 CHANCES = 64
 """Seeds that layouts of a domain without genes are made of."""
 
@@ -87,6 +87,7 @@ def plan_of(brief: Brief) -> Plan:
     the brief, for anything that cannot be built."""
     check_domain(brief)
     plan: Plan = domain_of(brief.domain).verb("plan")(brief)
+    check_terrain(brief, plan)
     return plan
 
 
@@ -200,7 +201,7 @@ def check(
     made = made if spaces is None else made._replace(spaces=spaces)
     quick = not figures and domain.has("findings")
     judge = domain.verb("findings") if quick else domain.verb("check")
-    report: Report = judge(judged, made, kinds)
+    report: Report = judge_ground(judged, made, judge(judged, made, kinds))
     judged_by = restored.locked, solution.pieces
     found = mark_locked((*restored.findings, *report.findings), *judged_by)
     placed = locate_findings(found, judged.pieces, made.spaces)
@@ -224,7 +225,8 @@ def explain(solution: Solution, *, plan: Plan | None = None) -> Explanation:
 def scene_of(solution: Solution, plan: Plan | None = None) -> Scene:
     """The scene of a solution: its surroundings, its pieces, and the small objects on them."""
     made = plan or plan_of(solution.brief)
-    scene: Scene = domain_of(solution.brief.domain).verb("scene")(solution, made)
+    flat: Scene = domain_of(solution.brief.domain).verb("scene")(solution, made)
+    scene = lay_on_terrain(flat, solution, made)
     if solution.clutter == "none":
         return scene
     from scenewright.clutter import with_clutter
@@ -384,8 +386,7 @@ def trace_passes(solution: Solution, plan: Plan) -> PassTrace:
 def reasons_of(domain: str) -> Mapping[str, Mapping[str, float]]:
     """Reasons a person may give for a domain's scenes, by their words: features and the sign in
     which they should change."""
-    table: Mapping[str, Mapping[str, float]] = domain_of(domain).table("reasons")
-    return table
+    return dict(domain_of(domain).table("reasons"))
 
 
 def presets(domain: str) -> Mapping[str, Any]:

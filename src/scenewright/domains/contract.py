@@ -69,6 +69,7 @@ Verb = Literal[
     "passes",
     "generate",
     "plots",
+    "ways",
 ]
 """What can be asked of a domain. :data:`NEEDED` are those without which nothing can be arranged; of
 the others ``given`` (what a brief says stands, as pieces), ``validate``, ``refuse_style`` (a style
@@ -76,7 +77,8 @@ named on the command line that it does not know), ``alternatives``, ``compare``,
 ``schemes`` (figures by space, of a solution and its plan), ``locked``,
 ``groups``, ``styles`` (rows to list), ``editing`` (its
 :class:`~scenewright.arranging.hand_rules.HandRules`, of a solution and its plan), ``plots`` (the
-ground of each building, of a solution and its plan), ``floors`` (the least the energy of each space
+ground of each building, of a solution and its plan), ``ways`` (middle lines of streets, of
+both), ``floors`` (the least the energy of each space
 could be), ``drawn_scale`` (how much too small or too large the plan is drawn, of a brief and its
 spaces), ``programme`` (what was decided for the whole, in words), ``ledger`` (what is owed to those
 who use it, and what of it stands), ``faults`` (remarks on broken rows), ``appearance`` (its style,

@@ -11,6 +11,7 @@ from scenewright.core.plan import Plan
 from scenewright.core.registry import domain_of
 from scenewright.core.solution import Solution, TermValue
 from scenewright.domains.contract import Domain
+from scenewright.domains.terrain import describe_ground
 
 
 def explain_solution(solution: Solution, plan: Plan) -> Explanation:
@@ -19,7 +20,7 @@ def explain_solution(solution: Solution, plan: Plan) -> Explanation:
     told = domain.verb("programme") if domain.has("programme") else _count_pieces
     return Explanation(
         solution.brief.name,
-        str(told(solution, plan)),
+        str(told(solution, plan)) + describe_ground(solution, plan),
         advise(solution, plan.names),
         _list_remarks(solution, plan, domain),
         domain.verb("ledger")(solution, plan) if domain.has("ledger") else (),

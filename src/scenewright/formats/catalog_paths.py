@@ -13,13 +13,15 @@ Json = dict[str, Any]
 
 NAMED = ("catalogs", "groups", "sources")
 """Fields of a brief that hold paths."""
+HEIGHTS = ("contours", "raster")
+"""Fields of its terrain that do."""
 STYLE = ".npz"
 """How the style or networks of a brief end where they are a file that was learned."""
 
 
 def resolve_paths(document: Json, folder: Path) -> Json:
-    """A brief or solution whose ``catalogs``, ``groups``, ``source_file``, and ``style`` and
-    ``nets`` where they are files, are absolute; what is no text stays.
+    """A brief or solution whose ``catalogs``, ``groups``, ``source_file``, ``terrain``, and
+    ``style`` and ``nets`` where they are files, are absolute; what is no text stays.
 
     A plain name that is no file in ``folder`` stays a name: it may be registered.
     """
@@ -33,6 +35,11 @@ def resolve_paths(document: Json, folder: Path) -> Json:
     if isinstance(source, dict) and isinstance(source.get("file"), str):
         named = source | {"file": absolute(source["file"], folder)}
         document = document | {"source_file": named}
+    terrain = document.get("terrain")
+    if isinstance(terrain, dict):
+        files = {k: terrain[k] for k in HEIGHTS if isinstance(terrain.get(k), str)}
+        stated = {k: absolute(file, folder) for k, file in files.items()}
+        document = document | {"terrain": terrain | stated}
     listed = {key: document[key] for key in NAMED if isinstance(document.get(key), list)}
     return document | {
         key: [_resolve_entry(entry, folder) for entry in entries] for key, entries in listed.items()

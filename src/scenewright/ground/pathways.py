@@ -56,6 +56,7 @@ def lay_pathways(
     stand in the way. With ``free`` (n,), boxes that may be turned round, fronts turn to the
     ways beside them, and lanes lead before those that look at none."""
     marks = [np.asarray(row.footprint, float) for row in plan.landmarks]
+    marks += plan.waters
     lots = [np.array(area.outline) for area in plan.areas if area.kind == "parking"]
     solids = [*(np.asarray(ring, float) for ring in footprints), *marks, *lots]
     built = np.array([shapely.Polygon(ring) for ring in solids], object)

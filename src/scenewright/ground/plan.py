@@ -60,7 +60,8 @@ class SitePlan(NamedTuple):
     ``models`` are the assets that draw the buildings asked for, a row each;
     ``fixed`` are buildings of those that stay where they stand, ``free`` what is left of the
     blocks at a distance of ``spacing`` from them. ``areas`` and ``drives`` are the ground set apart
-    for squares, forecourts and parking, and the drives of the latter."""
+    for squares, forecourts and parking, and the drives of the latter; ``waters`` rivers and lakes.
+    """
 
     id: str
     name: str
@@ -77,6 +78,7 @@ class SitePlan(NamedTuple):
     free: tuple[Block, ...] = ()
     areas: tuple[PavedArea, ...] = ()
     drives: tuple[Pathway, ...] = ()
+    waters: tuple[Points, ...] = ()
 
 
 class Standing(NamedTuple):

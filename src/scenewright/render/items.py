@@ -6,7 +6,6 @@ Walls, floors and openings get their triangles here; pieces get theirs from the 
 from __future__ import annotations
 
 from collections.abc import Hashable, Iterator, Sequence
-from functools import lru_cache
 from math import inf
 from typing import Literal, NamedTuple
 
@@ -15,29 +14,20 @@ import shapely
 
 from scenewright.building import joinery
 from scenewright.building.door_uses import DoorUse, classify_doors
-from scenewright.building.finishes import (
-    CONCRETE,
-    LID,
-    PLASTER,
-    SECTION,
-    SURFACES,
-    UNKNOWN,
-    floor_of,
-)
+from scenewright.building.finishes import CONCRETE, LID, PLASTER, SECTION, SURFACES, floor_of
 from scenewright.building.gables import cut_off, height_at
 from scenewright.building.masonry import polygons
 from scenewright.building.palettes import paint
 from scenewright.building.shafts import is_shaft
 from scenewright.building.stair_parts import flight_parts, railing_parts, wells
-from scenewright.catalog.assets.extruded import extrude_model
 from scenewright.catalog.assets.tints import apply_tint, tint_of
 from scenewright.core.catalog import Asset, Catalog, Part, asset_of, footprint_of
-from scenewright.core.footprint import Footprint
-from scenewright.core.scene import STAIRS, GroundSurface, Piece, Prism, Scene, Size, Wall
+from scenewright.core.scene import STAIRS, GroundSurface, Piece, Prism, Scene, Size, Terrain, Wall
 from scenewright.core.space import Level, Opening, Space
 from scenewright.geometry.mesh import Floats, Mesh, merge
-from scenewright.geometry.prisms import box, face_normals, prism, sheet
+from scenewright.geometry.prisms import prism, sheet
 from scenewright.render.cut_part import cut_part, leave_out_hanging
+from scenewright.render.draping import drape_floor, drape_surface, lay_terrain
 from scenewright.render.hiding import find_hanging_over, find_hiding, make_clear
 from scenewright.render.lighter import lighten
 from scenewright.render.near_walls import (
@@ -50,6 +40,7 @@ from scenewright.render.near_walls import (
     find_near_walls,
     split_prism,
 )
+from scenewright.render.piece_meshes import mesh_asset, mesh_outline
 
 Direction = tuple[float, float, float]
 BuiltKind = Literal["slab", "space", "ceiling", "skirting", "light row", "sign", "surface", "wall"]
@@ -105,16 +96,16 @@ def things(
         near = NearWalls()
         if cut is not None and towards is not None:
             near = find_near_walls(scene, level.id, towards)
-        found += _slab(scene, level)
+        found += _terrain(scene, level) if scene.terrain else _slab(scene, level)
         well = wells(scene.stairs, level.id)
         rooms = (
-            _floor(space, well, _lid_of(space, near, cut), space.id in slept_in)
+            _floor(space, well, _lid_of(space, near, cut), space.id in slept_in, scene.terrain)
             for space in scene.spaces
             if space.level == level.id
         )
         found += [floor for floor in rooms if floor.parts]
         found += [
-            _surface(s, level.id)
+            _surface(s, level.id, scene.terrain)
             for s in scene.surfaces
             if level_of.get(s.space, first) == level.id
         ]
@@ -220,11 +211,15 @@ def _is_bed(piece: Piece, catalog: Catalog) -> bool:
     return kind is not None and "bed" in kind.essential
 
 
-def _floor(space: Space, well: shapely.Geometry, lid: float, slept_in: bool) -> RenderItem:
+def _floor(
+    space: Space, well: shapely.Geometry, lid: float, slept_in: bool, terrain: Terrain | None
+) -> RenderItem:
     """The floor finish of a room; of a shaft that is closed, what fills it up to its ``lid``."""
     whole = shapely.Polygon(space.outline, space.holes)
     area, meshes = whole.area, [prism(space.outline, -SKIN, lid, space.holes)]
-    if whole.intersects(well):
+    if terrain:
+        meshes = [drape_floor(whole, terrain)]
+    elif whole.intersects(well):
         meshes = [extrude_polygon(part, -SKIN, 0.0) for part in polygons(whole.difference(well))]
     extras: dict[str, str | float] = {
         "function": ", ".join(space.functions),
@@ -239,9 +234,19 @@ def _floor(space: Space, well: shapely.Geometry, lid: float, slept_in: bool) -> 
     )
 
 
-def _surface(surface: GroundSurface, level: str) -> RenderItem:
+def _terrain(scene: Scene, level: Level) -> Iterator[RenderItem]:
+    """Ground beyond the spaces, water and plinths of ground that is not flat."""
+    for name, part in lay_terrain(scene):
+        facts: dict[str, str | float] = {"category": "surface", "function": name}
+        yield RenderItem(name, "surface", level.id, "", name, (part,), (0, 0, 0), 0.0, facts)
+
+
+def _surface(surface: GroundSurface, level: str, terrain: Terrain | None) -> RenderItem:
     """The surfaces of the ground, one mesh a kind."""
-    meshes = [prism(outline, surface.base, surface.top, holes) for outline, holes in surface.areas]
+    rows = surface.areas
+    meshes = [prism(outline, surface.base, surface.top, holes) for outline, holes in rows]
+    if terrain:
+        meshes = [drape_surface(surface, terrain)]
     part = Part(SURFACES[surface.kind], *merge(meshes))
     extras: dict[str, str | float] = {"category": "surface", "function": surface.kind}
     key, at = ("surface", surface.id), (0, 0, 0)
@@ -313,10 +318,10 @@ def _piece(piece: Piece, level: str, catalog: Catalog, cut: float | None) -> Ren
     size = Size(*(round(length, 4) for length in piece.size))
     key: Hashable = (asset.id if asset else piece.category, size)
     x, y, z, heading = piece.pose
-    parts = _mesh_asset(asset, size)
+    parts = mesh_asset(asset, size)
     if piece.footprint != footprint_of(asset, size):
         key = (key, piece.footprint)
-        parts = _mesh_outline(piece, size, asset, parts)
+        parts = mesh_outline(piece, size, asset, parts)
     if piece.category == "building" and piece.function != "landmark":
         tint = tint_of(piece.id, parts)
         key, parts = (key, tint), apply_tint(parts, tint)
@@ -353,35 +358,6 @@ def _facts(piece: Piece, asset: Asset | None) -> dict[str, str | float]:
         "on": piece.on or "",
     }
     return {name: fact for name, fact in values.items() if fact != ""}
-
-
-@lru_cache(maxsize=4096)
-def _shape_asset(asset: Asset, size: Size) -> tuple[Part, ...]:
-    return tuple(p for p in asset.mesh(size) if face_normals(p.vertices, p.faces).any())
-
-
-@lru_cache(maxsize=4096)
-def _shape_outline(asset: Asset, size: Size, footprint: Footprint) -> tuple[Part, ...]:
-    found = asset.over(size, footprint) if asset.over else ()
-    return tuple(p for p in found if face_normals(p.vertices, p.faces).any())
-
-
-def _mesh_asset(asset: Asset | None, size: Size) -> tuple[Part, ...]:
-    if asset is not None:
-        return _shape_asset(asset, size)
-    width, depth, height = size
-    return (Part(UNKNOWN, *box((-width / 2, -depth / 2, 0), (width / 2, depth / 2, height))),)
-
-
-def _mesh_outline(
-    piece: Piece, size: Size, asset: Asset | None, parts: tuple[Part, ...]
-) -> tuple[Part, ...]:
-    """The mesh of a piece over a footprint that is not its model's."""
-    if asset is not None and (found := _shape_outline(asset, size, piece.footprint)):
-        return found
-    w, d = size.width / 2, size.depth / 2
-    outline = piece.footprint or ((-w, -d), (w, -d), (w, d), (-w, d))
-    return extrude_model(outline, size, parts, piece.category == "building")
 
 
 def _make_names_unique(found: Sequence[RenderItem]) -> Iterator[RenderItem]:

@@ -35,7 +35,8 @@ def render_street(
     with their ways."""
     blocks = blocks_of(scene, catalog)
     bounds = np.vstack([block.vertices for block in blocks])
-    spot = standpoint(plans, scene.pieces, blocks, catalog)
+    ground = scene.terrain.deck if scene.terrain else None
+    spot = standpoint(plans, scene.pieces, blocks, catalog, ground)
     stage = stage_of(blocks, bounds, MEADOW, SHADOW)._replace(reach=REACH, air=AIR)
     height = round(TALL * width)
     whole = round(2 * HORIZON * height)

@@ -15,6 +15,7 @@ import shapely
 from numpy.typing import NDArray
 
 from scenewright.core.catalog import Catalog
+from scenewright.core.heights import HeightGrid, heights_at
 from scenewright.core.layout import corners
 from scenewright.core.scene import Piece
 from scenewright.geometry import rays
@@ -69,8 +70,10 @@ def standpoint(
     pieces: Sequence[Piece],
     blocks: Sequence[PartTriangles],
     catalog: Catalog,
+    ground: HeightGrid | None = None,
 ) -> Standpoint:
-    """The best place for a picture of a scene, and where to look."""
+    """The best place for a picture of a scene, and where to look; ``ground`` are the heights of
+    its ground (none: 0)."""
     buildings = [piece for piece in pieces if piece.category == "building"]
     eyes = _eyes(plans, pieces)
     found = best_spots(_measure_sights(buildings, eyes, catalog), ANGLE)[:TRIED]
@@ -82,7 +85,13 @@ def standpoint(
         ahead = along[np.argmin(np.hypot(*(along[:, :2] - eye[:2]).T)), 2:]
         tried += [Standpoint(eye, ahead), Standpoint(eye, -ahead)]
     stands = _stands(pieces, blocks)
+    tried = [_raise(spot, ground) for spot in tried] if ground else tried
     return max(tried, key=lambda spot: _worth(stands, spot))
+
+
+def _raise(spot: Standpoint, ground: HeightGrid) -> Standpoint:
+    high = float(heights_at(ground, spot.eye[None, :2])[0])
+    return spot._replace(eye=spot.eye + np.array([0.0, 0.0, high]))
 
 
 def _stands(pieces: Sequence[Piece], blocks: Sequence[PartTriangles]) -> Stands:

@@ -26,6 +26,7 @@ DOMAIN = Domain(
         "solution": ".solution:solution_of",
         "given": ".given:given_pieces",
         "check": ".check.judge:check",
+        "ways": ".streets:list_ways",
         "scene": ".furnish:scene_of_extension",
         "draw": ".drawing.plan:draw",
         "describe": ".reasons:describe_extension",

@@ -25,6 +25,7 @@ from scenewright.core.brief.fields import (
     Whole,
     is_left_out,
 )
+from scenewright.core.brief.terrain import TerrainBrief
 
 Span = Annotated[Number, Field(gt=0, le=BUILDING)]
 
@@ -124,3 +125,4 @@ class ExtendPart(StrictModel):
         default=[], validate_default=True
     )
     origin: tuple[Coordinate, Coordinate] | None = None
+    terrain: Annotated[TerrainBrief | None, Field(exclude_if=is_left_out)] = None

@@ -13,6 +13,7 @@ import shapely
 
 from scenewright.building.outlines import rings
 from scenewright.core.brief import Brief
+from scenewright.core.brief.terrain import BANK, list_waters
 from scenewright.core.errors import InputError
 from scenewright.core.footprint import place_outline, read_footprint
 from scenewright.core.layout import corners
@@ -65,8 +66,9 @@ def plan_extend(brief: Brief) -> Plan:
     _check_storeys(part.areas, max(kind.size[2] for kind in pattern.kinds))
     old = [scene for scene, there in zip(sources, stands, strict=True) if there]
     names = assign_ids(part.areas, "area", "areas")
+    waters = shapes.kept_free(map(shapely.Polygon, list_waters(part.terrain)), BANK)
     areas = tuple(
-        _area(row, name, floor, old, f"areas[{number}]")
+        _area(row, name, floor, old, waters, f"areas[{number}]")
         for number, (row, name, floor) in enumerate(zip(part.areas, names, outlines, strict=True))
     )
     notes = tuple(f"{s.name or 'source'}: {line}" for s in sources for line in s.left_out)
@@ -154,7 +156,12 @@ def _stands(row: SourceScene, scene: BuiltScene, outlines: Sequence[shapely.Poly
 
 
 def _area(
-    row: GrowthArea, name: str, outline: shapely.Polygon, old: Sequence[BuiltScene], place: str
+    row: GrowthArea,
+    name: str,
+    outline: shapely.Polygon,
+    old: Sequence[BuiltScene],
+    waters: shapely.Geometry,
+    place: str,
 ) -> AreaPlan:
     drawn = tuple(_road(one, f"{place} roads") for one in row.roads)
     _check_rows(row, place)
@@ -168,7 +175,7 @@ def _area(
         shapely.buffer(shapely.LineString(road.line), road.width / 2, cap_style="flat")
         for road in (*theirs, *roads)
     ]
-    rest = shapes.less([outline], [*taken, *shapely.buffer(built, 0.01)])
+    rest = shapes.less([outline], [*taken, *shapely.buffer(built, 0.01), *shapes.polygons(waters)])
     if not rest:
         raise InputError(
             "nothing of it is free to build on", "move its outline off the source", place=place

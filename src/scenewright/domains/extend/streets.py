@@ -7,6 +7,8 @@ from collections.abc import Sequence
 import numpy as np
 import shapely
 
+from scenewright.core.plan import Plan
+from scenewright.core.solution import Solution
 from scenewright.core.space import Points
 from scenewright.ground.built import BuiltRoad
 
@@ -70,3 +72,10 @@ def _run_on(end: Points, inner: Points, outline: shapely.Polygon) -> shapely.Lin
     points = shapely.get_coordinates(first)
     away = np.hypot(*(points - end).T)
     return shapely.LineString([end, points[int(np.argmax(away))]])
+
+
+def list_ways(solution: Solution, plan: Plan) -> list[BuiltRoad]:
+    """The middle lines of all streets of an extension, old and new."""
+    del solution
+    ways = plan.detail.ground.roads
+    return [BuiltRoad(way.line, way.width, way.kind, way.name) for way in ways]

@@ -24,6 +24,7 @@ DOMAIN = Domain(
         "solution": ".solution:solution_of",
         "given": ".given:given_pieces",
         "check": ".check.judge:check",
+        "ways": ".works:list_ways",
         "scene": ".furnish:scene_of_sites",
         "draw": ".drawing.plan:draw",
         "alternatives": ".alternatives:alternatives",

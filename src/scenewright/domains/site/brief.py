@@ -28,6 +28,7 @@ from scenewright.core.brief.fields import (
     Whole,
     is_left_out,
 )
+from scenewright.core.brief.terrain import TerrainBrief
 
 Place = Annotated[Number, Field(ge=-1e9, le=1e9)]
 Metres = Annotated[Number, Field(gt=0, le=BUILDING)]
@@ -228,11 +229,12 @@ class Site(StrictModel):
 
 
 class SitePart(StrictModel):
-    """The keys only briefs of sites have."""
+    """The keys only briefs of sites have, and their ``terrain``."""
 
     sites: Annotated[list[Site], Field(min_length=1, max_length=100)] = Field(
         default=[], validate_default=True
     )
+    terrain: Annotated[TerrainBrief | None, Field(exclude_if=is_left_out)] = None
 
 
 def rows_of(site: Site) -> list[Building | LibraryModel]:

@@ -14,6 +14,7 @@ import shapely
 from scenewright.building.outlines import rings
 from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief
+from scenewright.core.brief.terrain import BANK, list_waters
 from scenewright.core.catalog import Catalog
 from scenewright.core.errors import InputError
 from scenewright.core.plan import Plan
@@ -47,18 +48,22 @@ def plan_sites(brief: Brief) -> Plan:
 
 def plans_of(brief: Brief) -> tuple[SitePlan, ...]:
     """The plans of the sites of a brief, with the models it names."""
-    return site_plans(brief.part.sites, catalog_of(brief.catalogs))
+    waters = list_waters(brief.part.terrain)
+    return site_plans(brief.part.sites, catalog_of(brief.catalogs), waters)
 
 
-def site_plans(sites: Sequence[Site], catalog: Catalog | None = None) -> tuple[SitePlan, ...]:
-    """The plans of some sites; ``catalog`` holds the models of landmarks (else shipped ones).
+def site_plans(
+    sites: Sequence[Site], catalog: Catalog | None = None, waters: Sequence[Points] = ()
+) -> tuple[SitePlan, ...]:
+    """The plans of some sites; ``catalog`` holds the models of landmarks (else shipped ones),
+    ``waters`` are rivers and lakes.
 
     Raises InputError, with the place in the brief, for anything that cannot be built on.
     """
     models = catalog_of(()) if catalog is None else catalog
     ids = assign_ids(sites, "site", "sites")
     return tuple(
-        _plan(site, ids[number], f"sites[{number}] '{site.name or ids[number]}'", models)
+        _plan(site, ids[number], f"sites[{number}] '{site.name or ids[number]}'", models, waters)
         for number, site in enumerate(sites)
     )
 
@@ -74,7 +79,9 @@ def site_plan(site: Site, catalog: Catalog | None = None) -> SitePlan:
     return site_plans([site], catalog)[0]
 
 
-def _plan(site: Site, name: str, place: str, catalog: Catalog) -> SitePlan:
+def _plan(
+    site: Site, name: str, place: str, catalog: Catalog, waters: Sequence[Points]
+) -> SitePlan:
     try:
         floor = shapes.ground(site.outline, site.holes)
         built = shapes.inset(floor, site.setback)
@@ -98,6 +105,8 @@ def _plan(site: Site, name: str, place: str, catalog: Catalog) -> SitePlan:
         ),
         shapes.kept_free([shapely.Polygon(row.footprint) for row in landmarks], site.spacing),
     ]
+    if waters:
+        taken.append(shapes.kept_free(map(shapely.Polygon, waters), BANK))
     blocks = tuple(_block(part) for part in shapes.less(built, taken))
     if not blocks:
         raise InputError(
@@ -126,6 +135,7 @@ def _plan(site: Site, name: str, place: str, catalog: Catalog) -> SitePlan:
         free,
         kept.areas,
         kept.drives,
+        tuple(waters),
     )
 
 

@@ -82,6 +82,7 @@ def _ground(
     boxes = [(p.pose.x, p.pose.y, p.pose.heading, p.size.width, p.size.depth) for p in buildings]
     areas = [shapely.Polygon(a.outline, a.holes) for way in plan.roads for a in way.areas]
     set_apart = [shapely.Polygon(a.outline) for a in works.areas if a.kind != "court"]
+    areas += [shapely.Polygon(outline) for outline in plan.waters]
     return GreenGround(
         shapely.Polygon(plan.outline, plan.holes).buffer(-FROM_BORDER),
         shapely.STRtree(shapely.polygons(corners(np.array(boxes).reshape(-1, 5)))),

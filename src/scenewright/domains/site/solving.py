@@ -34,7 +34,7 @@ from scenewright.domains.site.furnish import buildings, landmark_assets, landmar
 from scenewright.domains.site.given import fixed_buildings
 from scenewright.domains.site.holdings import BuildingDemand, collect_buildings
 from scenewright.domains.site.paving import list_missing_areas
-from scenewright.domains.site.plan import site_plans
+from scenewright.domains.site.plan import plans_of
 from scenewright.domains.site.planting import green
 from scenewright.domains.site.presets import PRESETS, SitePreset
 from scenewright.domains.site.problem import Flags, SiteProblem
@@ -107,7 +107,7 @@ def solve(
     named = solver or chosen.solver
     budget = Budget(seconds, steps, threads=threads, hear=hear)
     found = []
-    grounds = plan.detail if plan else site_plans(brief.part.sites, catalog)
+    grounds = plan.detail if plan else plans_of(brief)
     for number, (site, ground) in enumerate(zip(brief.part.sites, grounds, strict=True)):
         place = f"sites[{number}]"
         on_progress = (
@@ -257,7 +257,7 @@ def problems(
 ) -> tuple[SiteProblem, ...]:
     """The sites of a brief as problems, for solvers of :data:`SITE_SOLVERS` run by oneself."""
     catalog = catalog_of(brief.catalogs)
-    grounds = plan.detail if plan else site_plans(brief.part.sites, catalog)
+    grounds = plan.detail if plan else plans_of(brief)
     return tuple(
         build_site_problem(site, ground, f"sites[{number}]", catalog, PRESETS[preset], None)[1]
         for number, (site, ground) in enumerate(zip(brief.part.sites, grounds, strict=True))

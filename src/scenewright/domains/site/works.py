@@ -5,15 +5,19 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
+import shapely
 
 from scenewright.core.piece_outlines import outline_of
+from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
 from scenewright.core.space import Points
 from scenewright.domains.site.brief import Site
 from scenewright.domains.site.courts import find_courts
+from scenewright.ground.built import BuiltRoad
 from scenewright.ground.pathways import Network, lay_pathways
 from scenewright.ground.plan import SitePlan
+from scenewright.ground.terrain.profiles import rule_area
 from scenewright.ground.works import GroundWorks, Pathway
 
 
@@ -54,3 +58,22 @@ def network_of(site: Site, plan: SitePlan, buildings: Sequence[Piece]) -> Networ
     headings = np.array([piece.pose.heading for piece in buildings])
     outlines = [outline_of(piece) for piece in buildings]
     return lay_pathways(plan, outlines, headings, site.fire_access, site.fire_reach)
+
+
+def list_ways(solution: Solution, plan: Plan) -> list[BuiltRoad]:
+    """The middle lines of streets, paths, lanes and drives of all sites, and strips of what is
+    paved beside them."""
+    found = [BuiltRoad(w.line, w.width, w.kind, w.name) for one in plan.detail for w in one.roads]
+    works = works_of(solution, plan.detail)
+    laid = [row for one in works for row in one.pathways]
+    driven = [row for row in laid if row.kind != "walk"]
+    lines = [(shapely.LineString(row.line), row) for row in driven]
+    heads = [(line, row.width / 2) for line, row in lines if line.length < row.width / 2]
+    found += [
+        BuiltRoad(np.array(row.line), row.width, row.kind)
+        for line, row in lines
+        if line.length >= row.width / 2
+    ]
+    paved = [np.array(a.outline) for one in works for a in one.areas if a.kind != "court"]
+    paved += [shapely.get_coordinates(line.buffer(wide))[:-1] for line, wide in heads]
+    return found + [strip for outline in paved for strip in rule_area(outline)]

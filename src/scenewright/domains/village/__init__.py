@@ -26,6 +26,7 @@ DOMAIN = Domain(
         "solution": ".solution:solution_of",
         "given": ".given:given_pieces",
         "check": ".check.judge:check",
+        "ways": ".lanes:list_ways",
         "scene": ".furnish:scene_of_village",
         "draw": ".drawing.plan:draw",
         "adjust": ".adjust:adjust",

@@ -25,6 +25,7 @@ from scenewright.core.brief.fields import (
     Whole,
     is_left_out,
 )
+from scenewright.core.brief.terrain import TerrainBrief
 
 Stretch = Annotated[Number, Field(gt=0, le=BUILDING)]
 Portion = Annotated[Number, Field(ge=0, le=1)]
@@ -112,3 +113,4 @@ class VillagePart(StrictModel):
     region: Annotated[str | None, Field(max_length=80, exclude_if=is_left_out)] = None
     nets: Annotated[str, Field(max_length=500, exclude_if=not_)] = ""
     origin: tuple[Coordinate, Coordinate] | None = None
+    terrain: Annotated[TerrainBrief | None, Field(exclude_if=is_left_out)] = None

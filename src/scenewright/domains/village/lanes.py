@@ -14,6 +14,7 @@ from scenewright.core.solution import Solution
 from scenewright.core.space import Points
 from scenewright.domains.village.blocks import BlockPlan, VillagePlan
 from scenewright.ground import outlines as shapes
+from scenewright.ground.built import BuiltRoad
 from scenewright.ground.inner_lanes import LaidLane, area_of, edges_of, lay_inner_lanes
 from scenewright.ground.plan import Area, Way
 
@@ -102,3 +103,9 @@ def opened(plan: Plan, solution: Solution) -> Plan:
     """The plan of a solution with the lanes that were laid for it."""
     lanes = solution.detail or ()
     return plan._replace(detail=with_lanes(plan.detail, lanes)) if lanes else plan
+
+
+def list_ways(solution: Solution, plan: Plan) -> list[BuiltRoad]:
+    """The middle lines of the lanes of a village, those laid in its blocks too."""
+    lanes = opened(plan, solution).detail.lanes
+    return [BuiltRoad(way.line, way.width, way.kind, way.name) for way in lanes]

@@ -15,6 +15,7 @@ import shapely
 from scenewright.building.outlines import rings
 from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief
+from scenewright.core.brief.terrain import BANK, list_waters
 from scenewright.core.errors import InputError
 from scenewright.core.footprint import place_outline, read_footprint
 from scenewright.core.layout import corners
@@ -64,8 +65,9 @@ def plan_village(brief: Brief) -> Plan:
     look = look if look in LOOKS else LOOKS[0]
     houses = houses_of(brief.part.houses, look, catalog_of(brief.catalogs))
     names = assign_ids(brief.part.blocks, "block", "blocks")
+    waters = shapes.kept_free(map(shapely.Polygon, list_waters(brief.part.terrain)), BANK)
     floors = [
-        _floor(block, f"blocks[{k}] '{block.name or names[k]}'", houses)
+        _floor(block, f"blocks[{k}] '{block.name or names[k]}'", houses, waters)
         for k, block in enumerate(brief.part.blocks)
     ]
     _check_apart(floors)
@@ -130,10 +132,13 @@ def _in_region(style: VillageStyle, region: str | None, usual: str) -> VillageSt
     return style_in_region(style, region or usual)
 
 
-def _floor(block: VillageBlock, place: str, houses: Sequence[House]) -> shapely.Polygon:
-    """The ground of a block, wide enough for the least house."""
+def _floor(
+    block: VillageBlock, place: str, houses: Sequence[House], waters: shapely.Geometry
+) -> shapely.Polygon:
+    """The ground of a block off the water, wide enough for the least house."""
     try:
         floor = shapes.ground(block.outline, [])
+        floor = leave_out_water(floor, waters)
     except InputError as error:
         raise error.located(place=place) from None
     least = min(houses, key=lambda house: house.extent[1])
@@ -146,6 +151,16 @@ def _floor(block: VillageBlock, place: str, houses: Sequence[House]) -> shapely.
             place=place,
         )
     return floor
+
+
+def leave_out_water(floor: shapely.Polygon, waters: shapely.Geometry) -> shapely.Polygon:
+    """The largest part of a floor off the ``waters``; InputError for one round a lake."""
+    if not floor.intersects(waters):
+        return floor
+    rest = shapes.less([floor], [waters])
+    if not rest or rest[0].interiors:
+        raise InputError("surrounds water, or is all of it", "draw blocks beside the water")
+    return rest[0]
 
 
 def _check_apart(floors: Sequence[shapely.Polygon]) -> None:

@@ -1,0 +1,1 @@
+"""Terrain: heights read, ground shaped for ways and buildings, scenes lifted onto it."""
