@@ -202,11 +202,10 @@ def check(
     quick = not figures and domain.has("findings")
     judge = domain.verb("findings") if quick else domain.verb("check")
     report: Report = judge_ground(judged, made, judge(judged, made, kinds))
-    judged_by = restored.locked, solution.pieces
-    found = mark_locked((*restored.findings, *report.findings), *judged_by)
+    told = (*restored.findings, *report.findings)
+    found = mark_locked(told, restored.locked, solution.pieces)
     placed = locate_findings(found, judged.pieces, made.spaces)
-    unplaced = sum(out.required for out in solution.left_out)
-    report = replace(report, findings=placed, unplaced=unplaced)
+    report = replace(report, findings=placed, unplaced=sum(o.required for o in solution.left_out))
     return accept_findings(report, brief.accepted, solution.pieces)
 
 
@@ -225,8 +224,8 @@ def explain(solution: Solution, *, plan: Plan | None = None) -> Explanation:
 def scene_of(solution: Solution, plan: Plan | None = None) -> Scene:
     """The scene of a solution: its surroundings, its pieces, and the small objects on them."""
     made = plan or plan_of(solution.brief)
-    flat: Scene = domain_of(solution.brief.domain).verb("scene")(solution, made)
-    scene = lay_on_terrain(flat, solution, made)
+    flat = domain_of(solution.brief.domain).verb("scene")(solution, made)
+    scene: Scene = lay_on_terrain(flat, solution, made)
     if solution.clutter == "none":
         return scene
     from scenewright.clutter import with_clutter
@@ -342,8 +341,7 @@ def learn_from(
 ) -> Any:
     """Learn ``what`` ("style" or "nets") from real scenes of a domain and write it as a file that
     briefs name. ``options`` are the domain's; a domain that cannot learn is refused."""
-    kind: Domain = domain_of(domain)
-    verb = kind.verb("learn_nets") if what == "nets" else kind.verb("learn_style")
+    verb = domain_of(domain).verb("learn_nets" if what == "nets" else "learn_style")
     return verb(sources, output, options, read_plan, tell, cancel)
 
 
@@ -386,7 +384,8 @@ def trace_passes(solution: Solution, plan: Plan) -> PassTrace:
 def reasons_of(domain: str) -> Mapping[str, Mapping[str, float]]:
     """Reasons a person may give for a domain's scenes, by their words: features and the sign in
     which they should change."""
-    return dict(domain_of(domain).table("reasons"))
+    table: Mapping[str, Mapping[str, float]] = domain_of(domain).table("reasons")
+    return table
 
 
 def presets(domain: str) -> Mapping[str, Any]:
