@@ -23,6 +23,7 @@ from scenewright.clutter.stability import measure_standing
 from scenewright.core.scene import CLUTTER
 from scenewright.core.solution import Solution
 from scenewright.domains import scene_of
+from scenewright.domains.hall.furnishing.varied import ALIKE
 from scenewright.workflow.meshes import MeshReport, check_meshes
 
 STEPS = 300
@@ -34,13 +35,14 @@ WORDS = ("pieces", "solids", "bodies that open")
 
 
 class JudgedScene(NamedTuple):
-    """A scene as furnished and as lived in, its small objects by furnished room, and how many of
-    them stand."""
+    """A scene as furnished and as lived in, its small objects by furnished room, how many of them
+    stand, and how often its commonest model is placed in a hall, seats and tables apart."""
 
     bare: MeshReport
     full: MeshReport | None
     by_room: tuple[int, ...]
     standing: int
+    most: int = 0
 
 
 def records(
@@ -55,7 +57,7 @@ def judge(solution: Solution) -> JudgedScene:
     """The models of a solution's scene, bare and lived in."""
     bare = check_meshes(solution)
     if solution.brief.domain != "home":
-        return JudgedScene(bare, None, (), 0)
+        return JudgedScene(bare, None, (), 0, commonest(solution))
     full = replace(solution, clutter="lived-in")
     scene = scene_of(full)
     small = [piece for piece in scene.pieces if piece.function == CLUTTER]
@@ -65,6 +67,15 @@ def judge(solution: Solution) -> JudgedScene:
     catalog = catalog_of(solution.brief.catalogs)
     standing = sum(one.stable for one in measure_standing(scene, catalog))
     return JudgedScene(bare, check_meshes(full), by_room, standing)
+
+
+def commonest(solution: Solution) -> int:
+    """How often one model is placed in one room at most, but for what stands in rows of its like
+    (seats, desks, tables)."""
+    placed = Counter(
+        (piece.space, piece.asset) for piece in solution.pieces if piece.category not in ALIKE
+    )
+    return max(placed.values(), default=0)
 
 
 def _models() -> Iterator[Record]:
@@ -97,6 +108,11 @@ def _tally(case: str, judged: list[JudgedScene]) -> Iterator[Record]:
         yield _record(f"{case}, {name}", "bodies that do not open, said", "", said, None, count)
         unclosed = sum(len(report.open) for report in reports)
         yield _record(f"{case}, {name}", "pieces with an open mesh", "", unclosed, 0, count)
+    most = [one.most for one in judged if one.most]
+    if most:
+        yield _record(case, "one model in a hall, most", "", max(most), 6, count)
+        above = sum(number > 6 for number in most)
+        yield _record(case, "halls with a model more than 6 times", "", above, 0, count)
     rooms = [number for one in judged for number in one.by_room]
     if rooms:
         whole = sum(rooms)

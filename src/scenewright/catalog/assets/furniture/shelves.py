@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from scenewright.catalog.assets.drawing import Drawing
+from functools import partial
+
+from scenewright.catalog.assets.drawing import Drawing, letter_models
 from scenewright.catalog.assets.joinery import corpus, spread
 from scenewright.catalog.assets.materials import BLACK, OAK, RATTAN, SAGE, STEEL, WHITE
 from scenewright.catalog.assets.model import Parts, parts
@@ -21,7 +23,7 @@ def _add(found: Stuff, more: Stuff) -> Stuff:
     return found
 
 
-def _bookcase(size: Size) -> Parts:
+def _bookcase(size: Size, start: int = 0) -> Parts:
     w, d, h = size.width / 2, size.depth / 2, size.height
     columns = max(1, round(size.width / 0.9))
     shelves = max(2, round(h / 0.36) - 1)
@@ -30,7 +32,7 @@ def _bookcase(size: Size) -> Parts:
     for k, (a, b) in enumerate(spread(-w + 0.02, w - 0.02, columns)):
         inner = (a + 0.012, b - 0.012)
         rows = levels[1:] if k % 2 == 0 else levels
-        _add(found, book_rows(inner, (-d + 0.03, d - 0.04), rows, 0.75, 31 * k))
+        _add(found, book_rows(inner, (-d + 0.03, d - 0.04), rows, 0.75, 31 * k + 7 * start))
         if k % 2 == 0:
             _add(found, {SAGE: _panel(inner, (-d + 0.03, d - 0.012), levels[0])})
     return parts(size, found)
@@ -61,7 +63,7 @@ def _shelf_unit(size: Size) -> Parts:
     return parts(size, found)
 
 
-def _storage_shelf(size: Size) -> Parts:
+def _storage_shelf(size: Size, start: int = 0) -> Parts:
     w, d, h = size.width / 2, size.depth / 2, size.height
     count = max(3, round(h / 0.42))
     levels = [0.08 + i * (h - 0.16) / (count - 1) for i in range(count)]
@@ -83,9 +85,9 @@ def _storage_shelf(size: Size) -> Parts:
     clear = (h - 0.16) / (count - 1) - 0.04
     for k, z in enumerate(levels[:-1]):
         wide = size.width - 0.1
-        row = (-w + 0.05, -w + 0.05 + wide * (0.7 + 0.3 * wobble(k)))
+        row = (-w + 0.05, -w + 0.05 + wide * (0.7 + 0.3 * wobble(k + start)))
         number = max(1, round((row[1] - row[0]) / 0.33))
-        _add(found, boxes(row, (-d + 0.03, d - 0.03), (z, z + clear), number, 5 * k))
+        _add(found, boxes(row, (-d + 0.03, d - 0.03), (z, z + clear), number, 5 * k + 3 * start))
     return parts(size, found)
 
 
@@ -166,9 +168,9 @@ def _coats(size: Size) -> Lines:
 
 
 ASSETS = (
-    Drawing("bookcase", _bookcase, _open_shelf),
+    *letter_models("bookcase", _open_shelf, (partial(_bookcase, start=k) for k in range(10))),
     Drawing("shelf_unit", _shelf_unit, _cubes),
-    Drawing("storage_shelf", _storage_shelf, _rack),
+    *letter_models("storage_shelf", _rack, (partial(_storage_shelf, start=k) for k in range(8))),
     Drawing("coat_rack", _coat_rack, _coats),
     Drawing("wall_shelf", _wall_shelf, plain),
 )

@@ -231,7 +231,7 @@ _WORDS = {
 }
 """Words for what a trade sells, by which its shelving is asked for."""
 _MIXED = ("groceries", "household", "drinks")
-PLAIN, EACH = 7, 4
+PLAIN, EACH = 10, 4
 """Models of a fitting for a market, and for each other trade."""
 
 

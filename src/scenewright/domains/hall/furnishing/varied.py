@@ -20,6 +20,8 @@ ALIKE = frozenset(
             "auditorium_seat",
             "bench",
             "dining_chair",
+            "office_chair",
+            "bar_stool",
             "lounge_seat",
             "pew",
             "reading_chair",
