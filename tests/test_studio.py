@@ -29,9 +29,10 @@ from starlette.testclient import TestClient
 
 from scenewright.studio.guard import Keys, guarded
 from scenewright.studio.server import PAGES, Listeners, studio_app
-from scenewright.studio.session import Session, put
+from scenewright.studio.session import Session
 from scenewright.studio.verbs import do_verb
 from scenewright.workflow import project
+from scenewright.workflow.judging import MoveJudge
 
 PORT = 8420
 HOME = f"http://127.0.0.1:{PORT}"
@@ -141,9 +142,9 @@ def test_what_lies_on_a_piece_goes_with_it(session: Session) -> None:
     assert shown is not None
     lying = next(one for one in shown.solution.pieces if one.on)
     under = next(one for one in shown.solution.pieces if one.id == lying.on)
-    there = put(shown.solution, under.id, (under.pose.x + 1.0, under.pose.y, under.pose.heading))
-    after = next(one for one in there.pieces if one.id == lying.id)
-    assert after.pose.x == pytest.approx(lying.pose.x + 1.0)
+    to = (under.pose.x + 1.0, under.pose.y, under.pose.heading)
+    there = MoveJudge(shown.solution, shown.plan).carry_to(under.id, to)
+    assert there[lying.id].pose.x == pytest.approx(lying.pose.x + 1.0)
 
 
 @pytest.mark.parametrize(

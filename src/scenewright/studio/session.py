@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import json
-import math
 import sqlite3
 import tempfile
 import zipfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import replace
 from io import BytesIO
 from pathlib import Path
 from threading import Event, RLock, Thread
@@ -32,6 +30,7 @@ from scenewright.studio.raters import RaterDesk, Raters
 from scenewright.studio.shelf import draw_shelf, list_shelf
 from scenewright.studio.streaming import stream_layouts
 from scenewright.workflow import project
+from scenewright.workflow.judging import MoveJudge
 
 Tell = Callable[[Json], None]
 """Called with every event: progress, and that another version is shown."""
@@ -69,6 +68,7 @@ class Session:
         self.people = People(db)
         self.raters = Raters(self.people, beside, tell)
         self.shown: Shown | None = None
+        self.mover: MoveJudge | None = None
         self.drawn: Drawn | None = None
         version = project.shown_version(db)
         if version is not None:
@@ -209,13 +209,9 @@ class Session:
     def judge(self, poses: Mapping[str, Sequence[float]]) -> list[Json]:
         """What the referee would say if pieces, with all that lies on them, were put there."""
         shown = self.must_show()
-        moved = shown.solution
-        for piece, pose in poses.items():
-            moved = put(moved, piece, pose)
-        report = domains.check(moved, plan=shown.plan, figures=False)
-        before = {(f.kind, f.piece, f.other) for f in shown.report.findings}
-        new = (f for f in report.findings if (f.kind, f.piece, f.other) not in before)
-        return [describe_finding(found) for found in new]
+        if self.mover is None or self.mover.solution is not shown.solution:
+            self.mover = MoveJudge(shown.solution, shown.plan)
+        return [describe_finding(found) for found in self.mover.find_new(poses)]
 
     def go(self, version: int) -> None:
         """Show another version: one further back, or one that was undone."""
@@ -343,38 +339,3 @@ def _keep_locked(solution: Solution) -> Brief:
         return solution.brief
     brief: Brief = domain.verb("locked")(solution)
     return brief
-
-
-def put(solution: Solution, piece: str, pose: Sequence[float]) -> Solution:
-    """A solution with one piece put at (x, y, heading), and what lies on it beside it.
-
-    >>> from scenewright.formats import read
-    >>> put(unfurnished(read("sample:home-room")), "sofa", (1.0, 1.0, 0.0))
-    Traceback (most recent call last):
-    scenewright.core.errors.InputError: there is no piece 'sofa'; choose one of the scene
-    """
-    known = {one.id: one for one in solution.pieces}
-    if piece not in known:
-        raise InputError(f"there is no piece '{piece}'", "choose one of the scene")
-    start = known[piece].pose
-    x, y, heading = pose
-    turn = heading - start.heading
-    cos, sin = math.cos(turn), math.sin(turn)
-    found = []
-    for one in solution.pieces:
-        if one.id == piece or is_carried(one.id, piece, known):
-            dx, dy = one.pose.x - start.x, one.pose.y - start.y
-            spot = one.pose._replace(
-                x=x + cos * dx - sin * dy,
-                y=y + sin * dx + cos * dy,
-                heading=one.pose.heading + turn,
-            )
-            one = replace(one, pose=spot)
-        found.append(one)
-    return replace(solution, pieces=tuple(found))
-
-
-def is_carried(name: str, by: str, known: Mapping[str, Any]) -> bool:
-    """Whether a piece lies on another, or on one that does."""
-    on = known[name].on
-    return on is not None and (on == by or (on in known and is_carried(on, by, known)))

@@ -102,7 +102,7 @@ class Project:
                 asked["seed"] = seed
             if asked:
                 same = after.brief is before.brief
-                done = change(after, plan=plan if same else plan_of(after.brief), **asked)
+                done: Adjusted = change(after, plan=plan if same else plan_of(after.brief), **asked)
                 after, changes = done.solution, (*changes, *done.changes)
         return Adjusted(after, changes)
 

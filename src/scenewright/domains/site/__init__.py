@@ -25,6 +25,7 @@ DOMAIN = Domain(
         "given": ".given:given_pieces",
         "check": ".check.judge:check",
         "ways": ".works:list_ways",
+        "findings": ".check.judge:check_rules",
         "scene": ".furnish:scene_of_sites",
         "draw": ".drawing.plan:draw",
         "alternatives": ".alternatives:alternatives",

@@ -49,11 +49,12 @@ def judge_sites(
     pieces: Sequence[Piece],
     plans: Sequence[SitePlan],
     works: Sequence[GroundWorks] = (),
+    figures: bool = True,
 ) -> SiteVerdict:
     """Every violation on some sites, and their figures. Landmarks are known by their ids; what
     else is a building was placed. Broken pieces become findings. ``plans`` are those of the
     sites; ``works`` say what is laid out on them: doors of sites they do not name are not
-    judged."""
+    judged. Without ``figures`` there are findings only."""
     laid = {one.site: one for one in works}
     grounds = grounds_of(sites, plans)
     known = {ground.plan.id for ground in grounds}
@@ -67,12 +68,16 @@ def judge_sites(
     sound = [piece for piece, fault in faults if not fault]
     for ground in grounds:
         here = [piece for piece in sound if piece.space == ground.plan.id]
-        _judge(verdict, ground, here, laid.get(ground.plan.id))
+        _judge(verdict, ground, here, laid.get(ground.plan.id), figures)
     return verdict
 
 
 def _judge(
-    verdict: SiteVerdict, ground: JudgedSite, pieces: list[Piece], works: GroundWorks | None
+    verdict: SiteVerdict,
+    ground: JudgedSite,
+    pieces: list[Piece],
+    works: GroundWorks | None,
+    figures: bool,
 ) -> None:
     bodies, changed = bodies_of(ground, pieces)
     got = find_reached_bodies(ground, bodies)
@@ -83,11 +88,10 @@ def _judge(
     if works:
         verdict.findings.extend(find_unserved_doors(ground, bodies, works))
         verdict.findings.extend(find_missing_areas(ground, bodies, works))
-    figures = _figures(ground, bodies, got)
     verdict.findings.extend(find_sunless(ground, bodies) if ground.site.sun_required else ())
-    verdict.figures[ground.plan.id] = figures | (
-        _measure_service(ground, bodies, works) if works else {}
-    )
+    if figures:
+        served = _measure_service(ground, bodies, works) if works else {}
+        verdict.figures[ground.plan.id] = _figures(ground, bodies, got) | served
 
 
 def _measure_service(ground: JudgedSite, bodies: SiteBodies, works: GroundWorks) -> dict[str, Any]:
