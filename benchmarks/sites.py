@@ -2,7 +2,8 @@
 
 Real compounds (:mod:`.site_reco`) laid out anew beside what their designers built, a draw of them
 or all 91: directions, buildings along the border, void ground, fronts, coverage and sun, by the
-measures of :mod:`.site_composition`; and how much the layouts of two seeds differ, by the measure
+measures of :mod:`.site_composition`; the streets of samples and of ten new briefs
+(:mod:`.site_ground`); and how much the layouts of two seeds differ, by the measure
 of alternatives.
 """
 
@@ -20,6 +21,7 @@ from benchmarks.comparison import ratio
 from benchmarks.real_data import skipped
 from benchmarks.site_composition import measure_composition
 from benchmarks.site_compounds import Pair, compare, file, moved_footprints
+from benchmarks.site_ground import ground_records
 from benchmarks.site_reco import compounds
 from scenewright.core.errors import InputError
 from scenewright.domains.site.alternatives import compare as differ
@@ -60,7 +62,8 @@ def records(
     quick: bool = False, progress: Progress | None = None, seed: int = 0, count: int = 0
 ) -> Iterator[Record]:
     """Ours beside the designers' over ``count`` compounds drawn by ``seed`` (0: all; 6 if
-    ``quick``)."""
+    ``quick``); before them the streets of samples and of new briefs."""
+    yield from ground_records(quick, progress)
     try:
         rows = list(see_compounds(seed, count or (QUICK if quick else 0), progress))
     except InputError as fault:

@@ -14,7 +14,10 @@ class FillSettings(NamedTuple):
     turn off the preferred heading costs, in shares of a block's buildings, and what a court that is
     to close and does not; how many times e the farthest block's share is where buildings are
     ``drawn`` to its side; shares of a run done after the first filling and after all; steps by
-    which gaps are widened less; how many heights towers of the form ``point`` stand apart."""
+    which gaps are widened less; how many heights towers of the form ``point`` stand apart. The
+    building line is as far ``back`` from the border as a share of the height, at least and at most
+    metres; ``backs`` are the shares of it tried in turn, ``forward`` what standing on the border
+    costs."""
 
     tried: int = 8
     loosest: tuple[float, ...] = (8.0, 2.0, *(1.0,) * 10)
@@ -26,6 +29,9 @@ class FillSettings(NamedTuple):
     aside: float = 9.5
     parts: tuple[float, ...] = (1.0, 0.75, 0.5)
     unclosed: float = 20.0
+    back: tuple[float, float, float] = (0.33, 5.0, 10.0)
+    backs: tuple[float, ...] = (1.0, 0.5, 1.0, 1.0, 0.0)
+    forward: float = 4.0
     drawn: float = 0.8
     filled: float = 0.5
     most: float = 0.8

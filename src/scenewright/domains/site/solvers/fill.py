@@ -29,7 +29,7 @@ from scenewright.domains.site.solvers.block import (
 )
 from scenewright.domains.site.solvers.closed_court import close_court
 from scenewright.domains.site.solvers.distances import list_reserved_edges
-from scenewright.domains.site.solvers.front import list_square_lines
+from scenewright.domains.site.solvers.front import list_square_lines, set_back
 from scenewright.domains.site.solvers.improve import improve_layout
 from scenewright.domains.site.solvers.interlock import interlock
 from scenewright.domains.site.solvers.outcome import SiteFound, SiteLayout
@@ -289,6 +289,7 @@ def _best(
     aside = rule.aside if len(problem.ground.roads) else 0.0
     lines = np.roll(list_front_lines(lines), scheme.order, axis=0)
     best, least = BlockLayout((), np.zeros((0, 5)), "parallel"), math.inf
+    deep = _find_building_line(problem, share)
     for k in range(effort.tried if share else 0):
         if k and over(k / effort.tried):
             break
@@ -302,17 +303,29 @@ def _best(
             queue = _shuffle_buildings(problem, share, rng)
             part = float(rng.uniform(min(rule.parts), 1.0))
         ground = np.concatenate([edges, park]) if opened else edges
-        border = BlockBorder(lines)
+        back = rule.backs[k % len(rule.backs)] if free and effort.loosest > 1.0 else 0.0
+        moved, kept = set_back(problem, lines, back * deep) if back else (lines, lines[:0])
+        ground = np.concatenate([ground, kept])
+        border = BlockBorder(moved)
         if composed:
-            border = BlockBorder(lines, part, rule.widest, aside)
+            border = BlockBorder(moved, part, rule.widest, aside)
         found = loosen_layout(problem, ground, queue, heading, form, effort.loosest, border)
         cost = _cost(problem, found, share) + rule.variety * float(rng.random())
         cost += rule.void * find_void(points, found.boxes) if effort.loosest > 1.0 else 0.0
+        cost += rule.forward * (1.0 - back)
         cost += rule.other * (float(free and not composed) + 0.5 * (not opened))
         cost += lacking(problem, about, found, least - cost) if cost < least else 0.0
         if cost < least:
             best, least = found, cost
     return best
+
+
+def _find_building_line(problem: SiteProblem, share: list[int]) -> float:
+    """Metres from the sides of a block along the border to the line that buildings keep behind."""
+    times, least, most = problem.settings.fill.back
+    if not share:
+        return 0.0
+    return float(np.clip(times * np.median(problem.buildings.sizes[share, 2]), least, most))
 
 
 def _shuffle_buildings(

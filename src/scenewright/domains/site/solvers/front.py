@@ -18,6 +18,8 @@ ENDS = 0.7
 """Cosine of how far a side of a block may turn from the fronts of rows that end at it."""
 BEYOND = (1.5, 3.5, 5.5, 8.0, 11.0)
 """Metres ahead of a front, or beyond a side of a block, at which a square is looked for."""
+BESIDE = 6.0
+"""Metres from the border within which a side of a block runs along it."""
 NEARLY = math.radians(45.0)
 """Angle off the preferred heading within which fronts may turn to the sun."""
 
@@ -87,6 +89,28 @@ def turned_in(problem: SiteProblem, boxes: Floats) -> Floats:
     near = blind(problem, boxes, problem.door_distance)
     turned[near | blind(problem, boxes) & (off > NEARLY), 2] += math.pi
     return turned
+
+
+def find_border_lines(problem: SiteProblem, lines: Floats) -> Flags:
+    """Which of some ``lines`` (m, 4) of a block run along the border of the site."""
+    a, b = problem.ground.edges[:, :2], problem.ground.edges[:, 2:]
+    step, middle = b - a, 0.5 * (lines[:, :2] + lines[:, 2:])
+    share = ((middle[:, None] - a) * step).sum(2) / np.maximum((step**2).sum(1), 1e-12)
+    near = a + np.clip(share, 0.0, 1.0)[..., None] * step
+    found: Flags = np.hypot(*(middle[:, None] - near).transpose(2, 0, 1)).min(1) <= BESIDE
+    return found
+
+
+def set_back(problem: SiteProblem, lines: Floats, deep: float) -> tuple[Floats, Floats]:
+    """The ``lines`` (m, 4) of a block, the inside on their left, with those along the border moved
+    ``deep`` metres inwards, and the edges (4 k, 4), clockwise, of the ground between."""
+    border = find_border_lines(problem, lines)
+    way = lines[:, 2:] - lines[:, :2]
+    out = np.column_stack([way[:, 1], -way[:, 0]]) / np.maximum(np.hypot(*way.T), 1e-9)[:, None]
+    moved = lines - np.where(border[:, None], deep, 0.0) * np.tile(out, 2)
+    a, b, out = lines[border, :2], lines[border, 2:], out[border]
+    ring = np.stack([a + HAIR * out, a - deep * out, b - deep * out, b + HAIR * out], 1)
+    return moved, np.concatenate([ring, np.roll(ring, -1, axis=1)], -1).reshape(-1, 4)
 
 
 def list_square_lines(problem: SiteProblem, lines: Floats) -> Floats:

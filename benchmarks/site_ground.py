@@ -1,0 +1,84 @@
+"""Streets of sites: fronts, dead ends, walks and the rims of squares, of the samples and new briefs.
+
+Measured by the geometry of :mod:`.ground_measures`, which shares nothing with what lays the ground.
+Each brief with two seeds; shares over all of a group. Squares alone have a rim, courts have none.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any
+
+import numpy as np
+import shapely
+
+import scenewright as sw
+from benchmarks.ground_measures import Ground, counts_of, read_ground
+from benchmarks.site_briefs import new_briefs
+from benchmarks.site_scale import sites
+from scenewright.core.brief import Brief
+from scenewright.domains import check, plan_of, scene_of
+
+Record = dict[str, Any]
+Progress = Callable[[float, str], None]
+SEEDS = 2
+FIGURES = (
+    "fronts to the way",
+    "dead ends among lanes",
+    "long dead ends without a head",
+    "doors with their walk",
+    "rim of squares fronted",
+)
+
+
+def ground_records(quick: bool, progress: Progress | None = None) -> Iterator[Record]:
+    """The figures of both groups."""
+    samples = [(name, sw.read(name)) for name in sites()]
+    for group, briefs in (("samples of sites", samples), ("ten new sites", new_briefs())):
+        if progress:
+            progress(0.0, group)
+        yield from _records(group, briefs, 1 if quick else SEEDS)
+
+
+def _records(group: str, briefs: Sequence[tuple[str, Brief]], seeds: int) -> Iterator[Record]:
+    sums = {name: np.zeros(2) for name in FIGURES}
+    faulty = 0
+    for _, brief in briefs:
+        for seed in range(seeds):
+            solution = sw.solve(brief, seed=seed)
+            counts = counts_of(ground_of_site(solution))
+            faulty += not check(solution).valid
+            for name in FIGURES:
+                sums[name] += counts[name]
+    for name, (part, whole) in sums.items():
+        yield _record(group, name, part / whole if whole else float("nan"), int(whole))
+    yield _record(group, "scenes with faults", float(faulty), seeds * len(briefs))
+
+
+def ground_of_site(solution: sw.Solution) -> Ground:
+    """The ground of a solved brief of sites, landmarks included."""
+    plan = plan_of(solution.brief)
+    works = solution.detail or ()
+    squares = [shapely.Polygon(a.outline) for w in works for a in w.areas if a.kind == "square"]
+    lanes = [
+        (shapely.LineString(row.line), row.width)
+        for work in works
+        for row in work.pathways
+        if row.kind == "lane"
+    ]
+    houses = [p for p in solution.pieces if p.category == "building"]
+    floors = [shapely.Polygon(site.outline, site.holes) for site in plan.detail]
+    return read_ground(houses, scene_of(solution, plan).surfaces, squares, lanes, {}, floors)
+
+
+def _record(group: str, metric: str, value: float, runs: int) -> Record:
+    return {
+        "case": group,
+        "metric": metric,
+        "unit": "1",
+        "ours": round(value, 4),
+        "baseline": None,
+        "baseline_name": "",
+        "ratio": None,
+        "runs": runs,
+    }
