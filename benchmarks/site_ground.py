@@ -1,4 +1,4 @@
-"""Streets of sites: fronts, dead ends, walks and the rims of squares, of the samples and new briefs.
+"""Streets of sites: fronts, dead ends, walks and rims of squares, of the samples and new briefs.
 
 Measured by the geometry of :mod:`.ground_measures`, which shares nothing with what lays the ground.
 Each brief with two seeds; shares over all of a group. Squares alone have a rim, courts have none.
