@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scenewright.catalog.kinds.usual import ALL_SIDES, BOTH, FRONT
-from scenewright.core.kind import Kind, at_wall, free, size_range, words
+from scenewright.core.kind import Kind, at_wall, free, size_range
 
 KINDS = (
     Kind(
@@ -12,16 +12,6 @@ KINDS = (
         reach=0.6,
         sizes=size_range("60 120 400", "40 60 150", "80 105 130"),
         hall=free("chain radiation grid", 0.75, 0.45, 0.75, 0.45),
-        words=(
-            words(
-                en="showcase, museum case, glass showcase",
-                fr="vitrine d'exposition, vitrine de musée",
-                de="schaukasten, ausstellungsvitrine",
-                es="vitrina de exposición",
-                zh="展柜, 陈列柜",
-                ja="展示ケース, ショーケース",
-            ),
-        ),
         drawn_by=(".public.exhibition",),
     ),
     Kind(
@@ -30,16 +20,6 @@ KINDS = (
         reach=0.6,
         sizes=size_range("25 50 150", "25 50 150", "90 160 320"),
         hall=free("radiation grid chain", 0.75),
-        words=(
-            words(
-                en="plinth, exhibit pedestal, sculpture pedestal, sculpture stand",
-                fr="socle, socle d'exposition",
-                de="sockel, ausstellungssockel",
-                es="pedestal de exposición, peana",
-                zh="展台, 雕塑台座",
-                ja="展示台, 台座",
-            ),
-        ),
         drawn_by=(".public.exhibition",),
     ),
     Kind(
@@ -48,16 +28,6 @@ KINDS = (
         reach=0.6,
         sizes=size_range("60 150 300", "4 40 60", "160 210 280"),
         hall=free("chain radiation", 0.75, 0.1, 0.75, 0.1),
-        words=(
-            words(
-                en="exhibition panel, exhibit panel, display panel, poster wall",
-                fr="panneau d'exposition",
-                de="stellwand, ausstellungstafel",
-                es="panel de exposición",
-                zh="展板",
-                ja="展示パネル",
-            ),
-        ),
         drawn_by=(".public.exhibition",),
     ),
     Kind(
@@ -66,16 +36,6 @@ KINDS = (
         reach=0.6,
         sizes=size_range("60 120 400", "25 40 70", "160 220 300"),
         hall=at_wall(0.9, 0.1),
-        words=(
-            words(
-                en="wall exhibit, wall display case",
-                fr="vitrine murale",
-                de="wandvitrine",
-                es="vitrina mural",
-                zh="壁挂展柜",
-                ja="壁面展示",
-            ),
-        ),
         drawn_by=(".public.exhibition", ".public.paintings"),
     ),
     Kind(
@@ -84,16 +44,6 @@ KINDS = (
         reach=0.6,
         sizes=size_range("80 140 240", "60 80 150", "70 90 110"),
         hall=free("grid single", 0.75),
-        words=(
-            words(
-                en="interactive table, touch table, multitouch table",
-                fr="table interactive, table tactile",
-                de="interaktiver tisch, medientisch, touchtisch",
-                es="mesa interactiva",
-                zh="互动桌, 触控桌",
-                ja="タッチテーブル",
-            ),
-        ),
         drawn_by=(".public.exhibition",),
     ),
     Kind(
@@ -102,16 +52,6 @@ KINDS = (
         reach=0.75,
         sizes=size_range("150 300 900", "120 240 600", "60 160 400"),
         hall=free("single grid", 0.9),
-        words=(
-            words(
-                en="exhibit island, exhibition island, diorama",
-                fr="îlot d'exposition, diorama",
-                de="ausstellungsinsel, diorama",
-                es="isla de exposición, diorama",
-                zh="展岛, 沙盘",
-                ja="展示アイランド, ジオラマ",
-            ),
-        ),
         drawn_by=(
             ".exhibits.islands",
             ".exhibits.whales",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scenewright.catalog.kinds.usual import FRONT
-from scenewright.core.kind import Kind, at_wall, size_range, words
+from scenewright.core.kind import Kind, at_wall, size_range
 
 KINDS = (
     Kind(
@@ -11,32 +11,12 @@ KINDS = (
         support="wall",
         airy=True,
         sizes=size_range("30 100 220", "6 10 22", "20 60 200"),
-        words=(
-            words(
-                en="radiator, heater",
-                fr="radiateur",
-                de="heizkorper",
-                es="radiador",
-                zh="暖气, 散热器",
-                ja="ラジエーター",
-            ),
-        ),
         in_rooms=(("bathroom", ("towel_rail", "radiator")),),
         drawn_by=(".furniture.building",),
     ),
     Kind(
         "column",
         sizes=size_range("10 35 100", "10 35 100", "100 260 600"),
-        words=(
-            words(
-                en="column, pillar, porch column",
-                fr="colonne, pilier",
-                de="saule, pfeiler",
-                es="columna, pilar",
-                zh="柱",
-                ja="柱",
-            ),
-        ),
         drawn_by=(".furniture.building",),
     ),
     Kind(
@@ -44,16 +24,6 @@ KINDS = (
         access=FRONT,
         reach=0.9,
         sizes=size_range("60 90 200", "120 320 600", "100 270 450"),
-        words=(
-            words(
-                en="stair, stairs, staircase, stairway",
-                fr="escalier",
-                de="treppe, wendeltreppe",
-                es="escalera",
-                zh="楼梯, 樓梯",
-                ja="階段",
-            ),
-        ),
         drawn_by=(".furniture.building",),
     ),
     Kind(
@@ -62,32 +32,12 @@ KINDS = (
         hall=at_wall(0.9, 0.3),
         back="flat",
         sizes=size_range("80 125 190", "25 45 75", "80 115 260"),
-        words=(
-            words(
-                en="fireplace, chimney",
-                fr="cheminee",
-                de="kamin",
-                es="chimenea",
-                zh="壁炉, 壁爐",
-                ja="暖炉",
-            ),
-        ),
         essential=("screen or focal point",),
         drawn_by=(".furniture.building",),
     ),
     Kind(
         "box",
         sizes=size_range("15 40 120", "15 35 120", "10 30 120"),
-        words=(
-            words(
-                en="box, crate, trunk, aquarium",
-                fr="boite, caisse, coffre",
-                de="kiste, truhe",
-                es="caja, baul",
-                zh="箱",
-                ja="箱",
-            ),
-        ),
         drawn_by=(".furniture.building",),
     ),
     Kind(

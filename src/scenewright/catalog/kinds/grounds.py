@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scenewright.catalog.kinds.usual import FRONT
-from scenewright.core.kind import Kind, size_range, words
+from scenewright.core.kind import Kind, size_range
 
 KINDS = (
     Kind(
@@ -32,22 +32,6 @@ KINDS = (
     Kind(
         "tree",
         sizes=size_range("200 700 1600", "200 700 1600", "300 900 2500"),
-        words=(
-            words(
-                "potted_tree",
-                en="tree, pine, oak tree",
-                fr="arbre",
-                de="baum",
-                es="arbol",
-                zh="树, 樹",
-                ja="木",
-            ),
-            words(
-                en="oak, poplar, cypress, maple, sycamore, acacia, birch",
-                de="eiche, birke",
-                es="roble",
-            ),
-        ),
         drawn_by=(".buildings.street_furniture",),
     ),
     Kind(
@@ -59,16 +43,6 @@ KINDS = (
     Kind(
         "lamp_post",
         sizes=size_range("12 30 60", "60 140 250", "300 600 1200"),
-        words=(
-            words(
-                en="lamp post, lamppost, street light, street lamp, park light",
-                fr="lampadaire de rue, reverbere",
-                de="strassenlaterne",
-                es="farola",
-                zh="路灯, 停车灯",
-                ja="街灯",
-            ),
-        ),
         lumens=5000.0,
         kelvin=3000.0,
         drawn_by=(".buildings.street_furniture",),
@@ -78,16 +52,6 @@ KINDS = (
         label="park bench",
         access=FRONT,
         sizes=size_range("120 180 300", "45 60 90", "70 82 100"),
-        words=(
-            words(
-                en="park bench, painted bench, concrete bench",
-                fr="banc public",
-                de="parkbank",
-                es="banco de parque",
-                zh="公园长椅",
-                ja="公園ベンチ",
-            ),
-        ),
         drawn_by=(".buildings.street_furniture",),
     ),
 )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scenewright.catalog.kinds.usual import FLANKS, FRONT
-from scenewright.core.kind import Kind, OwnGroup, free, size_range, words
+from scenewright.core.kind import Kind, OwnGroup, free, size_range
 
 KINDS = (
     Kind(
@@ -12,16 +12,6 @@ KINDS = (
         reach=0.75,
         sizes=size_range("135 148 160", "50 62 75", "98 120 136"),
         hall=free("single", 0.9, 0.3, 0.0, 0.3),
-        words=(
-            words(
-                en="piano, upright piano",
-                fr="piano",
-                de="klavier",
-                es="piano",
-                zh="钢琴, 鋼琴",
-                ja="ピアノ",
-            ),
-        ),
         essential=("screen or focal point",),
         alone=OwnGroup("piano"),
         drawn_by=(".furniture.leisure",),
@@ -30,16 +20,6 @@ KINDS = (
         "exercise_bike",
         access=FLANKS,
         sizes=size_range("45 55 72", "85 105 135", "100 125 150"),
-        words=(
-            words(
-                en="exercise bike, treadmill",
-                fr="vélo d'appartement, tapis de course",
-                de="heimtrainer, laufband",
-                es="bicicleta estática, cinta de correr",
-                zh="健身车, 动感单车, 跑步机",
-                ja="エアロバイク, フィットネスバイク, ランニングマシン",
-            ),
-        ),
         forms="exercise",
         alone=OwnGroup("exercise", rooms=(("study", 18.0),)),
         drawn_by=(".furniture.leisure",),
@@ -49,16 +29,6 @@ KINDS = (
         access=FLANKS,
         airy=True,
         sizes=size_range("30 38 50", "100 130 165", "70 88 100"),
-        words=(
-            words(
-                en="ironing board, ironing",
-                fr="planche a repasser, repasser",
-                de="bugelbrett",
-                es="tabla de planchar",
-                zh="熨衣板",
-                ja="アイロン台",
-            ),
-        ),
         alone=OwnGroup("ironing", back=0.5),
         drawn_by=(".furniture.leisure",),
     ),

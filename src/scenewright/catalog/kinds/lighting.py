@@ -3,23 +3,13 @@ and 100 W give 249, 470, 806, 1,055 and 1,521 lm (Commission Regulation (EC) 244
 
 from __future__ import annotations
 
-from scenewright.core.kind import Kind, size_range, words
+from scenewright.core.kind import Kind, size_range
 
 KINDS = (
     Kind(
         "floor_lamp",
         airy=True,
         sizes=size_range("22 38 70", "22 38 70", "110 155 195"),
-        words=(
-            words(
-                en="floor lamp, floor uplight, standing lamp, torchiere",
-                fr="lampadaire",
-                de="stehlampe, stehleuchte",
-                es="lampara de pie",
-                zh="落地灯",
-                ja="フロアランプ",
-            ),
-        ),
         lumens=1055.0,
         drawn_by=(".furniture.lighting", ".styled.lamps"),
     ),
@@ -28,16 +18,6 @@ KINDS = (
         support="top",
         airy=True,
         sizes=size_range("14 28 45", "14 28 45", "22 45 70"),
-        words=(
-            words(
-                en="table lamp, bedside lamp",
-                fr="lampe de chevet, lampe de table",
-                de="tischlampe, tischleuchte",
-                es="lampara de mesa",
-                zh="台灯, 桌灯",
-                ja="テーブルランプ",
-            ),
-        ),
         lumens=470.0,
         drawn_by=(".furniture.lighting", ".styled.lamps"),
     ),
@@ -45,16 +25,6 @@ KINDS = (
         "desk_lamp",
         support="top",
         sizes=size_range("12 18 30", "20 40 60", "28 45 65"),
-        words=(
-            words(
-                en="desk lamp, work lamp, reading lamp",
-                fr="lampe de bureau",
-                de="schreibtischlampe",
-                es="flexo",
-                zh="工作灯",
-                ja="デスクライト",
-            ),
-        ),
         lumens=470.0,
         drawn_by=(".furniture.lighting",),
     ),
@@ -62,16 +32,6 @@ KINDS = (
         "wall_lamp",
         support="wall",
         sizes=size_range("8 16 40", "6 14 30", "12 26 60"),
-        words=(
-            words(
-                en="wall lamp, wall light, sconce",
-                fr="applique",
-                de="wandlampe, wandleuchte",
-                es="aplique",
-                zh="壁灯, 壁燈",
-                ja="ブラケットライト",
-            ),
-        ),
         lumens=470.0,
         drawn_by=(".furniture.lighting",),
     ),
@@ -79,16 +39,6 @@ KINDS = (
         "pendant_lamp",
         support="ceiling",
         sizes=size_range("15 42 90", "15 42 90", "25 90 180"),
-        words=(
-            words(
-                en="pendant, pendant lamp, chandelier, hanging light, hanging lamp",
-                fr="suspension, lustre",
-                de="hangelampe, pendelleuchte",
-                es="lampara colgante, arana",
-                zh="吊灯",
-                ja="ペンダント",
-            ),
-        ),
         lumens=806.0,
         drawn_by=(".furniture.lighting", ".styled.lamps"),
     ),
@@ -96,16 +46,6 @@ KINDS = (
         "ceiling_lamp",
         support="ceiling",
         sizes=size_range("18 45 120", "18 45 120", "4 14 35"),
-        words=(
-            words(
-                en="ceiling light, ceiling lamp, spotlight, uplight, ceiling spot",
-                fr="plafonnier, spot",
-                de="deckenlampe, deckenleuchte",
-                es="plafon, lampara de techo",
-                zh="吸顶灯",
-                ja="シーリング",
-            ),
-        ),
         lumens=1521.0,
         drawn_by=(".furniture.lighting", ".styled.lamps"),
     ),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scenewright.catalog.kinds.usual import BOTH, DESKS, FRONT, SEAT, TABLES
-from scenewright.core.kind import Kind, TableChairs, free, size_range, words
+from scenewright.core.kind import Kind, TableChairs, free, size_range
 
 KINDS = (
     Kind(
@@ -14,16 +14,6 @@ KINDS = (
         sizes=size_range("80 240 600", "60 120 180", "70 115 135"),
         hall=free("grid chain", 0.9, 0.6, 0.9, 0.6),
         chairs=TableChairs("reading_chair", 0.75, 0.1),
-        words=(
-            words(
-                en="reading table, library table, study table",
-                fr="table de lecture, table de bibliothèque",
-                de="lesetisch, bibliothekstisch",
-                es="mesa de lectura",
-                zh="阅览桌",
-                ja="閲覧机, 閲覧テーブル",
-            ),
-        ),
         drawn_by=(".public.reading",),
     ),
     Kind(
@@ -33,16 +23,6 @@ KINDS = (
         back="high",
         sizes=size_range("40 48 65", "42 52 65", "75 84 105"),
         hall=free("grid fan chain", 0.1, 0.1, 0.5, 0.1),
-        words=(
-            words(
-                en="library chair, reading room chair",
-                fr="chaise de bibliothèque",
-                de="lesestuhl, bibliotheksstuhl",
-                es="silla de biblioteca, silla de lectura",
-                zh="阅览椅",
-                ja="閲覧椅子",
-            ),
-        ),
         drawn_by=(".public.reading",),
     ),
     Kind(
@@ -51,16 +31,6 @@ KINDS = (
         reach=0.75,
         sizes=size_range("70 100 160", "55 75 110", "105 130 170"),
         hall=free("chain grid", 0.75, 0.0, 0.0, 0.0),
-        words=(
-            words(
-                en="carrel, study carrel, study booth",
-                fr="carrel, box de travail",
-                de="leseplatz, studierkabine",
-                es="cabina de estudio, puesto de estudio",
-                zh="自习隔间, 自习桌",
-                ja="キャレル, 個人学習ブース",
-            ),
-        ),
         drawn_by=(".public.reading",),
     ),
     Kind(
@@ -69,16 +39,6 @@ KINDS = (
         back="high",
         sizes=size_range("55 78 120", "55 78 110", "60 75 105"),
         hall=free("around", 0.45, 0.0, 0.0, 0.0),
-        words=(
-            words(
-                en="lounge seat, lobby seat, waiting seat",
-                fr="siège lounge, siège d'attente",
-                de="loungesitz, wartesessel",
-                es="asiento de espera",
-                zh="休闲座椅, 等候椅",
-                ja="ラウンジシート, 待合椅子",
-            ),
-        ),
         drawn_by=(".public.reading",),
     ),
     Kind(
@@ -87,16 +47,6 @@ KINDS = (
         reach=0.6,
         sizes=size_range("40 60 120", "40 55 90", "95 140 175"),
         hall=free("chain radiation single", 0.75, 0.1, 0.1, 0.1),
-        words=(
-            words(
-                en="catalogue terminal, information terminal, kiosk terminal, touch kiosk",
-                fr="borne interactive, borne d'information",
-                de="infoterminal, katalogterminal",
-                es="terminal de consulta, quiosco interactivo",
-                zh="查询机, 自助查询终端",
-                ja="検索端末, 情報端末",
-            ),
-        ),
         drawn_by=(".public.reading",),
     ),
 )

@@ -3,23 +3,13 @@
 from __future__ import annotations
 
 from scenewright.catalog.kinds.usual import ALL_SIDES, DESKS, FRONT, SEAT, TABLES
-from scenewright.core.kind import Kind, free, size_range, words
+from scenewright.core.kind import Kind, free, size_range
 
 KINDS = (
     Kind(
         "corner_sofa",
         access=FRONT,
         sizes=size_range("200 260 340", "140 180 260", "68 80 95"),
-        words=(
-            words(
-                en="corner sofa, corner couch, sofa corner, sectional",
-                fr="canape d angle",
-                de="ecksofa",
-                es="sofa esquinero",
-                zh="转角沙发, 拐角沙发",
-                ja="コーナーソファ",
-            ),
-        ),
         essential=("seat",),
         forms="seating",
         drawn_by=(".furniture.seating", ".styled.seats"),
@@ -30,17 +20,6 @@ KINDS = (
         back="high",
         sizes=size_range("165 210 280", "75 90 105", "68 80 95"),
         hall=free("radiation circulation grid", 0.5, 0.15, 0.15, 0.15),
-        words=(
-            words(
-                "loveseat corner_sofa",
-                en="sofa, couch, settee, futon couch, convertible sofa",
-                fr="canape, divan",
-                de="couch",
-                es="sofa",
-                zh="沙发, 沙發",
-                ja="ソファ",
-            ),
-        ),
         in_rooms=(("exterior", ("other",)),),
         essential=("seat",),
         forms="seating",
@@ -51,16 +30,6 @@ KINDS = (
         access=FRONT,
         back="high",
         sizes=size_range("120 150 175", "72 88 100", "68 80 95"),
-        words=(
-            words(
-                en="loveseat, love seat, two seater",
-                fr="canape deux places",
-                de="zweisitzer",
-                es="sofa de dos plazas",
-                zh="双人沙发",
-                ja="二人掛けソファ",
-            ),
-        ),
         essential=("seat",),
         forms="seating",
         drawn_by=(".furniture.seating", ".styled.seats"),
@@ -71,17 +40,6 @@ KINDS = (
         back="high",
         sizes=size_range("60 78 100", "60 80 100", "70 85 105"),
         hall=free("radiation circulation grid", 0.5, 0.15, 0.15, 0.15),
-        words=(
-            words(
-                "loveseat",
-                en="armchair, arm chair, lounge chair, easy chair, recliner, club chair",
-                fr="fauteuil",
-                de="sessel",
-                es="sillon, butaca",
-                zh="扶手椅, 单人沙发",
-                ja="アームチェア",
-            ),
-        ),
         in_rooms=(("office", ("office_chair", "armchair")), ("exterior", ("outdoor_chair",))),
         essential=("seat",),
         forms="reading",
@@ -95,17 +53,6 @@ KINDS = (
         back="high",
         sizes=size_range("38 46 58", "42 50 62", "75 85 105"),
         hall=free("grid fan chain", 0.1, 0.1, 0.5, 0.1),
-        words=(
-            words(
-                "armchair",
-                en="chair, seat",
-                fr="chaise, siege",
-                de="stuhl",
-                es="silla",
-                zh="椅",
-                ja="チェア, いす, 椅子",
-            ),
-        ),
         in_rooms=(("office", ("office_chair", "dining_chair")), ("exterior", ("outdoor_chair",))),
         essential=("two chairs", "chair"),
         drawn_by=(".furniture.seating", ".styled.chairs"),
@@ -118,16 +65,6 @@ KINDS = (
         back="high",
         sizes=size_range("52 62 72", "52 62 72", "82 100 125"),
         hall=free("grid fan chain", 0.1, 0.1, 0.5, 0.1),
-        words=(
-            words(
-                en="office chair, desk chair, swivel chair, swivel, task chair",
-                fr="chaise de bureau",
-                de="burostuhl, drehstuhl",
-                es="silla de oficina",
-                zh="办公椅",
-                ja="オフィスチェア",
-            ),
-        ),
         essential=("chair",),
         drawn_by=(".furniture.seating",),
     ),
@@ -137,17 +74,6 @@ KINDS = (
         under=(*TABLES, *DESKS),
         airy=True,
         sizes=size_range("28 38 50", "28 38 50", "40 45 52"),
-        words=(
-            words(
-                "bar_stool",
-                en="stool",
-                fr="tabouret",
-                de="hocker, schemel",
-                es="taburete",
-                zh="凳",
-                ja="スツール",
-            ),
-        ),
         in_rooms=(("kitchen", ("bar_stool", "stool")),),
         essential=("two chairs", "chair"),
         drawn_by=(".furniture.seating",),
@@ -158,16 +84,6 @@ KINDS = (
         under=("kitchen_island", "dining_table"),
         airy=True,
         sizes=size_range("34 40 50", "34 42 55", "60 75 110"),
-        words=(
-            words(
-                en="bar stool, barstool, counter stool",
-                fr="tabouret de bar",
-                de="barhocker",
-                es="taburete de bar",
-                zh="吧椅, 吧凳",
-                ja="バースツール",
-            ),
-        ),
         essential=("two chairs",),
         drawn_by=(".furniture.seating", ".styled.chairs"),
     ),
@@ -177,16 +93,6 @@ KINDS = (
         airy=True,
         sizes=size_range("80 120 200", "30 38 52", "40 45 52"),
         hall=free("grid chain single", 0.5, 0.2, 0.5, 0.2),
-        words=(
-            words(
-                en="bench",
-                fr="banc, banquette",
-                de="sitzbank, bank",
-                es="banco",
-                zh="长凳",
-                ja="ベンチ",
-            ),
-        ),
         in_rooms=(("exterior", ("site_bench", "bench")),),
         essential=("two chairs", "somewhere for coats or shoes"),
         drawn_by=(".furniture.seating",),
@@ -196,16 +102,6 @@ KINDS = (
         access=ALL_SIDES,
         sizes=size_range("35 50 90", "35 50 90", "30 40 48"),
         hall=free("grid chain single", 0.5, 0.2, 0.5, 0.2),
-        words=(
-            words(
-                en="pouf, ottoman, footstool, puff, hassock",
-                fr="repose pieds",
-                de="fusshocker",
-                es="reposapies",
-                zh="脚凳",
-                ja="オットマン",
-            ),
-        ),
         drawn_by=(".furniture.seating",),
     ),
 )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scenewright.catalog.kinds.usual import FRONT
-from scenewright.core.kind import Kind, at_wall, size_range, words
+from scenewright.core.kind import Kind, at_wall, size_range
 
 KINDS = (
     Kind(
@@ -12,16 +12,6 @@ KINDS = (
         reach=0.75,
         back="flat",
         sizes=size_range("45 150 320", "40 60 70", "180 220 270"),
-        words=(
-            words(
-                en="wardrobe, closet, armoire",
-                fr="armoire, penderie, dressing",
-                de="kleiderschrank",
-                es="armario, ropero",
-                zh="衣柜, 衣櫃, 衣橱",
-                ja="ワードローブ, たんす",
-            ),
-        ),
         essential=("wardrobe", "storage", "somewhere for coats or shoes"),
         forms="wardrobe",
         drawn_by=(".furniture.storage", ".styled.cases"),
@@ -32,16 +22,6 @@ KINDS = (
         reach=0.75,
         back="flat",
         sizes=size_range("40 90 170", "36 45 58", "60 85 130"),
-        words=(
-            words(
-                en="chest of drawers, chest, dresser",
-                fr="commode",
-                de="kommode",
-                es="comoda, cajonera",
-                zh="斗柜, 五斗柜",
-                ja="チェスト",
-            ),
-        ),
         essential=("wardrobe", "storage"),
         forms="chest",
         drawn_by=(".furniture.storage", ".styled.cases"),
@@ -51,16 +31,6 @@ KINDS = (
         access=FRONT,
         back="flat",
         sizes=size_range("80 150 240", "34 42 55", "60 78 105"),
-        words=(
-            words(
-                en="sideboard, buffet, credenza",
-                fr="buffet, bahut",
-                de="anrichte, sideboard",
-                es="aparador",
-                zh="餐边柜",
-                ja="サイドボード",
-            ),
-        ),
         essential=("screen or focal point", "somewhere for coats or shoes"),
         forms="sideboard",
         drawn_by=(".furniture.storage", ".styled.cases"),
@@ -70,16 +40,6 @@ KINDS = (
         label="TV stand",
         back="flat",
         sizes=size_range("75 160 280", "30 40 55", "28 45 65"),
-        words=(
-            words(
-                en="tv unit, tv stand, tv cabinet, television cabinet, television stand, tv bench",
-                fr="meuble tv",
-                de="tv mobel, fernsehschrank",
-                es="mueble de television, mueble tv",
-                zh="电视柜, 電視櫃",
-                ja="テレビ台",
-            ),
-        ),
         essential=("screen or focal point",),
         forms="media",
         drawn_by=(".furniture.storage", ".styled.cases"),
@@ -90,16 +50,6 @@ KINDS = (
         reach=0.75,
         back="flat",
         sizes=size_range("40 80 140", "16 28 40", "45 100 140"),
-        words=(
-            words(
-                en="shoe cabinet, shoe rack, shoe shelf",
-                fr="meuble a chaussures, chaussure",
-                de="schuhschrank",
-                es="zapatero",
-                zh="鞋柜, 鞋櫃",
-                ja="下駄箱, シューズ",
-            ),
-        ),
         essential=("storage", "somewhere for coats or shoes"),
         forms="shoes",
         drawn_by=(".furniture.storage", ".styled.cases"),
@@ -108,16 +58,6 @@ KINDS = (
         "toy_box",
         access=FRONT,
         sizes=size_range("24 60 110", "25 40 60", "28 42 60"),
-        words=(
-            words(
-                en="toy box, toy chest",
-                fr="coffre a jouets",
-                de="spielzeugkiste",
-                es="baul de juguetes",
-                zh="玩具箱",
-                ja="おもちゃ箱",
-            ),
-        ),
         drawn_by=(".furniture.storage",),
     ),
     Kind(
@@ -126,16 +66,6 @@ KINDS = (
         back="flat",
         sizes=size_range("40 80 130", "30 40 48", "120 180 220"),
         hall=at_wall(0.75, 0.1),
-        words=(
-            words(
-                en="glass door cabinet, display cabinet, display case, vitrine, china cabinet",
-                fr="vitrine",
-                de="vitrine",
-                es="vitrina",
-                zh="玻璃柜, 玻璃门餐具柜",
-                ja="ガラス",
-            ),
-        ),
         in_rooms=(("kitchen", ("wall_cabinet", "display_cabinet")),),
         essential=("screen or focal point",),
         drawn_by=(".furniture.storage",),
@@ -145,31 +75,11 @@ KINDS = (
         access=FRONT,
         back="flat",
         sizes=size_range("20 40 90", "15 34 46", "50 170 205"),
-        words=(
-            words(
-                en="bathroom cabinet, linen cabinet",
-                fr="armoire de toilette",
-                de="badschrank",
-                es="armario de bano",
-                zh="浴室储物柜",
-                ja="浴室収納, バスルームキャビネット",
-            ),
-        ),
         drawn_by=(".furniture.storage",),
     ),
     Kind(
         "laundry_basket",
         sizes=size_range("28 42 65", "25 35 50", "40 58 75"),
-        words=(
-            words(
-                en="laundry basket, clothes basket, hamper",
-                fr="panier a linge",
-                de="waschekorb",
-                es="cesto de ropa",
-                zh="洗衣篮",
-                ja="ランドリーバスケット",
-            ),
-        ),
         drawn_by=(".furniture.storage",),
     ),
     Kind(
@@ -178,17 +88,6 @@ KINDS = (
         back="flat",
         sizes=size_range("35 80 150", "22 32 42", "140 200 245"),
         hall=at_wall(0.75),
-        words=(
-            words(
-                "shelf_unit",
-                en="bookcase, bookshelf, book shelf, bookshelves",
-                fr="bibliotheque",
-                de="bucherregal, bucherschrank",
-                es="estanteria de libros, libreria",
-                zh="书架, 書架, 书柜",
-                ja="本棚",
-            ),
-        ),
         essential=("screen or focal point", "storage"),
         forms="shelf",
         drawn_by=(".furniture.shelves", ".styled.cases"),
@@ -199,17 +98,6 @@ KINDS = (
         back="flat",
         sizes=size_range("35 80 200", "22 35 45", "50 100 150"),
         hall=at_wall(0.75),
-        words=(
-            words(
-                "bookcase wall_shelf",
-                en="shelf, shelves, shelving, shelf unit",
-                fr="etagere",
-                de="regal",
-                es="estanteria, estante",
-                zh="架子, 置物架",
-                ja="シェルフ, 棚",
-            ),
-        ),
         essential=("screen or focal point", "storage"),
         drawn_by=(".furniture.shelves",),
     ),
@@ -220,17 +108,6 @@ KINDS = (
         back="flat",
         sizes=size_range("30 90 200", "20 40 65", "120 180 230"),
         hall=at_wall(0.75),
-        words=(
-            words(
-                "shelf_unit",
-                en="storage shelf, storage rack, metal shelving, pantry shelf",
-                fr="rayonnage, étagère de rangement",
-                de="lagerregal, schwerlastregal, metallregal",
-                es="estantería metálica",
-                zh="储物架, 收纳架",
-                ja="スチールラック, 収納棚",
-            ),
-        ),
         essential=("storage", "somewhere for coats or shoes"),
         drawn_by=(".furniture.shelves",),
     ),
@@ -238,16 +115,6 @@ KINDS = (
         "coat_rack",
         access=FRONT,
         sizes=size_range("28 60 140", "25 35 60", "150 175 205"),
-        words=(
-            words(
-                en="coat rack, coat stand, coat rack standing, hat stand",
-                fr="porte manteau",
-                de="garderobenstander",
-                es="perchero",
-                zh="衣帽架",
-                ja="コートハンガー",
-            ),
-        ),
         essential=("somewhere for coats or shoes",),
         forms="coats",
         drawn_by=(".furniture.shelves",),
@@ -257,16 +124,6 @@ KINDS = (
         support="wall",
         back="flat",
         sizes=size_range("30 90 180", "12 22 35", "15 30 120"),
-        words=(
-            words(
-                en="wall shelf",
-                fr="etagere murale",
-                de="wandregal",
-                es="estante de pared",
-                zh="壁架",
-                ja="ウォールシェルフ",
-            ),
-        ),
         drawn_by=(".furniture.shelves",),
     ),
 )

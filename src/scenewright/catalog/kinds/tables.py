@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scenewright.catalog.kinds.usual import ALL_SIDES, FRONT
-from scenewright.core.kind import Kind, Service, TableChairs, free, size_range, words
+from scenewright.core.kind import Kind, Service, TableChairs, free, size_range
 
 KINDS = (
     Kind(
@@ -13,25 +13,6 @@ KINDS = (
         sizes=size_range("60 160 300", "55 90 120", "70 74 78"),
         hall=free("grid chain", 0.75),
         chairs=TableChairs("dining_chair", 0.6, 0.1),
-        words=(
-            words(
-                en="dining table, dinner table, kitchen table",
-                fr="table a manger",
-                de="esstisch",
-                es="mesa de comedor",
-                zh="餐桌",
-                ja="ダイニングテーブル",
-            ),
-            words(
-                "coffee_table side_table",
-                en="table",
-                fr="table",
-                de="tisch",
-                es="mesa",
-                zh="桌",
-                ja="テーブル",
-            ),
-        ),
         in_rooms=(("exterior", ("outdoor_table",)),),
         essential=("table", "dining table"),
         forms="dining",
@@ -44,16 +25,6 @@ KINDS = (
         sizes=size_range("60 110 180", "60 110 180", "70 74 78"),
         hall=free("grid chain", 0.75),
         chairs=TableChairs("dining_chair", 0.6, 0.1, around=True),
-        words=(
-            words(
-                en="round table, table round",
-                fr="table ronde",
-                de="runder tisch",
-                es="mesa redonda",
-                zh="圆桌, 圓桌",
-                ja="丸テーブル",
-            ),
-        ),
         in_rooms=(("exterior", ("outdoor_table",)),),
         essential=("table", "dining table"),
         forms="dining",
@@ -65,16 +36,6 @@ KINDS = (
         airy=True,
         sizes=size_range("45 110 160", "35 60 100", "30 40 52"),
         hall=free("grid single", 0.4),
-        words=(
-            words(
-                en="coffee table, low table",
-                fr="table basse",
-                de="couchtisch",
-                es="mesa de centro",
-                zh="茶几, 咖啡桌",
-                ja="ローテーブル, コーヒーテーブル",
-            ),
-        ),
         essential=("table",),
         drawn_by=(".furniture.tables", ".styled.tops"),
     ),
@@ -82,17 +43,6 @@ KINDS = (
         "side_table",
         airy=True,
         sizes=size_range("28 45 65", "28 45 65", "40 50 65"),
-        words=(
-            words(
-                "console_table",
-                en="side table, end table, lamp table, bistro side table",
-                fr="table d appoint, gueridon",
-                de="beistelltisch",
-                es="mesa auxiliar",
-                zh="边几",
-                ja="サイドテーブル",
-            ),
-        ),
         essential=("table",),
         drawn_by=(".furniture.tables", ".styled.tops"),
     ),
@@ -104,16 +54,6 @@ KINDS = (
         sizes=size_range("70 140 200", "45 70 90", "68 74 80"),
         services=(Service("power", 1.8, "lead"), Service("data", 2.0, "cable")),
         hall=free("grid chain", 0.9, 0.0, 0.0, 0.0),
-        words=(
-            words(
-                en="desk, writing desk, work desk",
-                fr="bureau",
-                de="schreibtisch",
-                es="escritorio",
-                zh="书桌, 書桌, 写字台, 办公桌",
-                ja="デスク",
-            ),
-        ),
         essential=("desk",),
         forms="desk",
         drawn_by=(".furniture.tables", ".styled.tops"),
@@ -125,16 +65,6 @@ KINDS = (
         label="corner desk",
         sizes=size_range("120 160 220", "110 150 200", "68 74 80"),
         services=(Service("power", 1.8, "lead"), Service("data", 2.0, "cable")),
-        words=(
-            words(
-                en="corner desk, l shaped desk, l desk, desk corner",
-                fr="bureau d'angle",
-                de="eckschreibtisch, winkelschreibtisch",
-                es="escritorio esquinero, escritorio en l",
-                zh="转角书桌, 转角办公桌",
-                ja="コーナーデスク, L字デスク",
-            ),
-        ),
         essential=("desk",),
         forms="corner_desk",
         drawn_by=(".furniture.tables", ".styled.tops"),
@@ -145,16 +75,6 @@ KINDS = (
         airy=True,
         back="flat",
         sizes=size_range("60 100 130", "40 55 70", "50 66 76"),
-        words=(
-            words(
-                en="kids desk, child desk, children desk, school desk",
-                fr="bureau enfant",
-                de="kinderschreibtisch",
-                es="escritorio infantil",
-                zh="儿童书桌",
-                ja="学習机",
-            ),
-        ),
         essential=("desk",),
         forms="kids_desk",
         drawn_by=(".furniture.tables",),
@@ -164,16 +84,6 @@ KINDS = (
         access=FRONT,
         airy=True,
         sizes=size_range("60 110 180", "22 35 48", "70 80 92"),
-        words=(
-            words(
-                en="console, console table",
-                fr="table console",
-                de="konsolentisch",
-                es="consola",
-                zh="玄关桌",
-                ja="コンソール",
-            ),
-        ),
         essential=("somewhere for coats or shoes",),
         forms="console",
         drawn_by=(".furniture.tables",),
@@ -184,16 +94,6 @@ KINDS = (
         airy=True,
         back="high",
         sizes=size_range("60 90 140", "36 42 55", "72 76 140"),
-        words=(
-            words(
-                en="dressing table, make up table, makeup table",
-                fr="coiffeuse",
-                de="schminktisch, frisiertisch",
-                es="tocador",
-                zh="梳妆台",
-                ja="ドレッサー",
-            ),
-        ),
         in_rooms=(("bathroom", ("basin",)),),
         forms="vanity",
         drawn_by=(".furniture.tables",),
