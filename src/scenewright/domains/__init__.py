@@ -143,10 +143,9 @@ def solve(
     ['desk', 'dining_wall']
     """
     watched = {} if watch is None else {"watch": watch}
-    made = plan or plan_valid(brief)
     solution: Solution = domain_of(brief.domain).verb("solve")(
         brief,
-        plan=made,
+        plan=plan or plan_valid(brief),
         preset=preset,
         solver=solver,
         seconds=seconds,
@@ -341,7 +340,8 @@ def learn_from(
 ) -> Any:
     """Learn ``what`` ("style" or "nets") from real scenes of a domain and write it as a file that
     briefs name. ``options`` are the domain's; a domain that cannot learn is refused."""
-    verb = domain_of(domain).verb("learn_nets" if what == "nets" else "learn_style")
+    kind: Domain = domain_of(domain)
+    verb = kind.verb("learn_nets") if what == "nets" else kind.verb("learn_style")
     return verb(sources, output, options, read_plan, tell, cancel)
 
 
