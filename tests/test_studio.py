@@ -219,7 +219,7 @@ def test_what_is_brought_names_no_other_file(client: TestClient) -> None:
     told = {"origin": HOME}
     brief = {"format": "scenewright/brief", "version": 1, "catalogs": ["/etc"], "rooms": []}
     reply = client.post("/bring?name=a.json", json=brief, headers=told)
-    assert "names files" in reply.json()["fault"]
+    assert "outside the workspace" in reply.json()["fault"]
     assert (
         "no name"
         in client.post("/bring?name=../a.json", content=b"{}", headers=told).json()["fault"]

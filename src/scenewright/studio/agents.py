@@ -57,12 +57,7 @@ class Tool(NamedTuple):
 
 def _open(session: Session, folder: Path, asked: Json) -> Answer:
     source = str(asked.get("source", ""))
-    if source not in samples():
-        path = (folder / source).resolve()
-        if not path.is_relative_to(folder.resolve()) or not path.is_file():
-            raise InputError(f"there is no file {source!r} in the folder", "name one that is there")
-        source = str(path)
-    session.open(source)
+    session.open(source, folder)
     return tell_scene(session.state())
 
 

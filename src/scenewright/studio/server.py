@@ -22,8 +22,9 @@ from scenewright.studio.breeding import Breeding
 from scenewright.studio.drawable import Json
 from scenewright.studio.people import EDIT, OWN, OWNER, Person, may
 from scenewright.studio.raters import RaterDesk
-from scenewright.studio.session import FORMATS, Session
-from scenewright.studio.verbs import do_verb, read_request
+from scenewright.studio.session import Session
+from scenewright.studio.verbs import do_verb
+from scenewright.studio.wishing import wish_schema
 
 SCRIPT = "text/javascript"
 PAGES = {
@@ -36,6 +37,7 @@ PAGES = {
     "wire.js": SCRIPT,
     "words.js": SCRIPT,
     "people.js": SCRIPT,
+    "wishes.js": SCRIPT,
     "words.zh.json": "application/json",
     "walk.js": SCRIPT,
     "shelf.js": SCRIPT,
@@ -47,8 +49,6 @@ MOST_CARDS = 500
 """Layouts that one request may ask for."""
 PAUSE = 10.0
 """Seconds after which a line that says nothing keeps an event stream open."""
-NAMED_FILES = ("catalogs", "groups", "sources", "source_file", "nets", "style")
-"""Keys of a brief that name further files, which what is brought by the page may not."""
 
 
 class Listeners:
@@ -101,9 +101,9 @@ def _ratings(session: Session, person: Person, _query: Query) -> Any:
 
 
 def _export(session: Session, query: Query) -> bytes:
-    asked = query.get("formats", ",".join(FORMATS)).split(",")
+    asked = [one for one in query.get("formats", "").split(",") if one]
     known = {row.suffix.removeprefix(".") for row in formats() if row.writer}
-    return session.export([ending for ending in asked if ending in known])
+    return session.export([ending for ending in asked if ending in known] if asked else ())
 
 
 TOLD: Mapping[str, Callable[[Session, Person, Query], Any]] = {
@@ -112,6 +112,7 @@ TOLD: Mapping[str, Callable[[Session, Person, Query], Any]] = {
     "/breeding": lambda session, person, _: _sheets(session, person).state(),
     "/ratings": _ratings,
     "/shelf": lambda session, *_: session.shelf(),
+    "/wish.schema.json": lambda *_: wish_schema(),
     "/cards": _cards,
 }
 """What is told as JSON, by address."""
@@ -218,28 +219,6 @@ def _bring(session: Session, body: bytes, folder: Path, name: str) -> Json:
     plain = PurePath(name.replace("\\", "/")).name
     if not plain or plain.startswith(".") or plain != name:
         raise InputError(f"{name!r} is no name of a file", "bring the file itself")
-    if plain.lower().endswith(".json"):
-        check_names_no_file(read_request(body), plain)
-    path = folder / plain
-    path.write_bytes(body)
-    session.open(str(path))
+    (folder / plain).write_bytes(body)
+    session.open(plain, folder)
     return {}
-
-
-def check_names_no_file(document: Json, name: str) -> None:
-    """InputError for a brief that names further files: those of the server's machine are nobody's
-    business.
-
-    >>> check_names_no_file({"catalogs": ["/etc"]}, "flat.json")
-    Traceback (most recent call last):
-    scenewright.core.errors.InputError: flat.json: catalogs: names files, which a brief that is \
-brought may not; start the studio with the file
-    """
-    inner = document.get("brief")
-    if isinstance(inner, dict):
-        check_names_no_file(inner, name)
-    for key in NAMED_FILES:
-        value = document.get(key)
-        if value and (key != "style" or str(value).endswith(".npz")):
-            fault = "names files, which a brief that is brought may not"
-            raise InputError(fault, "start the studio with the file", file=name, place=key)

@@ -8,6 +8,7 @@ import tempfile
 import zipfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from dataclasses import replace
 from io import BytesIO
 from pathlib import Path
 from threading import Event, RLock, Thread
@@ -20,7 +21,8 @@ from scenewright.core.errors import CancelledError, InputError
 from scenewright.core.plan import Plan
 from scenewright.core.report import Report
 from scenewright.core.solution import Solution, unfurnished
-from scenewright.formats import read_planned, solution_json, write
+from scenewright.formats import solution_json, write
+from scenewright.formats.table import formats
 from scenewright.studio.breeding import Breeding
 from scenewright.studio.draft_faults import DraftFault, read_draft
 from scenewright.studio.drafting import FORMAT, draw_act, new_draft
@@ -29,13 +31,14 @@ from scenewright.studio.people import AUTHOR, RATE, People, Person
 from scenewright.studio.raters import RaterDesk, Raters
 from scenewright.studio.shelf import draw_shelf, list_shelf
 from scenewright.studio.streaming import stream_layouts
+from scenewright.studio.wishing import list_wishes, with_wishes
 from scenewright.workflow import project
 from scenewright.workflow.judging import MoveJudge
+from scenewright.workflow.workspace import Workspace
 
 Tell = Callable[[Json], None]
 """Called with every event: progress, and that another version is shown."""
 BUSY = InputError("something is being arranged", "wait, or stop it first")
-FORMATS = ("json", "glb", "svg", "png")
 
 
 class Shown(NamedTuple):
@@ -84,15 +87,17 @@ class Session:
             redo = project.next_version(self.db, version.id)
         where = {"version": version.id, "history": steps, "undo": version.parent, "redo": redo}
         scene: Json = draw(*shown[1:]) if shown else {"name": "", "levels": [], "pieces": []}
+        scene["wishes"] = list_wishes(shown.solution.brief) if shown else {}
         if drawn:
             scene["name"], scene["draft"] = drawn.draft["name"], drawn.draft
             scene["faults"] = [one._asdict() for one in drawn.faults]
         return {"running": self.running, **where, **scene}
 
-    def open(self, source: str) -> None:
-        """Begin with a file or a sample: its plan, with what is fixed in it."""
+    def open(self, source: str, root: Path | None = None) -> None:
+        """Begin with a file or a sample: its plan, with what is fixed in it. All it names lies
+        below a ``root``, if there is one."""
         with self._turn():
-            brief, plan = read_planned(source)
+            brief, plan = Workspace(root).read_planned(source)
             self._keep(0, f"opened {Path(source).name}", unfurnished(brief), plan)
 
     def begin(self) -> None:
@@ -206,6 +211,15 @@ class Session:
             self._keep(shown.version, what, adjusted.solution, plan)
         return {"changes": [change._asdict() for change in adjusted.changes]}
 
+    def wish(self, room: str, wishes: Any) -> None:
+        """Change what is wished for in a room; it is heeded when that is arranged."""
+        with self._turn():
+            shown = self.must_show()
+            brief = with_wishes(shown.solution.brief, room, wishes)
+            plan = domains.plan_of(brief)
+            solution = replace(shown.solution, brief=brief)
+            self._keep(shown.version, f"wishes for {room}", solution, plan)
+
     def judge(self, poses: Mapping[str, Sequence[float]]) -> list[Json]:
         """What the referee would say if pieces, with all that lies on them, were put there."""
         shown = self.must_show()
@@ -245,12 +259,12 @@ class Session:
         """The picture of a model of the shelf."""
         return draw_shelf(self.must_show().solution.brief, asset)
 
-    def export(self, endings: Sequence[str] = FORMATS) -> bytes:
+    def export(self, endings: Sequence[str] = ()) -> bytes:
         """The scene in several formats as one zip archive; what cannot be written is told in it."""
         shown = self.must_show()
         kept, faults = BytesIO(), []
         with tempfile.TemporaryDirectory() as folder, zipfile.ZipFile(kept, "w") as archive:
-            for ending in endings:
+            for ending in endings or self.endings():
                 path = Path(folder, f"scene.{ending}")
                 try:
                     write(shown.solution, path)
@@ -261,6 +275,14 @@ class Session:
             if faults:
                 archive.writestr("left_out.txt", "\n".join(faults) + "\n")
         return kept.getvalue()
+
+    def endings(self) -> list[str]:
+        """Every format that scenes of this kind are written in; photographs take minutes and are
+        asked for by name."""
+        domain = self.must_show().solution.brief.domain
+        rows = [row for row in formats() if row.writer and row.holds(domain)]
+        found = dict.fromkeys(row.suffix.removeprefix(".") for row in rows)
+        return [ending for ending in found if not ending.endswith(".png")]
 
     def file(self, ending: str) -> bytes:
         """The scene in one format: its picture from above at an angle, its model."""

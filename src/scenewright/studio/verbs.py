@@ -11,12 +11,13 @@ import math
 from collections.abc import Callable, Collection, Mapping
 from typing import Any, NamedTuple
 
+from scenewright.core.edits import Addition
 from scenewright.core.errors import InputError
 from scenewright.formats import samples
 from scenewright.studio.drawable import Json
 from scenewright.studio.people import AUTHOR, EDIT, OWN, OWNER, RATE, Person, may
 from scenewright.studio.session import Session
-from scenewright.workflow.editing import Addition, edit_pieces
+from scenewright.workflow.editing import edit_pieces
 
 MOST = 500
 """Pieces that one verb may name."""
@@ -37,6 +38,8 @@ AT: Json = {
     "maxItems": 2,
     "description": "x, y in metres",
 }
+STYLES = ["boho", "classic", "industrial", "japandi", "nordic", "retro"]
+SIZE: Json = {**POSE, "description": "width, depth and height in metres"}
 SEED: Json = {"type": "integer", "minimum": 0, "description": "another one, another answer"}
 ASSET: Json = {"type": "string", "description": "id of a model, from the shelf"}
 TEXT: Json = {"type": "string"}
@@ -115,6 +118,17 @@ def _add(session: Session, asked: Json) -> Json:
     return session.change(f"added {_word(new.asset)}", {"add": [new]}, edit_pieces)
 
 
+def _resize(session: Session, asked: Json) -> Json:
+    piece, size = _text(asked, "piece"), list(_pose(asked.get("size")))
+    return session.change(f"resized {_word(piece)}", {"resize": {piece: size}}, edit_pieces)
+
+
+def _restyle(session: Session, asked: Json) -> Json:
+    piece, style = _text(asked, "piece"), _text(asked, "style")
+    edits = {"restyle": {piece: style}}
+    return session.change(f"restyled {_word(piece)}, {style}", edits, edit_pieces)
+
+
 def _again(session: Session, asked: Json) -> Json:
     space, seed = _text(asked, "space"), _whole(asked, "seed")
     edits = {"again": [space], "seed": seed}
@@ -181,26 +195,49 @@ VERBS: Mapping[str, Verb] = {
         "let pieces be moved again", {"pieces": PIECES, "piece": PIECE}, _by_name("unlock")
     ),
     "remove": Verb(
-        "take pieces away (homes)",
-        {"pieces": PIECES, "piece": PIECE},
-        _by_name("remove", by=edit_pieces),
+        "take pieces away", {"pieces": PIECES, "piece": PIECE}, _by_name("remove", by=edit_pieces)
     ),
     "duplicate": Verb(
-        "put in the same pieces once more, beside (homes)",
+        "put in the same pieces once more, beside",
         {"pieces": PIECES, "piece": PIECE},
         _by_name("duplicate", by=edit_pieces),
     ),
     "exchange": Verb(
-        "another model in the place of a piece (homes)",
+        "another model in the place of a piece",
         {"piece": PIECE, "asset": ASSET},
         _exchange,
         ("piece", "asset"),
     ),
     "add": Verb(
-        "put in a model near a place; it is locked there (homes)",
+        "put in a model near a place; it is locked there",
         {"asset": ASSET, "at": AT},
         _add,
         ("asset", "at"),
+    ),
+    "resize": Verb(
+        "give a piece another size, where its model comes in that",
+        {"piece": PIECE, "size": SIZE},
+        _resize,
+        ("piece", "size"),
+    ),
+    "restyle": Verb(
+        "models of a style for a piece, or for all of a space",
+        {"piece": PIECE, "style": {"enum": STYLES}},
+        _restyle,
+        ("piece", "style"),
+    ),
+    "wish": Verb(
+        "say what is wished for, or forbidden, in a room; heeded when it is arranged",
+        {
+            "space": TEXT,
+            "wishes": {
+                "type": "array",
+                "items": {"type": "object"},
+                "description": "all of them, such as {'what': 'tv', 'forbid': true}",
+            },
+        },
+        lambda session, asked: session.wish(_text(asked, "space"), asked.get("wishes")),
+        ("space", "wishes"),
     ),
     "again": Verb(
         "another answer for one room, around what is locked",

@@ -9,8 +9,9 @@ const SNAP_WORDS = [t("grid and lines"), t("lines"), t("angles"), t("off")];
 const TOOLS = { v: "select", r: "room", d: "door", p: "passage", w: "window", c: "column" };
 const HINTS = { select: t("Drag a corner or a wall; click a length to type it; Delete removes"),
   room: t("Drag a rectangle, or click corner after corner and the first again; digits type a length (4.2 or 4.2x3.6), Enter"),
-  door: t("Click a wall"), passage: t("Click a wall: an open passage"), window: t("Click a wall"), column: t("Click a floor") };
+  door: t("Click a wall"), passage: t("Click a wall: an open passage"), window: t("Click a wall"), column: t("Click a floor"), scale: t("Drag along a length you know in the image, then type it in metres") };
 let draft = null, faults = [], act = null, tool = "room", snapping = 0, picked = "", view = [-1.5, -9, 14, 10.5];
+let under = null;
 let poly = [], press = null, here = null, digits = "", guides = [], shift = null, after = null;
 
 export function showDrawing(doc, change) {
@@ -105,6 +106,7 @@ function show() {
   const svg = $("draft"), px = scale();
   svg.setAttribute("viewBox", view.join(" ")); svg.dataset.tool = tool;
   svg.replaceChildren();
+  if (under) element("image", { href: under.href, x: 0, y: -under.width * under.tall, width: under.width, height: under.width * under.tall, opacity: 0.55 }, svg);
   drawGrid(svg, px);
   const outer = 2 * draft.outer_wall_thickness - draft.wall_thickness;
   for (const room of draft.rooms) element("path", { class: "sketch", d: outline([shifted(room)]), "stroke-width": outer }, svg);
@@ -246,6 +248,7 @@ $("draft").addEventListener("pointerdown", (event) => {
   if (event.button === 1) { press = pan(event); return; }
   if (tool === "select" && label) { type(label); return; }
   $("draft").setPointerCapture(event.pointerId);
+  if (tool === "scale") { poly = [raw]; here = raw; press = { scale: true }; show(); return; }
   if (tool === "room") {
     const at = snap(raw, event, poly.at(-1));
     if (!poly.length) { press = { rectangle: true, from: at }; here = at; }
@@ -278,6 +281,8 @@ $("draft").addEventListener("pointermove", (event) => {
   if (press?.pan) {
     const by = scale();
     view = [press.start[0] - (event.clientX - press.from[0]) * by, press.start[1] - (event.clientY - press.from[1]) * by, view[2], view[3]];
+  } else if (press?.scale) {
+    here = raw;
   } else if (press?.points) {
     const at = snap(raw, event, press.from), by = [at[0] - press.from[0], at[1] - press.from[1]];
     if (press.wall) {
@@ -297,6 +302,12 @@ $("draft").addEventListener("pointermove", (event) => {
 
 $("draft").addEventListener("pointerup", async (event) => {
   const done = press; press = null; guides = [];
+  if (done?.scale) {
+    const long = far(poly[0], here), from = poly[0], to_ = here;
+    poly = []; here = null; show();
+    if (under && long > 0.05) typeScale(from, to_, long);
+    return;
+  }
   if (done?.rectangle) {
     if (Math.min(Math.abs(here[0] - done.from[0]), Math.abs(here[1] - done.from[1])) > LEAST) await finish(rectangle(done.from, here));
     else { poly = [done.from]; show(); }
@@ -315,6 +326,33 @@ $("draft").addEventListener("wheel", (event) => {
   view = [x + (view[0] - x) * by, -y + (view[1] + y) * by, view[2] * by, view[3] * by];
   show();
 }, { passive: false });
+
+// The image gets the scale at which a line drawn over it has the length typed.
+function typeScale(from, until, long) {
+  const input = $("typed"), frame = $("drawing").getBoundingClientRect(), matrix = $("draft").getScreenCTM();
+  const at = new DOMPoint((from[0] + until[0]) / 2, -(from[1] + until[1]) / 2).matrixTransform(matrix);
+  Object.assign(input.style, { left: `${at.x - frame.x}px`, top: `${at.y - frame.y}px` });
+  input.value = ""; input.hidden = false;
+  input.onkeydown = (event) => {
+    if (event.key === "Escape") input.hidden = true;
+    if (event.key !== "Enter") return;
+    const metres = Number(input.value.replace(",", "."));
+    input.hidden = true;
+    if (metres > 0) { under.width *= metres / long; choose("room"); }
+  };
+  setTimeout(() => input.focus());
+}
+
+$("under").onchange = async (event) => {
+  const file = event.target.files[0];
+  if (!file) return;
+  const href = URL.createObjectURL(file), image = new Image();
+  image.src = href; await image.decode().catch(() => say(t("this is no image")));
+  if (!image.width) return;
+  under = { href, width: 12, tall: image.height / image.width };
+  view = [-1, -under.width * under.tall - 1, under.width + 2, under.width * under.tall + 2];
+  $("scale").hidden = false; choose("scale");
+};
 
 function type(label) {
   const input = $("typed"), box = label.getBoundingClientRect(), frame = $("drawing").getBoundingClientRect();

@@ -15,7 +15,7 @@ export const line = (points) => "M" + points.map(([x, y]) => `${x},${-y}`).join(
 export const placed = ([x, y, , heading]) => `translate(${x} ${-y}) rotate(${90 - heading * 180 / Math.PI})`;
 
 export function drawFloor(here, parent) {
-  for (const one of here.spaces) element("path", { class: "space", d: outline(one.rings), "fill-rule": "evenodd" }, parent);
+  for (const one of here.spaces) element("path", { class: "space", d: outline(one.rings), "fill-rule": "evenodd", "data-space": one.id }, parent);
   for (const one of here.surfaces) element("path", { class: "ground", d: outline(one.rings) }, parent);
 }
 

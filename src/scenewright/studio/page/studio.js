@@ -4,12 +4,14 @@ import { drawFloor, drawShell, element, extent, line, outline, placed } from "/d
 import { openShelf } from "/shelf.js";
 import { $, fill, read, say, send } from "/wire.js";
 import { hideBreeding, showBreeding, refreshBreeding, noteShare } from "/breed.js";
+import { showWishes } from "/wishes.js";
 import { openPeople, refreshPeople } from "/people.js";
 import { t } from "/words.js";
 import { hideDrawing, refreshDrawing, showDrawing } from "/draft.js";
 
 const NUDGE = 0.05, QUARTER = Math.PI / 2;
 
+let room = "", measuring = false, ruler = null;
 let doc = { version: 0 }, level = "", picked = "", more = new Set(), placing = "", view = null, drag = null, touched = false, changes = [];
 
 async function change(verb, keys = {}) {
@@ -35,8 +37,7 @@ function show() {
   document.body.dataset.right = doc.me?.right ?? "view";
   $("name").textContent = doc.name || "Scenewright";
   $("undo").disabled = !doc.undo; $("redo").disabled = !doc.redo;
-  $("adding").hidden = doc.domain !== "home";
-  for (const id of ["double", "remove", "exchange"]) $(id).disabled = doc.domain !== "home";
+  $("adding").hidden = !(doc.levels ?? []).length;
   $("arrange").disabled = $("breed").disabled = !(doc.levels ?? []).length || doc.running;
   for (const id of ["solid", "walk", "picture"]) $(id).disabled = !(doc.levels ?? []).length;
   $("stop").hidden = !doc.running; $("share").hidden = !doc.running;
@@ -51,7 +52,7 @@ function show() {
 }
 
 function drawPlan() {
-  const plan = $("plan"), here = (doc.levels ?? []).find((one) => one.id === level);
+  const plan = $("plan"), here = (doc.levels ?? []).find((one) => one.id === level), focused = plan.contains(document.activeElement) && document.activeElement !== plan;
   plan.replaceChildren();
   if (!here) {
     plan.setAttribute("viewBox", "0 0 600 300");
@@ -68,6 +69,7 @@ function drawPlan() {
     const [x, y] = one.label;
     element("text", { class: "room", x, y: -y, "font-size": view[2] / 55 }, plan, one.name);
   }
+  if (focused && picked) plan.querySelector(`[data-id="${CSS.escape(picked)}"]`)?.focus();
   drawFindings(toShow());
   if (!doc.running) { streamed.clear(); plan.classList.remove("searching"); }
   drawStreamed();
@@ -102,6 +104,23 @@ function drawFindings(findings) {
   return layer;
 }
 
+// The ruler: what lies between two places, in metres.
+function drawRuler() {
+  const plan = $("plan");
+  plan.querySelector("#ruler")?.remove();
+  if (!ruler) return;
+  const [[ax, ay], [bx, by]] = ruler, layer = element("g", { id: "ruler" }, plan), size = view[2] / 45;
+  element("path", { class: "guide", d: line(ruler) }, layer);
+  for (const [x, y] of ruler) element("circle", { class: "hold", cx: x, cy: -y, r: view[2] / 200 }, layer);
+  element("text", { class: "title", x: (ax + bx) / 2, y: -(ay + by) / 2 - size / 2, "font-size": size }, layer, `${Math.hypot(bx - ax, by - ay).toFixed(2)} m`);
+}
+
+function measure(on) {
+  measuring = on; ruler = null; $("measure").ariaPressed = on; $("plan").classList.toggle("placing", on); drawRuler();
+  if (on) say(t("drag from one place to another"));
+}
+$("measure").onclick = () => measure(!measuring);
+
 const toShow = () => (doc.findings ?? []).filter((found) => !isBare() || found.kind !== "missing");
 
 function lookAt(found) {
@@ -117,7 +136,9 @@ function lookAt(found) {
 function drawPiece(piece, bad, plan) {
   const names = ["piece", piece.flat && "flat", piece.hangs && "hangs", piece.locked && "locked",
     bad.has(piece.id) && "bad", (piece.id === picked || more.has(piece.id)) && "on"].filter(Boolean).join(" ");
-  const group = element("g", { class: names, transform: placed(piece.pose), "data-id": piece.id }, plan);
+  const where = doc.levels.flatMap((one) => one.spaces).find((one) => one.id === piece.space)?.name ?? "";
+  const spoken = [piece.name, where, piece.locked ? t("locked") : "", bad.has(piece.id) ? t("at fault") : ""].filter(Boolean).join(", ");
+  const group = element("g", { class: names, transform: placed(piece.pose), "data-id": piece.id, tabindex: 0, role: "button", "aria-label": spoken, "aria-pressed": piece.id === picked }, plan);
   element("title", {}, group, piece.name);
   for (const points of doc.symbols[piece.symbol]) element("path", { d: line(points) }, group);
 }
@@ -125,16 +146,18 @@ function drawPiece(piece, bad, plan) {
 const chosen = () => doc.pieces?.find((piece) => piece.id === picked);
 const selection = () => (doc.pieces ?? []).filter((piece) => piece.id === picked || more.has(piece.id));
 const ids = () => selection().map((piece) => piece.id);
-function pick(id) { picked = id; more = new Set(); }
+function pick(id) { picked = id; more = new Set(); room = chosen()?.space ?? room; }
 
 function showSelected() {
   const piece = chosen();
   $("selected").hidden = !piece;
+  showWishes(doc.levels?.flatMap((one) => one.spaces).find((one) => one.id === (piece?.space ?? room)), doc, change);
   if (!piece) return;
   const [x, y, , heading] = piece.pose, [w, d, h] = piece.size;
   const several = selection().length;
   $("piece").textContent = several > 1 ? t("{n} pieces", { n: several }) : piece.name;
-  $("place").hidden = $("exchange").hidden = several > 1;
+  $("place").hidden = $("sizes").hidden = $("exchange").hidden = several > 1;
+  for (const [id, value] of [["wide", w], ["deep", d], ["high", h]]) if (document.activeElement !== $(id)) $(id).value = Number(value.toFixed(3));
   for (const [id, value] of [["at-x", x], ["at-y", y], ["at-turn", Math.round(heading * 180 / Math.PI)]]) {
     if (document.activeElement !== $(id)) $(id).value = Number(value.toFixed(3));
   }
@@ -190,6 +213,7 @@ function planPoint(event) {
 $("plan").addEventListener("pointerdown", (event) => {
   const group = event.target.closest?.(".piece"), at = planPoint(event);
   $("plan").setPointerCapture(event.pointerId);
+  if (measuring) { ruler = [at, at]; drawRuler(); return; }
   if (placing) {
     const asset = placing;
     placing = ""; $("plan").classList.remove("placing"); say("");
@@ -207,11 +231,12 @@ $("plan").addEventListener("pointerdown", (event) => {
     show();
   } else {
     drag = { pan: true, from: [event.clientX, event.clientY], start: [...view ?? [0, 0, 1, 1]] };
-    pick(""); show();
+    pick(""); room = event.target.closest?.(".space")?.dataset.space ?? room; show();
   }
 });
 
 $("plan").addEventListener("pointermove", (event) => {
+  if (measuring && ruler && event.buttons) { ruler[1] = planPoint(event); drawRuler(); return; }
   if (!drag) return;
   if (drag.pan) {
     const scale = drag.start[2] / $("plan").clientWidth;
@@ -276,7 +301,8 @@ document.addEventListener("keydown", (event) => {
   if (command && key === "z" && !event.shiftKey) change("undo");
   else if (command && (key === "y" || key === "z")) change("redo");
   else if (!$("drawing").hidden) return;
-  else if (key === "escape") { placing = ""; $("plan").classList.remove("placing"); pick(""); show(); }
+  else if (!command && key === "m" && !$("plan").hasAttribute("hidden")) measure(!measuring);
+  else if (key === "escape") { measure(false); placing = ""; $("plan").classList.remove("placing"); pick(""); show(); }
   else if (piece && command && key === "d") $("double").click();
   else if (command) return;
   else if (piece && (key === "delete" || key === "backspace")) $("remove").click();
@@ -319,6 +345,19 @@ for (const id of ["at-x", "at-y", "at-turn"]) $(id).onchange = () => {
   piece.pose = [x, y, piece.pose[2], turn * Math.PI / 180];
   place(piece);
 };
+for (const id of ["wide", "deep", "high"]) $(id).onchange = () => {
+  const piece = chosen();
+  if (piece) change("resize", { piece: piece.id, size: ["wide", "deep", "high"].map((one) => Number($(one).value)) });
+};
+$("style").onchange = async () => {
+  const piece = chosen(), style = $("style").value;
+  $("style").value = "";
+  if (piece && style) await change("restyle", { piece: piece.id, style });
+};
+$("plan").addEventListener("focusin", (event) => {
+  const id = event.target.closest?.(".piece")?.dataset.id;
+  if (id && id !== picked && !drag) { pick(id); show(); }
+});
 $("again").onclick = () => {
   const piece = chosen();
   if (piece) change("again", { space: piece.space, seed: 1 + Math.floor(Math.random() * 999) });
@@ -330,7 +369,8 @@ let space = null, spaceOf = 0;
 async function showSpace(walking) {
   if (!doc.version) return;
   hideBreeding(); hideDrawing();
-  for (const [id, on] of [["space", true], ["pad", walking]]) $(id).hidden = !on;
+  for (const [id, on] of [["space", true], ["pad", walking && matchMedia("(pointer: coarse)").matches]]) $(id).hidden = !on;
+  if (walking) $("minimap").removeAttribute("hidden"); else $("minimap").setAttribute("hidden", "");
   $("plan").setAttribute("hidden", "");
   $("solid").ariaPressed = !walking; $("walk").ariaPressed = walking;
   if (!space || spaceOf !== doc.version) {
@@ -346,7 +386,28 @@ async function showSpace(walking) {
   if (!walking) { space.turn(); return; }
   const room = roomToStandIn(), [x, y, heading] = space.stood ?? [...room.label, Math.PI / 2];
   space.walk(x, y, room.floor, heading);
+  drawMinimap();
   $("space").focus();
+}
+
+// Where one stands while walking, on a small plan; a click goes there.
+function drawMinimap() {
+  const map = $("minimap"), here = doc.levels.find((one) => one.id === level) ?? doc.levels[0], frame = extent(here);
+  map.setAttribute("viewBox", frame.join(" "));
+  map.replaceChildren();
+  drawFloor(here, map); drawShell(here, map);
+  const dot = element("path", { class: "here", d: `M0,${-frame[2] / 22} L${frame[2] / 40},${frame[2] / 40} L${-frame[2] / 40},${frame[2] / 40}Z` }, map);
+  const follow = () => {
+    if (map.hasAttribute("hidden") || !space?.walking) return;
+    const [x, y, heading] = space.where();
+    dot.setAttribute("transform", `translate(${x} ${-y}) rotate(${90 - heading * 180 / Math.PI})`);
+    requestAnimationFrame(follow);
+  };
+  follow();
+  map.onclick = (event) => {
+    const at = new DOMPoint(event.clientX, event.clientY).matrixTransform(map.getScreenCTM().inverse());
+    space.walk(at.x, -at.y, here.elevation, space.where()[2]);
+  };
 }
 
 function roomToStandIn() {
@@ -356,7 +417,9 @@ function roomToStandIn() {
 }
 
 function showPlan() {
+  if (!$("drawing").hidden && !touched) view = null;
   for (const id of ["space", "pad"]) $(id).hidden = true;
+  $("minimap").setAttribute("hidden", "");
   hideBreeding(); hideDrawing();
   $("plan").removeAttribute("hidden");
   $("solid").ariaPressed = $("walk").ariaPressed = false;
@@ -389,10 +452,14 @@ $("breed").onclick = async () => {
 };
 
 $("picture").onclick = async () => {
-  say(t("drawing …"));
-  const reply = await fetch("/picture.png");
-  if (!reply.ok) { say((await reply.json()).fault); return; }
-  say(""); $("image").src = URL.createObjectURL(await reply.blob()); $("shown").showModal();
+  let picture = $("space").hidden ? null : await space?.shot();
+  if (!picture) {
+    say(t("drawing …"));
+    const reply = await fetch("/picture.png");
+    if (!reply.ok) { say((await reply.json()).fault); return; }
+    picture = await reply.blob();
+  }
+  say(""); $("image").src = $("keep-picture").href = URL.createObjectURL(picture); $("shown").showModal();
 };
 $("samples").onchange = async (event) => { if (event.target.value) await change("open", { source: event.target.value }); };
 $("file").onchange = (event) => bring(event.target.files[0]);

@@ -142,6 +142,8 @@ export async function open3d(canvas, address) {
       state.heading = Math.PI / 2 - heading; state.tilt = 0; look();
     },
     turn() { state.walking = false; turning.enabled = true; camera.fov = 60; },
+    // What is seen now, as a picture.
+    shot: () => { renderer.render(scene, camera); return new Promise((done) => { canvas.toBlob(done, "image/png"); }); },
     where: () => [camera.position.x, -camera.position.z, Math.PI / 2 - state.heading],
     press: (name, held_) => state.keys[held_ ? "add" : "delete"](name),
     close() {

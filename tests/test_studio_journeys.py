@@ -1,0 +1,276 @@
+"""What people do with the studio, from the first click, in a headless browser: by mouse, keyboard
+and touch. Whatever the browser complains of is a failure."""
+
+from __future__ import annotations
+
+import io
+import re
+import signal
+import subprocess
+import sys
+import time
+import zipfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import pytest
+
+pytest.importorskip("starlette")
+browsing = pytest.importorskip("playwright.sync_api")
+
+CHROMIUM = Path("/usr/bin/chromium")
+FLAGS = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
+SOON = 240_000.0
+"""Milliseconds that anything may take on a busy machine."""
+DATA = Path(__file__).parent / "data" / "field_cases"
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(not CHROMIUM.exists(), reason="no Chromium on this machine"),
+]
+
+
+class Studio(NamedTuple):
+    """A studio that runs in a folder: its process and its link."""
+
+    process: subprocess.Popen[str]
+    link: str
+
+
+def begin(folder: Path, source: str = "") -> Studio:
+    words = ["studio", *([source] if source else []), "--no-browser", "--port", "0"]
+    code = f"from scenewright.cli import main; main({words!r})"
+    process = subprocess.Popen(
+        [sys.executable, "-u", "-c", code], cwd=folder, stdout=subprocess.PIPE, text=True
+    )
+    assert process.stdout is not None
+    text = ""
+    while "token=" not in text or "Ctrl-C" not in text:
+        line = process.stdout.readline()
+        assert line, text
+        text += line
+    found = re.search(r"http://\S+", text)
+    assert found is not None
+    return Studio(process, found[0])
+
+
+@contextmanager
+def started(folder: Path, source: str = "") -> Iterator[Studio]:
+    studio = begin(folder, source)
+    try:
+        yield studio
+    finally:
+        studio.process.send_signal(signal.SIGINT)
+        with studio.process:
+            studio.process.wait(60)
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Any]:
+    with browsing.sync_playwright() as made:
+        yield made.chromium.launch(executable_path=str(CHROMIUM), args=FLAGS)
+
+
+@contextmanager
+def visiting(browser: Any, link: str, **how: Any) -> Iterator[Any]:
+    """A page of its own browser context; it must not complain."""
+    with browser.new_context(viewport={"width": 1280, "height": 800}, **how) as context:
+        context.set_default_timeout(SOON)
+        page, complaints = context.new_page(), list[str]()
+        page.on("console", lambda m: complaints.append(m.text) if m.type == "error" else None)
+        page.on("pageerror", lambda error: complaints.append(str(error)))
+        page.goto(link)
+        yield page
+        assert complaints == []
+
+
+def furnish(page: Any) -> None:
+    done = page.locator("#history li", has_text="arranged")
+    before = done.count()
+    page.click("#arrange")
+    done.nth(before).wait_for()
+    page.locator("#stop").wait_for(state="hidden")
+
+
+def spot(page: Any, name: str) -> tuple[float, float]:
+    """Where a piece is on the screen."""
+    box = page.locator(f"#plan .piece:has(title:text-is('{name}'))").first.bounding_box()
+    assert box is not None
+    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+
+
+def drag(page: Any, start: tuple[float, float], end: tuple[float, float]) -> None:
+    page.mouse.move(*start)
+    page.mouse.down()
+    page.mouse.move((start[0] + end[0]) / 2, (start[1] + end[1]) / 2)
+    page.mouse.move(*end)
+    page.mouse.up()
+
+
+def test_a_flat_is_drawn_and_furnished(browser: Any, tmp_path: Path) -> None:
+    with started(tmp_path) as studio, visiting(browser, studio.link) as page:
+        page.click("#draw")
+        page.locator("#draft").wait_for()
+        for x, name in ((300, "Living room"), (580, "Bedroom")):
+            page.keyboard.press("Escape")
+            page.keyboard.press("r")
+            drag(page, (x, 300), (x + 280, 600))
+            page.locator("#room-name").wait_for()
+            page.fill("#room-name", name)
+            page.keyboard.press("Enter")
+            page.locator("#draft text", has_text=name).wait_for()
+        for key, at in (("d", (580, 450)), ("d", (360, 600)), ("w", (300, 450)), ("w", (720, 300))):
+            page.keyboard.press(key)
+            page.mouse.click(*at)
+            time.sleep(1.0)
+        page.locator("#faults", has_text="nothing").wait_for()
+        page.click("#furnish")
+        page.locator("#plan .piece").nth(4).wait_for()
+        page.locator("#stop").wait_for(state="hidden")
+        page.screenshot(path=tmp_path / "drawn.png")
+        assert page.locator("#plan .piece").count() > 5
+
+
+def test_a_home_is_brought_moved_undone_and_taken_away(browser: Any, tmp_path: Path) -> None:
+    with started(tmp_path) as studio, visiting(browser, studio.link) as page:
+        page.set_input_files("#file", DATA / "f09_tilted_furniture.sh3d")
+        page.locator("#plan .space").first.wait_for()
+        furnish(page)
+        piece = page.locator("#plan .piece").last
+        before = piece.get_attribute("transform")
+        piece.focus()
+        page.locator("#selected").wait_for()
+        page.keyboard.press("l")
+        page.locator("#history li", has_text="locked").wait_for()
+        page.keyboard.press("Control+z")
+        page.locator("#redo:enabled").wait_for()
+        assert page.locator("#plan .piece").last.get_attribute("transform") == before
+        page.screenshot(path=tmp_path / "brought.png")
+
+
+def test_a_sofa_moves_a_television_is_forbidden_and_all_is_exported(
+    browser: Any, tmp_path: Path
+) -> None:
+    with started(tmp_path, "sample:home-studio") as studio, visiting(browser, studio.link) as page:
+        furnish(page)
+        name = page.locator("#plan .piece:has(title:text-matches('sofa|bed', 'i')) title").first
+        words = str(name.text_content())
+        x, y = spot(page, words)
+        drag(page, (x, y), (x + 30, y + 12))
+        page.locator("#history li", has_text="moved").wait_for()
+        page.click("#undo")
+        page.locator("#redo:enabled").wait_for()
+        page.locator("#plan .piece:has(title:text-matches('television', 'i'))").first.focus()
+        page.locator("#wishing summary").click()
+        page.fill("#wish [name=what]", "tv")
+        page.check("#wish [name=forbid]")
+        page.click("#wish button")
+        page.locator("#wish-list li", has_text="tv").wait_for()
+        furnish(page)
+        assert page.locator("#plan .piece:has(title:text-matches('television', 'i'))").count() == 0
+        page.keyboard.press("m")
+        drag(page, (300, 300), (500, 300))
+        assert " m" in str(page.locator("#ruler text").text_content())
+        page.keyboard.press("Escape")
+        page.screenshot(path=tmp_path / "wished.png")
+        with page.expect_download() as taken:
+            page.click("#export")
+        names = zipfile.ZipFile(io.BytesIO(Path(taken.value.path()).read_bytes())).namelist()
+        assert {"scene.json", "scene.glb", "scene.svg", "scene.png"} <= {*names}
+
+
+def test_a_room_is_walked_through(browser: Any, tmp_path: Path) -> None:
+    with started(tmp_path, "sample:home-room") as studio, visiting(browser, studio.link) as page:
+        furnish(page)
+        page.click("#walk")
+        page.locator("#minimap .here").wait_for()
+        before = page.locator("#minimap .here").get_attribute("transform")
+        page.keyboard.down("ArrowLeft")
+        for _ in range(600):
+            if page.locator("#minimap .here").get_attribute("transform") != before:
+                break
+            time.sleep(0.1)
+        else:
+            raise AssertionError("nobody turned")
+        page.keyboard.up("ArrowLeft")
+        page.screenshot(path=tmp_path / "walked.png")
+        page.click("#picture")
+        page.locator("#shown[open]").wait_for()
+        assert str(page.locator("#keep-picture").get_attribute("href")).startswith("blob:")
+
+
+@pytest.mark.parametrize("source", ["sample:hall-exhibition", "plots.geojson"])
+def test_halls_and_sites_are_arranged(browser: Any, tmp_path: Path, source: str) -> None:
+    if source.endswith(".geojson"):
+        (tmp_path / source).write_bytes(
+            (DATA / "f03_footprints_without_building_tag.geojson").read_bytes()
+        )
+    with started(tmp_path, source) as studio, visiting(browser, studio.link) as page:
+        page.locator("#plan .space").first.wait_for()
+        furnish(page)
+        page.screenshot(path=tmp_path / "arranged.png")
+        assert page.locator("#plan .piece").count() > 2
+
+
+def test_breeding_leads_to_a_favourite_in_five_sheets(browser: Any, tmp_path: Path) -> None:
+    with started(tmp_path, "sample:home-room") as studio, visiting(browser, studio.link) as page:
+        page.click("#breed")
+        for sheet in range(1, 6):
+            page.locator("#sheet-name", has_text=re.compile(f"Sheet {sheet}$")).wait_for()
+            page.locator("#cards .card:not(.early) svg").nth(3).wait_for()
+            page.keyboard.press("2")
+            page.locator("#cards .card.best").wait_for()
+            page.keyboard.press("Shift+Digit3")
+            page.locator("#cards .card.worst").first.wait_for()
+            page.keyboard.press("Enter")
+        page.locator("#champion .card").wait_for()
+        page.locator("#champion button").click()
+        page.locator("#history li", has_text="took layout").wait_for()
+        page.screenshot(path=tmp_path / "bred.png")
+
+
+def test_two_people_work_at_once_and_one_rates_by_phone(browser: Any, tmp_path: Path) -> None:
+    with started(tmp_path, "sample:home-room") as studio, visiting(browser, studio.link) as page:
+        furnish(page)
+        links = []
+        for name, right in (("Ada", "edit"), ("Bo", "rate")):
+            page.click("#invite-people")
+            page.fill("#person-name", name)
+            page.select_option("#person-right", right)
+            page.click("#invite button")
+            page.locator("#people-list li", has_text=name).wait_for()
+            links.append(page.input_value("#person-link"))
+            page.click("#people-close")
+        with visiting(browser, links[0]) as other:
+            other.locator("#plan .piece").first.focus()
+            other.click("#lock")
+            page.locator("#history li", has_text="Ada: locked").wait_for()
+        phone = {"has_touch": True, "is_mobile": True, "locale": "zh-CN"}
+        with visiting(browser, links[1], **phone) as rater:
+            rater.set_viewport_size({"width": 390, "height": 844})
+            rater.locator("#cards .card").nth(2).wait_for()
+            rater.locator("#cards .card").nth(1).locator(".row button").first.tap()
+            rater.locator("#cards .card.best").wait_for()
+            assert rater.locator("#arrange").is_hidden()
+            rater.screenshot(path=tmp_path / "phone.png")
+        page.click("#invite-people")
+        page.locator("#liked .card").wait_for()
+
+
+def test_what_was_done_is_there_after_a_kill(browser: Any, tmp_path: Path) -> None:
+    studio = begin(tmp_path, "sample:home-room")
+    with visiting(browser, studio.link) as page:
+        furnish(page)
+        count = page.locator("#plan .piece").count()
+        page.evaluate("() => 0")
+        studio.process.kill()
+        with studio.process:
+            studio.process.wait()
+        page.close()
+    with (
+        started(tmp_path, "sample-home-room.studio") as again,
+        visiting(browser, again.link) as page,
+    ):
+        page.locator("#plan .piece").nth(count - 1).wait_for()
+        assert page.locator("#plan .piece").count() == count
