@@ -18,11 +18,12 @@ pytest.importorskip("uvicorn")
 import scenewright as sw
 from scenewright.core.solution import unfurnished
 from scenewright.formats import solution_json
-from scenewright.studio import limits, project
+from scenewright.studio import limits
 from scenewright.studio.guard import Keys, guarded
 from scenewright.studio.running import make_server
 from scenewright.studio.server import Listeners, studio_app
 from scenewright.studio.session import Session
+from scenewright.workflow import project
 
 MANY = 10_000
 
