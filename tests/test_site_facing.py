@@ -13,9 +13,12 @@ from scenewright.core.brief import Brief
 from scenewright.core.layout import corners
 from scenewright.domains import check, plan_of
 from scenewright.domains.site.facing import face_ways, find_box_doors
+from scenewright.domains.site.solvers.front import on_square
 from scenewright.domains.site.solving import problems
 from scenewright.ground.fronts import find_fronting, list_ways
 from scenewright.ground.lane_ends import LONG, TURN, find_dead_ends, lay_heads, link_ends
+from scenewright.ground.pathways import lay_pathways
+from scenewright.ground.walks import find_doors
 
 NORTH, SOUTH, EAST = math.pi / 2, -math.pi / 2, 0.0
 
@@ -79,3 +82,39 @@ def test_a_landmark_has_its_walk_and_nothing_breaks_a_rule() -> None:
     mark = shapely.Polygon(plan.landmarks[0].footprint)
     assert min(mark.distance(way) for way in [*ways, *streets]) < 0.5
     assert check(solution).valid
+
+
+def test_a_row_that_shows_its_side_to_the_street_gets_a_lane_before_its_fronts() -> None:
+    brief = ground(
+        roads=[{"line": [[4, 0], [4, 80]], "width": 6}],
+        buildings=[{"model": "villa", "size": [30, 10, 9], "count": 1}],
+    )
+    plan = plan_of(brief).detail[0]
+    ring = corners(np.array([[27.0, 40.0, SOUTH, 30.0, 10.0]]))[0]
+    shapes = np.array([shapely.Polygon(ring)])
+    fronting = []
+    for free in (None, np.zeros(1, bool)):
+        network = lay_pathways(plan, [ring], np.array([SOUTH]), 4.0, 25.0, free)
+        doors = find_doors([ring], network.headings)
+        by, looks = find_fronting(list_ways(plan, network.pathways), shapes, doors)
+        assert by.all()
+        assert network.served.all()
+        fronting.append(bool(looks[0]))
+    assert fronting == [False, True]
+
+
+def test_fronts_line_a_square_and_keep_off_the_border() -> None:
+    brief = ground(
+        outline=[[0, 0], [160, 0], [160, 120], [0, 120]],
+        roads=[{"line": [[0, 60], [160, 60]], "width": 6}],
+        squares=[{"area": 900, "at": [80, 60]}],
+        buildings=[{"model": "classical_residence", "size": [12, 8, 9], "count": 14}],
+    )
+    solution, problem = sw.solve(brief), problems(brief)[0]
+    boxes = np.array([[*p.pose[:2], p.pose.heading, *p.size[:2]] for p in solution.pieces
+                      if p.category == "building"])  # fmt: skip
+    assert len(boxes) == 14
+    assert on_square(problem, boxes).sum() >= 4
+    border = shapely.Polygon(brief.part.sites[0].outline).exterior
+    off = shapely.distance(border, shapely.polygons(corners(boxes)))
+    assert (off > 4.9).mean() >= 0.8
