@@ -209,3 +209,22 @@ def test_flat_ground_is_as_it_was():
     assert scene_of(flat).terrain is None
     assert "terrain" not in check(flat).figures
     assert "terrain" not in flat.brief.part.model_dump(exclude_none=True)
+
+
+def test_city_models_hold_the_relief_and_buildings_on_their_floors(hill, tmp_path):
+    from scenewright.domains.terrain import ground_shape
+
+    sw.write(hill, tmp_path / "hill.city.json")
+    made = json.loads((tmp_path / "hill.city.json").read_text())
+    points = np.array(made["vertices"]) * made["transform"]["scale"]
+    shaped = ground_shape(hill, plan_of(hill.brief))
+    assert shaped is not None
+    for name, floor in shaped.floors.items():
+        (solid,) = made["CityObjects"][name]["geometry"]
+        used = {k for face in solid["boundaries"][0] for ring in face for k in ring}
+        assert points[sorted(used), 2].min() == pytest.approx(floor, abs=1e-3)
+    (relief,) = [o for o in made["CityObjects"].values() if o["type"] == "TINRelief"]
+    faces = np.array([face[0] for face in relief["geometry"][0]["boundaries"]])
+    middles = points[faces].mean(1)
+    off = middles[:, 2] - heights_at(shaped.finished, middles[:, :2])
+    assert np.median(np.abs(off)) < 0.05

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 from scenewright.check.terrain import JudgedTerrain, judge_terrain
 from scenewright.core.brief import Brief
@@ -13,6 +14,7 @@ from scenewright.core.report import Report
 from scenewright.core.scene import Scene
 from scenewright.core.solution import Solution
 from scenewright.ground.built import BuiltRoad
+from scenewright.ground.terrain.city_relief import lay_on_relief
 from scenewright.ground.terrain.lifting import extent, lift_scene, shape_for
 from scenewright.ground.terrain.reading import natural_ground, waters_of
 from scenewright.ground.terrain.shaping import ShapedGround
@@ -80,3 +82,14 @@ def check_terrain(brief: Brief, plan: Plan) -> None:
     if terrain is not None:
         floor = extent(plan.spaces, ())
         waters_of(terrain.water, natural_ground(terrain, floor, shift_of(brief)))
+
+
+def lay_city_on_terrain(
+    document: dict[str, Any], solution: Solution, plan: Plan | None
+) -> dict[str, Any]:
+    """A CityJSON document of a solution on its terrain; as it is where that is flat."""
+    if terrain_of(solution.brief) is None:
+        return document
+    made: Plan = plan or domain_of(solution.brief.domain).verb("plan")(solution.brief)
+    shaped = ground_shape(solution, made)
+    return document if shaped is None else lay_on_relief(document, shaped)

@@ -24,6 +24,7 @@ from scenewright.domains.extend.areas import OLD, ExtendPlan
 from scenewright.domains.extend.pattern import STOREY
 from scenewright.domains.extend.plan import plan_extend
 from scenewright.domains.extend.works import plots_of_extension
+from scenewright.domains.terrain import lay_city_on_terrain
 from scenewright.ground.city_objects import (
     Vertices,
     city_document,
@@ -36,7 +37,8 @@ from scenewright.ground.plot_writing import add_plots
 
 def write(solution: Solution, path: str | os.PathLike[str], plan: Plan | None = None) -> None:
     """Write the city model of a solution to ``path``; the file appears whole or not at all."""
-    write_atomically(path, json.dumps(document(solution, plan), ensure_ascii=False) + "\n")
+    made = lay_city_on_terrain(document(solution, plan), solution, plan)
+    write_atomically(path, json.dumps(made, ensure_ascii=False) + "\n")
 
 
 def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:

@@ -29,6 +29,7 @@ from scenewright.core.solution import Solution
 from scenewright.core.space import Points
 from scenewright.domains.site.plan import plans_of
 from scenewright.domains.site.shapes import StandingBuilding, standing
+from scenewright.domains.terrain import lay_city_on_terrain
 from scenewright.ground.city_objects import (
     Vertices,
     city_document,
@@ -43,7 +44,8 @@ from scenewright.ground.works import GroundWorks
 
 def write(solution: Solution, path: str | os.PathLike[str], plan: Plan | None = None) -> None:
     """Write the city model of a solution to ``path``; the file appears whole or not at all."""
-    write_atomically(path, json.dumps(document(solution, plan), ensure_ascii=False) + "\n")
+    made = lay_city_on_terrain(document(solution, plan), solution, plan)
+    write_atomically(path, json.dumps(made, ensure_ascii=False) + "\n")
 
 
 def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:

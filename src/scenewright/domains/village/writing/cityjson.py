@@ -17,6 +17,7 @@ from scenewright.core.layout import corners
 from scenewright.core.piece_outlines import outline_of
 from scenewright.core.plan import Plan
 from scenewright.core.solution import Solution
+from scenewright.domains.terrain import lay_city_on_terrain
 from scenewright.domains.village.blocks import VillagePlan
 from scenewright.domains.village.lanes import opened
 from scenewright.domains.village.plan import plan_village
@@ -33,7 +34,8 @@ from scenewright.ground.plot_writing import add_plots
 
 def write(solution: Solution, path: str | os.PathLike[str], plan: Plan | None = None) -> None:
     """Write the city model of a village to ``path``; the file appears whole or not at all."""
-    write_atomically(path, json.dumps(document(solution, plan), ensure_ascii=False) + "\n")
+    made = lay_city_on_terrain(document(solution, plan), solution, plan)
+    write_atomically(path, json.dumps(made, ensure_ascii=False) + "\n")
 
 
 def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
