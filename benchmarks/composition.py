@@ -148,7 +148,8 @@ def hold(home: Home) -> dict[str, float]:
     pieces = [piece for room in home for piece in room.pieces]
     each = Counter(piece.category for piece in pieces)
     kitchens = ("hob_cabinet", "sink_cabinet", "fridge")
-    under = [p for room in home for p in room.find("fridge") if is_under(p, list(room.pieces))]
+    kinds = ("fridge", "washing_machine")
+    under = [p for room in home for p in room.find(*kinds) if is_under(p, list(room.pieces))]
     return {
         "kitchens with hob, sink and fridge": sum(all(map(room.find, kitchens)) for room in home),
         "double beds": each["double_bed"],
@@ -156,7 +157,7 @@ def hold(home: Home) -> dict[str, float]:
         "sofas": sum(each[name] for name in SOFAS),
         "seats": sum(map(count_seats, home)),
         "tables to eat at": sum(each[name] for name in TABLES),
-        "metres of worktop": _metres(pieces, WORKTOP) + _metres(under, ("fridge",)),
+        "metres of worktop": _metres(pieces, WORKTOP) + _metres(under, kinds),
         "metres of storage": _metres(pieces, STORAGE),
         "pieces": len(pieces),
     }

@@ -39,8 +39,8 @@ def _is_top(piece: Piece, pieces: list[Piece]) -> bool:
 
 
 def is_under(piece: Piece, pieces: list[Piece]) -> bool:
-    """Whether a piece is a fridge under the worktop of a run."""
-    if piece.category != "fridge" or piece.size.height > UNDER:
+    """Whether a piece is a fridge or a washing machine under the worktop of a run."""
+    if piece.category not in ("fridge", "washing_machine") or piece.size.height > UNDER:
         return False
     run = [p for p in pieces if p.category in RUN]
     return any(neighbour(piece, run, side) is not None for side in (-1, 1))

@@ -1,10 +1,11 @@
 """Homes nobody has looked at: ``scenewright bench unseen --seed S --count N``.
 
 A set of flats of ``floorplans_r2v`` at their true scale is drawn by a seed, furnished as by
-default, and counted three ways: by counters that are no rows (:mod:`benchmarks.unseen_counters`),
-each at its threshold (the column *ours*) and 0.1 m beyond it (*baseline*); by what is missing
-though a search of its own finds a place (:mod:`benchmarks.unseen_places`); by what could have been
-paid for an improvement; and by what the referee, the counters of composition and the rows of homes
+default, and counted three ways: by counters that are no rows (:mod:`benchmarks.unseen_counters`,
+:mod:`benchmarks.unseen_uses`), each at its threshold (the column *ours*) and 0.1 m beyond it
+(*baseline*); by what is missing though a search of its own finds a place
+(:mod:`benchmarks.unseen_places`); by what could have been paid for an improvement; and by what the
+referee, the counters of composition and the rows of homes
 say. ``--sheets FOLDER`` lays pictures out for an eye. A set that was looked at is no longer unseen:
 take another seed.
 """
@@ -34,8 +35,10 @@ from benchmarks.spread import spread
 from benchmarks.unseen_counters import COUNTERS, count_all, count_sleepers
 from benchmarks.unseen_places import count_missing
 from benchmarks.unseen_records import BEYOND, Record, add_up, make_record
+from benchmarks.unseen_uses import USES
 
 COUNT, QUICK = 40, 8
+ROWS = (*COUNTERS, *USES)
 
 
 class Seen(NamedTuple):
@@ -118,7 +121,7 @@ def see_flat(number: int, pictured: bool = False) -> tuple[Seen, Any] | None:
     faults |= count_rows(spaces, solution.pieces) | count_missing(home, solution.left_out)
     each = Counter(piece.category for piece in solution.pieces)
     held = hold(home) | {"sleepers": count_sleepers(home), "nightstands": each["nightstand"]}
-    counts = count_all(home), count_all(home, BEYOND)
+    counts = count_all(home, 0.0, ROWS), count_all(home, BEYOND, ROWS)
     seen = Seen(raw["id"], *counts, faults, held, summary["rooms"], summary["faults"], seconds)
     picture = import_module("benchmarks.unseen_sheets").draw_home(solution) if pictured else None
     return seen, picture
@@ -127,7 +130,7 @@ def see_flat(number: int, pictured: bool = False) -> tuple[Seen, Any] | None:
 def tally_flats(flats: list[Seen]) -> list[Record]:
     """Counters first, then the guard, then what rows say."""
     found = []
-    for row in COUNTERS:
+    for row in ROWS:
         at, beyond = (add_up([counts[row.name] for counts in both]) for both in _both(flats))
         share = beyond.faulty / max(beyond.of, 1)
         found.append(make_record(row.name, f"of {row.of}", at.faulty / max(at.of, 1), at.of, share))

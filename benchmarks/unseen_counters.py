@@ -65,7 +65,7 @@ class Row(NamedTuple):
     of: str
 
 
-def _tally(faults: Iterable[bool]) -> Count:
+def tally(faults: Iterable[bool]) -> Count:
     seen = list(faults)
     return Count(sum(seen), len(seen))
 
@@ -90,24 +90,24 @@ def _holds(piece: Piece, long: float, short: float) -> bool:
 def without_table(home: Home, beyond: float) -> Count:
     """Homes without a table of 0.8 by 0.6 m to eat at."""
     tables = _all(home, *TABLES)
-    return _tally([not any(_holds(t, 0.8 + beyond, 0.6 + beyond) for t in tables)])
+    return tally([not any(_holds(t, 0.8 + beyond, 0.6 + beyond) for t in tables)])
 
 
 def without_any_table(home: Home, _beyond: float) -> Count:
     """Homes without a table to eat at, however small."""
-    return _tally([not _all(home, *TABLES)])
+    return tally([not _all(home, *TABLES)])
 
 
 def without_seat(home: Home, _beyond: float) -> Count:
     """Homes in which nobody can sit."""
-    return _tally([not _all(home, *SEATS)])
+    return tally([not _all(home, *SEATS)])
 
 
 def without_soft_seat(home: Home, beyond: float) -> Count:
     """Homes of 20 m² without a soft seat 0.6 m wide."""
     if _area(home) < SOFT_FROM:
         return Count(0, 0)
-    return _tally([not any(s.size.width >= PLACE + beyond - 1e-6 for s in _all(home, *SOFT))])
+    return tally([not any(s.size.width >= PLACE + beyond - 1e-6 for s in _all(home, *SOFT))])
 
 
 def count_places(home: Home, beyond: float = 0.0) -> int:
@@ -132,7 +132,7 @@ def _places(room: Room, table: Piece, beyond: float) -> int:
 def too_few_places(home: Home, beyond: float) -> Count:
     """Homes with beds in which fewer can eat at a table than sleep."""
     sleepers = count_sleepers(home)
-    return _tally([count_places(home, beyond) < sleepers] if sleepers else [])
+    return tally([count_places(home, beyond) < sleepers] if sleepers else [])
 
 
 def _has_rails_across(piece: Piece) -> bool:
@@ -141,7 +141,7 @@ def _has_rails_across(piece: Piece) -> bool:
 
 def shallow_wardrobe(home: Home, beyond: float) -> Count:
     """Wardrobes too shallow for a hanger, along them or, with rails from front to back, across."""
-    return _tally(
+    return tally(
         p.size.depth < (ACROSS if _has_rails_across(p) else WARDROBE) + beyond - 1e-6
         for p in _all(home, "wardrobe")
     )
@@ -149,7 +149,7 @@ def shallow_wardrobe(home: Home, beyond: float) -> Count:
 
 def rails_across(home: Home, _beyond: float) -> Count:
     """Wardrobes with rails from front to back: those of the usual depth had no place."""
-    return _tally(map(_has_rails_across, _all(home, "wardrobe")))
+    return tally(map(_has_rails_across, _all(home, "wardrobe")))
 
 
 def below(name: str) -> Counter:
@@ -157,7 +157,7 @@ def below(name: str) -> Counter:
     kinds, width, depth = SMALLEST[name]
 
     def count(home: Home, beyond: float) -> Count:
-        return _tally(
+        return tally(
             p.size.width < width + beyond - 1e-6 or p.size.depth < depth + beyond - 1e-6
             for p in _all(home, *kinds)
         )
@@ -173,12 +173,12 @@ def homes_shallow_wardrobe(home: Home, beyond: float) -> Count:
 
 def narrow_cabinet(home: Home, beyond: float) -> Count:
     """Drawer cabinets that are filler strips."""
-    return _tally(p.size.width < CABINET + beyond - 1e-6 for p in _all(home, "drawer_cabinet"))
+    return tally(p.size.width < CABINET + beyond - 1e-6 for p in _all(home, "drawer_cabinet"))
 
 
 def narrow_sink(home: Home, beyond: float) -> Count:
     """Sinks in which no pan goes."""
-    return _tally(p.size.width < SINK + beyond - 1e-6 for p in _all(home, "sink_cabinet"))
+    return tally(p.size.width < SINK + beyond - 1e-6 for p in _all(home, "sink_cabinet"))
 
 
 def _near(ones: list[Piece], others: list[Piece], limit: float) -> bool:
@@ -189,14 +189,14 @@ def butted_run(home: Home, beyond: float) -> Count:
     """Kitchens against whose run a wardrobe, shoes, a desk or a screen stands."""
     kitchens = [room for room in home if room.find(*RUN)]
     near = AT_RUN + beyond
-    return _tally(_near(room.find(*STRANGERS), room.find(*RUN), near) for room in kitchens)
+    return tally(_near(room.find(*STRANGERS), room.find(*RUN), near) for room in kitchens)
 
 
 def sofa_at_unit(home: Home, beyond: float) -> Count:
     """Kitchens with a soft seat so near a unit that it cannot be used."""
     kitchens = [room for room in home if room.find(*RUN) and room.find(*SOFT)]
     near = AT_UNIT + beyond
-    return _tally(_near(room.find(*SOFT), room.find(*RUN), near) for room in kitchens)
+    return tally(_near(room.find(*SOFT), room.find(*RUN), near) for room in kitchens)
 
 
 def fridge_between(home: Home, beyond: float) -> Count:
@@ -208,7 +208,7 @@ def fridge_between(home: Home, beyond: float) -> Count:
         cold = [shape_of(fridge).buffer(beyond) for fridge in fridges if fridge.size.height > 1.0]
         if ways and cold:
             faults.append(any(way.intersects(one) for way in ways for one in cold))
-    return _tally(faults)
+    return tally(faults)
 
 
 def pillow_of(bed: Piece) -> shapely.Polygon:
@@ -224,7 +224,7 @@ def pillow_of(bed: Piece) -> shapely.Polygon:
 def pillow_at_fridge(home: Home, beyond: float) -> Count:
     """Rooms with bed and fridge in which a pillow lies beside the fridge."""
     rooms = [room for room in home if room.find("fridge") and room.find(*SLEEPERS)]
-    return _tally(
+    return tally(
         pillow_of(bed).distance(shape_of(fridge)) < COLD + beyond - 1e-6
         for room in rooms
         for bed in room.find(*SLEEPERS)
@@ -256,7 +256,7 @@ def screen_too_near(home: Home, beyond: float) -> Count:
         for screen in room.find("tv"):
             far = [_eyes_to(seat, screen) for seat in room.find(*SOFT) if _sees(seat, screen)]
             faults += [min(far) < SCREEN + beyond - 1e-6] if far else []
-    return _tally(faults)
+    return tally(faults)
 
 
 def bed_at_front_door(home: Home, beyond: float) -> Count:
@@ -268,7 +268,7 @@ def bed_at_front_door(home: Home, beyond: float) -> Count:
         ways = [_doorway(door) for door in doors]
         near = [shape_of(bed).distance(way) < DOOR + beyond for bed in beds for way in ways]
         faults += [any(near)] if near else []
-    return _tally(faults)
+    return tally(faults)
 
 
 def _doorway(door: Opening) -> shapely.LineString:
@@ -301,10 +301,12 @@ COUNTERS: tuple[Row, ...] = (
 """The counters by name."""
 
 
-def count_all(home: Home, beyond: float = 0.0) -> dict[str, Count]:
+def count_all(
+    home: Home, beyond: float = 0.0, rows: tuple[Row, ...] = COUNTERS
+) -> dict[str, Count]:
     """Every counter of a home with its threshold moved ``beyond`` metres.
 
     >>> count_all(())["wardrobe under 0.5 m deep"]
     Count(faulty=0, of=0)
     """
-    return {row.name: row.faults(home, beyond) for row in COUNTERS}
+    return {row.name: row.faults(home, beyond) for row in rows}

@@ -6,6 +6,8 @@ from math import pi
 
 from scenewright.catalog.assets.bodies import front_joint
 from scenewright.catalog.assets.drawing import Drawing
+from scenewright.catalog.assets.furniture.cooking import BUILT_IN, UNDER_WORKTOP
+from scenewright.catalog.assets.furniture.kitchen import TOP
 from scenewright.catalog.assets.materials import (
     BLACK,
     CERAMIC_GLASS,
@@ -15,6 +17,7 @@ from scenewright.catalog.assets.materials import (
     RUBBER,
     SCREEN,
     STEEL,
+    STONE,
     WALNUT,
 )
 from scenewright.catalog.assets.model import Parts, parts
@@ -32,11 +35,13 @@ def _facing(mesh: Mesh, x: float, y: float, z: float) -> Mesh:
 
 
 def _machine(size: Size, glass: Material, rim: Material) -> Parts:
-    w, d, h = size.width / 2, size.depth / 2, size.height
+    top = TOP if BUILT_IN <= size.height <= UNDER_WORKTOP else 0.0
+    w, d, h = size.width / 2, size.depth / 2, size.height - top
     face, panel = d - 0.045, h - 0.12
     radius = min(0.19, 0.68 * w, 0.3 * h)
     middle = 0.06 + (panel - 0.06) * 0.52
     found: Stuff = {
+        STONE: [block((-w, w), (-d, d), (h, h + top))] if top else [],
         PLASTIC: [
             block((-w, w), (-d, face), (0.02, h)),
             block((-w + 0.004, w - 0.004), (face, face + 0.006), (panel, h - 0.004)),

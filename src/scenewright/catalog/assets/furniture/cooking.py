@@ -30,12 +30,25 @@ from scenewright.catalog.assets.materials import (
 from scenewright.catalog.assets.model import Parts, parts
 from scenewright.catalog.assets.objects import Stuff
 from scenewright.catalog.assets.symbols import Lines, box, oval, path, rectangle
+from scenewright.catalog.classes import WORKTOP
 from scenewright.core.scene import Size
 from scenewright.geometry.mesh import Mesh
 from scenewright.geometry.solids import Interval, block, disc, pipe, rod, slab, trough, tube
 
-UNDER_WORKTOP = 0.95
-"""A fridge no higher than this has the worktop on it, metres."""
+UNDER_WORKTOP, BUILT_IN = 0.95, 0.89
+"""A fridge no higher than this has the worktop on it, and a washing machine as high as this or
+more, metres."""
+
+
+def has_worktop(category: str, height: float) -> bool:
+    """Whether worktop lies on a unit of a kitchen of a kind and height.
+
+    >>> has_worktop("washing_machine", 0.85), has_worktop("washing_machine", 0.9)
+    (False, True)
+    """
+    built_in = category == "washing_machine" and height >= BUILT_IN
+    under = height <= UNDER_WORKTOP and (category == "fridge" or built_in)
+    return under or category in WORKTOP
 
 
 def _sink_cabinet(size: Size) -> Parts:

@@ -12,8 +12,8 @@ from functools import lru_cache
 from itertools import combinations
 from math import cos, hypot, pi, remainder, sin
 
-from scenewright.catalog.assets.furniture.cooking import UNDER_WORKTOP
-from scenewright.catalog.classes import RUN, WORKTOP
+from scenewright.catalog.assets.furniture.cooking import has_worktop
+from scenewright.catalog.classes import RUN
 from scenewright.core.catalog import Group, Member
 from scenewright.domains.home.least_sizes import WARDROBE
 from scenewright.domains.home.measures import HAIR, RAISED, SOFA_OF_THREE
@@ -105,7 +105,7 @@ def count_seats(case: Group) -> int:
 
 def _of_kitchen(members: tuple[Member, ...]) -> list[tuple[str, float]]:
     """Shortfalls of worktop of the lines of a kitchen, and of its work triangle."""
-    units = [m for m in members if m.category in RUN and m.z < RAISED]
+    units = [m for m in members if (m.category in RUN or _is_top(m)) and m.z < RAISED]
     hob = next((m for m in units if m.category == "hob_cabinet"), None)
     sink = next((m for m in units if m.category == "sink_cabinet"), None)
     if hob is None:
@@ -201,8 +201,7 @@ def _meet(one: Member, other: Member) -> bool:
 
 def _is_top(unit: Member) -> bool:
     """Whether worktop lies on a unit: it does over a fridge no higher than that."""
-    low = unit.category == "fridge" and unit.size.height <= UNDER_WORKTOP
-    return low or unit.category in WORKTOP
+    return has_worktop(unit.category, unit.size.height)
 
 
 def _worktop(unit: Member, units: list[Member], side: int) -> float:

@@ -11,8 +11,11 @@ from scenewright.domains.home.composing.alignment.homes import align_rooms
 from scenewright.domains.home.composing.comparing import compare_homes
 from scenewright.domains.home.composing.homewide.bedsides import add_nightstands
 from scenewright.domains.home.composing.homewide.settling import HomeState
+from scenewright.domains.home.composing.kitchens.growing import grow_kitchens
 from scenewright.domains.home.composing.kitchens.mend import mend_kitchens
 from scenewright.domains.home.composing.mend_rooms import mend_rooms
+from scenewright.domains.home.needs.laundry import add_washing_machine
+from scenewright.domains.home.needs.outlook import add_screen
 from scenewright.domains.home.needs.settle import (
     add_kitchen_tables,
     add_soft_seat,
@@ -48,7 +51,10 @@ SETTLING: tuple[Pass[HomePass], ...] = (
 )
 ALIGNING: tuple[Pass[HomePass], ...] = (
     Pass("mend rooms", "home aligning", _of_rooms(mend_rooms), "the worst row, its moves, again"),
+    Pass("grow kitchens", "home aligning", _of_rooms(grow_kitchens), "cabinets at their free ends"),
+    Pass("screen", "home aligning", add_screen, "one before a seat in a home without any"),
     Pass("align rooms", "home aligning", _of_rooms(align_rooms), "groups on axes, no odd gaps"),
+    Pass("washing machine", "home aligning", add_washing_machine, "one in a home without any"),
 )
 HOME_PASSES = (*MENDING, *SETTLING, *ALIGNING)
 

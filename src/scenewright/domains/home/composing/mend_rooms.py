@@ -23,7 +23,7 @@ from scenewright.domains.home.remove_blockers import Opened
 LEAST = 3.0  # by how much a room is to cost less, where nothing is found less
 BUDGET = 150  # rooms that are weighed
 MOVES_OF = {
-    "near": ("elsewhere", "amid", "fewer"),
+    "near": ("elsewhere", "amid", "other table", "fewer"),
     "far fridge": ("remake",),
     "loose cabinet": ("join",),
     "window": ("elsewhere", "reorder", "pair", "amid", "remake"),
@@ -31,7 +31,8 @@ MOVES_OF = {
     "door": ("elsewhere", "exchange", "leave out"),
     "wardrobe": ("elsewhere", "pair", "exchange", "spare"),
     "seats": ("elsewhere",),
-    "unseen": ("elsewhere", "amid"),
+    "unseen": ("lounge", "elsewhere", "amid"),
+    "off axis": ("lounge", "elsewhere"),
     "one_side": ("elsewhere", "pair"),
     "closed bed": ("elsewhere", "pair"),
 }

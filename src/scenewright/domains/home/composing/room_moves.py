@@ -33,16 +33,19 @@ from scenewright.domains.home.composing.placed_faults import (
     measure_before_windows,
 )
 from scenewright.domains.home.composing.places.forms import list_forms
+from scenewright.domains.home.composing.places.moving import make_unplaced
 from scenewright.domains.home.composing.places.pairs import find_pair, furnish_pairs
 from scenewright.domains.home.composing.places.walked_places import try_places
+from scenewright.domains.home.composing.seats.lounge_places import list_lounges
 from scenewright.domains.home.composing.spacing.leave_out import may_leave_out
 from scenewright.domains.home.composing.spacing.rules import list_close
 from scenewright.domains.home.composing.spacing.shifts import list_shifted
 from scenewright.domains.home.composing.verdict import FEWER, STUCK
-from scenewright.domains.home.groups.classes import BED_GROUPS, RUNS
+from scenewright.domains.home.groups.classes import BED_GROUPS, RUNS, TABLES
 from scenewright.domains.home.groups.least import LEAST as LEAST_FORMS
 from scenewright.domains.home.least_sizes import BED
 from scenewright.domains.home.measures import HAIR
+from scenewright.domains.home.needs.forms import LEAST, list_tables, measure_places
 from scenewright.domains.home.programme import WELCOME
 
 MOVED = (
@@ -58,7 +61,8 @@ PAIRED = frozenset(("wardrobe", "one_side"))
 """Faults of a case that no pair of places is to have."""
 SEATED_FROM = 11.0
 """Area in m² from which a living room has seats for three."""
-PAIRS = 40  # pairs of places of two groups that are tried
+PAIRS, LOUNGES = 40, 12  # pairs of places of two groups that are tried, of screen and seats
+LOUNGE = ("media", "seating")
 Subjects = Callable[[RoomTask, Placed], set[str]]
 
 
@@ -103,7 +107,8 @@ SUBJECTS: dict[str, Subjects] = {
     "seats": lambda task, placed: (
         _is_of("seats")(task, placed) if task.ground.area >= SEATED_FROM else set()
     ),
-    "unseen": lambda _, placed: {p.name for p in placed if p.wish.group in ("media", "seating")},
+    "unseen": lambda _, placed: {p.name for p in placed if p.wish.group in LOUNGE},
+    "off axis": lambda _, placed: {p.name for p in placed if p.wish.group in LOUNGE},
     "one_side": _is_of("one_side"),
     "closed bed": lambda _, placed: {p.name for p in placed if p.wish.group in BED_GROUPS},
 }
@@ -139,6 +144,8 @@ def _list_fewer(task: RoomTask, answer: RoomAnswer, row: str) -> Iterator[RoomAn
     most = judge.cost_of(placed).cost + WORTH
     for at in list_subjects(task, placed, row) if may_leave_out(task) else ():
         group = placed[at]
+        if measure_places(group.pieces) <= LEAST:
+            continue
         wish = group.wish._replace(rank=WELCOME, core=False, required=False)
         less = sorted(_list_kinds(group.dressed.case))
         forms = (
@@ -147,6 +154,24 @@ def _list_fewer(task: RoomTask, answer: RoomAnswer, row: str) -> Iterator[RoomAn
         missing = (*answer.missing, Missing(wish, FEWER))
         for judged in try_places(judge, placed, at, forms, most, 0.0, STEP):
             yield answer._replace(placed=judged.placed, missing=missing)
+
+
+def _list_other_tables(task: RoomTask, answer: RoomAnswer, row: str) -> Iterator[RoomAnswer]:
+    """The room with as many places at a table of the other kind: at a wall, or free of it."""
+    placed = answer.placed
+    for at in list_subjects(task, placed, row):
+        old = placed[at]
+        if old.wish.group not in TABLES or old.wish.required or old.wish.most:
+            continue
+        rest, (other,) = (*placed[:at], *placed[at + 1 :]), TABLES - {old.wish.group}
+        places = measure_places(old.pieces)
+        forms = [form for form in list_tables(places) if form.function == other]
+        if not forms or task.library.own or (task.asked is not None and task.asked.ask is not None):
+            continue
+        whole = (*rest, make_unplaced(task, rest, old.wish._replace(group=other), forms[0]))
+        most = judge_of(task, placed).cost_of(placed).cost + WORTH
+        for judged in try_places(judge_of(task, whole), whole, len(rest), forms, most, 0.0, STEP):
+            yield answer._replace(placed=judged.placed)
 
 
 def _list_kinds(form: Group) -> Iterator[str]:
@@ -195,6 +220,19 @@ def _size_of(case: Group) -> tuple[float, float]:
     return next(((size.width, size.depth) for size in beds), (0.0, 0.0))
 
 
+def _list_lounges(task: RoomTask, answer: RoomAnswer, _: str) -> Iterator[RoomAnswer]:
+    """The room with its screen and its seats placed as one, beside all else."""
+    placed, own = answer.placed, task.library.own
+    pair = tuple(p for name in LOUNGE for p in placed if p.wish.group == name)
+    stays = (p.wish.group in own or p.wish.most or p.wish.required for p in pair)
+    if len(pair) != len(LOUNGE) or any(stays):
+        return
+    rest = tuple(p for p in placed if all(p is not q for q in pair))
+    beside = task._replace(beside=(*task.beside, *(p for group in rest for p in group.pieces)))
+    for judged in islice(list_lounges(judge_of(beside, pair), pair), LOUNGES):
+        yield answer._replace(placed=(*rest, *judged.placed))
+
+
 def _list_exchanged(task: RoomTask, answer: RoomAnswer, row: str) -> Iterator[RoomAnswer]:
     """The room with a chest of drawers for a wardrobe at fault, where clothes hang in its
     closet."""
@@ -240,6 +278,8 @@ MOVES: dict[str, Callable[[RoomTask, RoomAnswer, str], Iterator[RoomAnswer]]] = 
     "remake": list_remade,
     "join": list_joined,
     "pair": _list_pairs,
+    "lounge": _list_lounges,
+    "other table": _list_other_tables,
     "fewer": _list_fewer,
     "exchange": _list_exchanged,
     "leave out": _list_without,

@@ -8,8 +8,8 @@ from collections.abc import Callable, Iterator, Mapping
 import numpy as np
 
 from scenewright.arranging.verdict import LEAST, Verdict
-from scenewright.catalog.assets.furniture.cooking import UNDER_WORKTOP
-from scenewright.catalog.classes import BEDS, TABLE_SEATS, WORKTOP
+from scenewright.catalog.assets.furniture.cooking import has_worktop
+from scenewright.catalog.classes import BEDS, TABLE_SEATS
 from scenewright.core.same import once
 from scenewright.core.scene import Piece
 from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask, penalty
@@ -28,6 +28,7 @@ from scenewright.domains.home.composing.placed_faults import (
 )
 from scenewright.domains.home.composing.seats.unseen import is_screen_unseen
 from scenewright.domains.home.composing.spacing.rules import list_close
+from scenewright.domains.home.composing.views import is_off_axis
 from scenewright.domains.home.household import STORING
 from scenewright.domains.home.least_sizes import LEAST_SIZES
 from scenewright.domains.home.measures import RAISED
@@ -116,6 +117,7 @@ FINDINGS: Mapping[str, Callable[[RoomTask, Placed], float]] = {
     "door": lambda task, placed: sum(measure_before_doors(p, task.ground) for p in placed),
     "closed bed": lambda task, placed: float(count_closed_beds(placed, task.ground)),
     "unseen": lambda task, placed: float(is_screen_unseen(task, placed)),
+    "off axis": lambda _, placed: float(is_off_axis(placed)),
     "small screen": lambda task, placed: cost_of_screen(placed, task.ground, 1.0),
     "far fridge": lambda _, placed: float(has_far_fridge(placed)),
     "loose cabinet": lambda _, placed: float(len(list_loose(placed))),
@@ -150,7 +152,7 @@ def measure_held(placed: Placed) -> dict[str, float]:
 def _measure_held(group: FurnishedGroup) -> tuple[float, ...]:
     """What one group holds, in the order of :data:`HELD`."""
     return (
-        sum(p.size.width for p in group.pieces if _has_worktop(p)),
+        sum(p.size.width for p in group.pieces if _is_top(p)),
         sum(p.size.width for p in group.pieces if p.category in STORING),
         count_seats(list_standing(group)),
         sum(p.category in TABLE_SEATS for p in group.pieces),
@@ -164,7 +166,6 @@ def _measure_bed(piece: Piece) -> float:
     return min(piece.size.width, wide) + min(piece.size.depth, long)
 
 
-def _has_worktop(piece: Piece) -> bool:
-    """Whether a piece has worktop on it, as a fridge no higher has."""
-    low = piece.category == "fridge" and piece.size.height <= UNDER_WORKTOP
-    return (low or piece.category in WORKTOP) and piece.pose.z < RAISED
+def _is_top(piece: Piece) -> bool:
+    """Whether a piece has worktop on it."""
+    return has_worktop(piece.category, piece.size.height) and piece.pose.z < RAISED

@@ -25,6 +25,9 @@ head turns 30 to 45 degrees with ease (Panero, Zelnik 1979)."""
 ON_AXIS, OFF_AXIS = 0.15, 1.2
 """Metres from the axis of a sofa up to which a screen is on it, and from which it is off it."""
 
+ASTRAY = 0.3
+"""Metres off the axis of a sofa from which on an eye finds a screen off it."""
+
 WATCHED_FROM, WATCHED_TO, OFF_COUNTED = 1.5, 4.0, 2.0
 """Nearer to a screen, and farther from it, nobody sits with comfort, metres; by how many metres at
 most that counts."""
@@ -76,8 +79,8 @@ def cost_of_view(
     if degree == 1.0:  # it sees nothing, wherever the screen is
         return costs.view + costs.axis + costs.between + OFF_COUNTED * costs.distance
     turned = costs.view * (1.0 + degree) / 2 if degree > 0.0 else 0.0
-    (x, y, _, turn), away = sofas[0].pose, _measure_distance(sofas[0].pose, screen.pose)
-    aside = abs((screen.pose.x - x) * sin(turn) - (screen.pose.y - y) * cos(turn))
+    away = _measure_distance(sofas[0].pose, screen.pose)
+    aside = measure_aside(sofas[0].pose, screen.pose)
     beside = min(max(aside - ON_AXIS, 0.0) / (OFF_AXIS - ON_AXIS), 1.0)
     far, near = min(max(away - WATCHED_TO, 0.0), OFF_COUNTED), max(WATCHED_FROM - away, 0.0)
     reach = far + KNEES * near
@@ -97,6 +100,24 @@ def is_unseen(groups: Sequence[FurnishedGroup], edges: Floats | None = None) -> 
         return not any(measure_turn(p.pose, screen.pose) <= LYING for p in resting)
     behind = _measure_hidden(sofas[0], screen, groups, edges, MIDST) > HIDDEN
     return behind or min(measure_turn(sofa.pose, screen.pose) for sofa in sofas) > ASIDE
+
+
+def is_off_axis(groups: Sequence[FurnishedGroup]) -> bool:
+    """Whether the main sofa of a room has a screen that is off its axis, or turned from it."""
+    screen, sofas = _find_pair(groups)
+    if screen is None or not sofas:
+        return False
+    return measure_aside(sofas[0].pose, screen.pose) > ASTRAY or not _do_face(sofas[0], screen)
+
+
+def _do_face(seat: Piece, screen: Piece) -> bool:
+    return measure_turn(seat.pose, screen.pose) <= ASIDE
+
+
+def measure_aside(one: Pose, other: Pose) -> float:
+    """Metres by which something is off the axis of a seat."""
+    (x, y, _, turn) = one
+    return abs((other.x - x) * sin(turn) - (other.y - y) * cos(turn))
 
 
 def list_between(groups: Sequence[FurnishedGroup]) -> frozenset[str]:

@@ -49,6 +49,7 @@ def tables_for_many() -> Iterator[Group]:
     """Tables at a wall for four to six, for households that say how many they are: a short side
     at the wall and chairs along both long ones, or a long side at the wall."""
     for length, deep, sides, end in (
+        (0.8, 0.7, 1, 0),
         (1.2, 0.75, 2, 0),
         (1.3, 0.8, 2, 0),
         (1.2, 0.75, 2, 1),

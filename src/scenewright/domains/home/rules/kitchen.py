@@ -107,7 +107,7 @@ KITCHEN = (
         _DRAWN, PANERO, late=True,
     ),
     Row(
-        "chair_wall", stand("a chair", *CHAIRS), clear(BACK, 0.3), BY_DOORS, 0.4, 5.0, _DRAWN,
+        "chair_wall", stand("a chair", *CHAIRS), clear(BACK, 0.1), BY_DOORS, 0.5, 5.0, _DRAWN,
         PANERO, late=True,
     ),
     Row(

@@ -42,13 +42,12 @@ def close_slits(task: RoomTask, answer: RoomAnswer, barred: frozenset[str]) -> R
     """The answer with the slits at the ends of its kitchen closed where that bars no way; as it
     was where something was taken off the kitchen: laid out anew it would be back."""
     run = next((p for p in answer.placed if p.wish.group in RUNS and p.pieces), None)
-    if run is None or run.wish.most is not None or task.library.own:
-        return answer
-    if len(run.pieces) < sum(run.dressed.stands):
+    if run is None or not may_grow(task, run):
         return answer
     for side in (-1, 1):
         for _ in range(2):  # a kitchen round a corner has two ends to either side at most
-            slit = next((s for s in _list_slits(task, answer, run) if s.side == side), None)
+            ends = (e for e in list_ends(task, answer, run) if e.side == side)
+            slit = next((e for e in ends if SLIT[0] < e.gap < SLIT[1]), None)
             closed = _close(task, answer, run, slit) if slit else None
             if closed is None:
                 break
@@ -60,8 +59,14 @@ def close_slits(task: RoomTask, answer: RoomAnswer, barred: frozenset[str]) -> R
     return answer
 
 
-def _list_slits(task: RoomTask, answer: RoomAnswer, run: FurnishedGroup) -> Iterator[Slit]:
-    """The slits beside the units of a kitchen that nothing of it follows."""
+def may_grow(task: RoomTask, run: FurnishedGroup) -> bool:
+    """Whether a kitchen may be longer, and nothing was taken off it."""
+    whole = len(run.pieces) == sum(run.dressed.stands)
+    return whole and run.wish.most is None and not task.library.own
+
+
+def list_ends(task: RoomTask, answer: RoomAnswer, run: FurnishedGroup) -> Iterator[Slit]:
+    """The units of a kitchen that nothing of it follows, with what is free beside them."""
     held = zip(run.dressed.case.members, run.dressed.stands, strict=True)
     pairs = zip((m for m, there in held if there), run.pieces, strict=True)
     low = [(m, p) for m, p in pairs if is_unit(m)]
@@ -69,9 +74,7 @@ def _list_slits(task: RoomTask, answer: RoomAnswer, run: FurnishedGroup) -> Iter
     for unit, piece in low:
         for side in (-1, 1):
             if find_neighbour(unit, units, side) is None:
-                gap = _measure_gap(task, answer, piece, side)
-                if SLIT[0] < gap < SLIT[1]:
-                    yield Slit(unit, side, gap)
+                yield Slit(unit, side, _measure_gap(task, answer, piece, side))
 
 
 def is_unit(member: Member) -> bool:
