@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from benchmarks.composition_faults import list_rooms
-from benchmarks.unseen import Seen, tally_flats
+from benchmarks.unseen import ROWS, Seen, tally_flats
 from benchmarks.unseen_counters import COUNTERS, count_all
 from benchmarks.unseen_places import count_missing, list_places
 from benchmarks.unseen_sheets import write_sheets
@@ -189,7 +189,9 @@ def test_a_proof_says_what_was_tried() -> None:
 
 def test_records_tell_both_shares_and_the_guard() -> None:
     home = list_rooms([ROOM], (piece("wardrobe", 2, 2, 1.0, 0.55),))
-    seen = Seen("a", count_all(home), count_all(home, 0.1), {}, {"beds": 2}, [], {}, 1.5)
+    seen = Seen(
+        "a", *(count_all(home, by, ROWS) for by in (0.0, 0.1)), {}, {"beds": 2}, [], {}, 1.5
+    )
     found = {record["case"]: record for record in tally_flats([seen])}
     row = found["wardrobe under 0.5 m deep"]
     assert (row["ours"], row["baseline"], row["runs"]) == (0.0, 1.0, 1)

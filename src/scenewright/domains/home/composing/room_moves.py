@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from itertools import islice
 
+import numpy as np
+
 from scenewright.core.catalog import Group
 from scenewright.domains.home.attempt import (
     FurnishedGroup,
@@ -61,8 +63,9 @@ PAIRED = frozenset(("wardrobe", "one_side"))
 """Faults of a case that no pair of places is to have."""
 SEATED_FROM = 11.0
 """Area in m² from which a living room has seats for three."""
-PAIRS, LOUNGES = 40, 12  # pairs of places of two groups that are tried, of screen and seats
-LOUNGE = ("media", "seating")
+PAIRS, LOUNGES = 40, 40  # pairs of places of two groups that are tried, of screen and seats
+LOUNGE, UNLIKE = ("media", "seating"), 0.3
+"""Screen and seats, and by how much two of their places differ, metres and radians."""
 Subjects = Callable[[RoomTask, Placed], set[str]]
 
 
@@ -229,8 +232,13 @@ def _list_lounges(task: RoomTask, answer: RoomAnswer, _: str) -> Iterator[RoomAn
         return
     rest = tuple(p for p in placed if all(p is not q for q in pair))
     beside = task._replace(beside=(*task.beside, *(p for group in rest for p in group.pieces)))
-    for judged in islice(list_lounges(judge_of(beside, pair), pair), LOUNGES):
-        yield answer._replace(placed=(*rest, *judged.placed))
+    seen = set[tuple[float, ...]]()
+    for judged in list_lounges(judge_of(beside, pair), pair):
+        boxes = np.array([p.dressed.box[:3] for p in judged.placed])
+        like = tuple((boxes / UNLIKE).round().ravel().tolist())
+        if like not in seen and len(seen) < LOUNGES:
+            seen.add(like)
+            yield answer._replace(placed=(*rest, *judged.placed))
 
 
 def _list_exchanged(task: RoomTask, answer: RoomAnswer, row: str) -> Iterator[RoomAnswer]:

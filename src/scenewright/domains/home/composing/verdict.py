@@ -26,7 +26,7 @@ from scenewright.domains.home.composing.placed_faults import (
     measure_before_doors,
     measure_before_windows,
 )
-from scenewright.domains.home.composing.seats.unseen import is_screen_unseen
+from scenewright.domains.home.composing.seats.unseen import hangs_in_doorway, is_screen_unseen
 from scenewright.domains.home.composing.spacing.rules import list_close
 from scenewright.domains.home.composing.views import is_off_axis
 from scenewright.domains.home.household import STORING
@@ -115,6 +115,7 @@ FINDINGS: Mapping[str, Callable[[RoomTask, Placed], float]] = {
     "window": _count_windows,
     "adrift": lambda task, placed: float(len(list_adrift(placed, task.ground))),
     "door": lambda task, placed: sum(measure_before_doors(p, task.ground) for p in placed),
+    "doorway": lambda task, placed: float(sum(hangs_in_doorway(task, p) for p in placed)),
     "closed bed": lambda task, placed: float(count_closed_beds(placed, task.ground)),
     "unseen": lambda task, placed: float(is_screen_unseen(task, placed)),
     "off axis": lambda _, placed: float(is_off_axis(placed)),
