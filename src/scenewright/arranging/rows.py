@@ -22,12 +22,12 @@ FLOOR, STRIP, SQUARE, ALONG, METRES = range(5)
 """What the area that is taken is divided by: the floor of the row; a strip as wide as the row and
 as long as the shortest side of either piece; a square metre; the depth of the part of the room; the
 metres of the row."""
-WALLS, DOORS, WAYS, WINDOWS, OPENINGS, TURNS, PANES, ENTRANCES, EXITS, COLUMNS, WAY_IN = (
-    1 << k for k in range(11)
+WALLS, DOORS, WAYS, WINDOWS, OPENINGS, TURNS, PANES, ENTRANCES, EXITS, COLUMNS, WAY_IN, PIPES = (
+    1 << k for k in range(12)
 )
 """Parts of a room: what is beyond its walls, where doors swing, the ways from door to door, the
 floor before windows and before wide doors, the directions of its walls, the glass; of a hall where
-people come in and leave, its columns, and the way in that stays free."""
+people come in and leave, its columns, and the way in that stays free; walls with pipes in them."""
 
 
 class Class(NamedTuple):

@@ -38,7 +38,8 @@ class Ground(NamedTuple):
     without a leaf that are wider than need stay free (0). ``hearths`` (h, 4): middle of the front
     and heading (cos, sin) of each fireplace that stands. ``leaves`` (f, 6): each leaf that opens
     into the space, at a right angle, and the number of its door. ``entrances`` (n, 5): those of
-    ``doors`` with a leaf by which one comes in from outside.
+    ``doors`` with a leaf by which one comes in from outside. ``pipes`` (w, 5): walls to rooms with
+    water, as boxes in them that look into the space.
     """
 
     edges: Floats
@@ -58,6 +59,7 @@ class Ground(NamedTuple):
     hearths: Floats = np.zeros((0, 4))
     leaves: Floats = np.zeros((0, 6))
     entrances: Floats = np.zeros((0, 5))
+    pipes: Floats = np.zeros((0, 5))
 
 
 class KnownGround:

@@ -28,7 +28,7 @@ from scenewright.core.solution import LeftOut, Solution
 from scenewright.core.space import Space
 from scenewright.domains.home.attempt import RoomAnswer, RoomTask, build_task_problem
 from scenewright.domains.home.cases.own_library import libraries_of, taste_of
-from scenewright.domains.home.closets import has_closet
+from scenewright.domains.home.closets import has_closet, list_wet_walls
 from scenewright.domains.home.composing.compose import compose
 from scenewright.domains.home.composing.home_passes import ALIGNING, MENDING, SETTLING, finish_home
 from scenewright.domains.home.composing.homewide.settling import HomeState
@@ -238,6 +238,7 @@ def _tasks(
             beside,
             entered_by(space, rooms),
             has_closet(space, rooms),
+            list_wet_walls(space, rooms),
         )
         for room, space, fixed, library, beside in each
     ]

@@ -8,6 +8,7 @@ from zlib import crc32
 
 import numpy as np
 import shapely
+from numpy.typing import NDArray
 
 from scenewright.building.ceiling import living_area, planes
 from scenewright.building.labels import is_entered
@@ -41,6 +42,9 @@ from scenewright.domains.home.wished.wishes import apply_wishes
 
 Cancel = Callable[[], bool]
 
+Floats = NDArray[np.float64]
+
+NO_PIPES: Floats = np.zeros((0, 5))
 SIDEWAYS = 0.4  # the width of a person turned sideways, metres
 
 
@@ -58,17 +62,19 @@ def task_of(
     beside: tuple[Piece, ...] = (),
     entered: tuple[int, ...] = (),
     closet: bool = False,
+    pipes: Floats = NO_PIPES,
 ) -> RoomTask:
     """One room as a task: the ground that ``fixed`` pieces leave, its stream of random numbers,
     and what no route reaches even while the room is empty; ``entered`` are the doors that one comes
-    in by, ``closet`` says whether clothes can hang in a closet of the room."""
+    in by, ``closet`` says whether clothes can hang in a closet of the room, ``pipes`` are its walls
+    to rooms with water."""
     shape = shapely.Polygon(space.outline, list(space.holes))
     taken = sum(p.size.width * p.size.depth for p in fixed if p.size.height > 0.05)
     taken += covered_by(shape, beside)
     floor = living_area(shape, planes(space), space.height)
     area = max(floor - taken, 0.1)
     stream = int(np.random.SeedSequence([seed, crc32(space.id.encode())]).generate_state(1)[0])
-    ground = ground_of(space, fixed, area, beside)
+    ground = ground_of(space, fixed, area, beside)._replace(pipes=pipes)
     task = RoomTask(
         space,
         ground,

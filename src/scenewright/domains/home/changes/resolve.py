@@ -36,7 +36,7 @@ from scenewright.domains.home.changes.regroup import (
     settle_group,
 )
 from scenewright.domains.home.changes.revised import NOTHING, Revised
-from scenewright.domains.home.closets import has_closet
+from scenewright.domains.home.closets import has_closet, list_wet_walls
 from scenewright.domains.home.composing.compose import compose
 from scenewright.domains.home.entrances import entered_by
 from scenewright.domains.home.furnishing.look import keep_palette
@@ -171,6 +171,7 @@ def _task_with(
         beside=reaching_in(others, rooms)[number],
         entered=entered_by(space, rooms),
         closet=has_closet(space, rooms),
+        pipes=list_wet_walls(space, rooms),
     )
     task = task._replace(elsewhere=held_elsewhere(space.id, pieces, rooms))
     return match_learned_density(task, asked, rooms)

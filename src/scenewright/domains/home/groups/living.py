@@ -182,12 +182,6 @@ def _alone(sofa: float) -> Group:
     return Group("seating", f"{sofa:.1f} m sofa, side table", width, depth, members)
 
 
-def plain_sofa() -> Group:
-    """A sofa for three alone, for walls that hold nothing beside it."""
-    sofa = Member("sofa", 0, 0, 0, 0, Size(1.9, 0.8, SOFA_HEIGHT))
-    return Group("seating", "1.9 m sofa", 1.9, 0.82, (sofa,))
-
-
 def _compact(sofa: float) -> Group:
     depth = SOFA_DEPTH + 0.35 + 0.42
     members = (

@@ -70,15 +70,6 @@ def narrow_sides() -> Iterator[Group]:
         yield _bed("sleeping", "double_bed", 1.4, wing, wing, SHORT_BED)
 
 
-def beside_walls() -> Iterator[Group]:
-    """Beds of 1.4 m with one nightstand, usual or narrow, where a corner or a door leaves no place
-    for a second one."""
-    for wing in (0.45, NARROW):
-        for length in (BED_LENGTH, SHORT_BED):
-            for mirrored in (False, True):
-                yield _bed("sleeping", "double_bed", 1.4, 0.0, wing, length, mirrored)
-
-
 def bunk() -> Iterator[Group]:
     """A bunk bed with a toy box at its foot side."""
     bed = Member("bunk_bed", 0, 0, 0, 0, Size(1.0, BED_LENGTH, 1.65))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from itertools import islice
 
 import numpy as np
@@ -31,10 +31,9 @@ Floats = NDArray[np.float64]
 
 SEATS = (SOFAS, frozenset(("armchair",)), frozenset(("double_bed",)))
 """What one watches a screen from, what it is set before first."""
-STANDS = 4
-"""Stands that are tried, the narrowest, before screens on the wall."""
-PLACES = 4
-"""Places before a seat that are walked past."""
+STANDS, PLACES, OF_FORM = 4, 4, 2
+"""Stands that are tried, the narrowest, before screens on the wall; places before a seat that are
+walked past, and those of one form."""
 STEP = 0.1
 """Metres between places along a wall."""
 
@@ -42,14 +41,12 @@ STEP = 0.1
 def add_screen(home: HomeState, answers: list[RoomAnswer]) -> list[RoomAnswer]:
     """The answers with a screen on the axis of a sofa, an armchair or a bed for two in a home
     without one."""
-    pieces = [p for t, a in zip(home.tasks, answers, strict=True) for p in pieces_of(t, a.placed)]
-    shown = any(piece.category in ("tv", "fireplace") for piece in pieces)
+    there = [pieces_of(t, a.placed) for t, a in zip(home.tasks, answers, strict=True)]
+    shown = any(p.category in ("tv", "fireplace") for pieces in there for p in pieces)
     if shown or home.timed or home.household is None or not may_settle(home):
         return answers
     for kinds in SEATS:
         for room, (task, answer) in enumerate(zip(home.tasks, answers, strict=True)):
-            if not may_take_in(task, "media") or task.forbidden & {"tv", "tv_stand"}:
-                continue
             for placed in islice(_list_shown(task, answer.placed, kinds), PLACES):
                 missing = tuple(m for m in answer.missing if m.wish.group != "media")
                 trial = answer._replace(placed=placed, missing=missing)
@@ -61,6 +58,8 @@ def add_screen(home: HomeState, answers: list[RoomAnswer]) -> list[RoomAnswer]:
 
 def _list_shown(task: RoomTask, placed: Placed, kinds: frozenset[str]) -> Iterator[Placed]:
     """The groups of a room with a screen before one of its seats, where nothing is worse for it."""
+    if not may_take_in(task, "media") or task.forbidden & {"tv", "tv_stand"}:
+        return
     seats = [p for group in placed for p in group.pieces if p.category in kinds]
     for seat in sorted(seats, key=lambda p: -p.size.width):
         for found in list_sound(task, placed, placed, _list_before(task, placed, seat)):
@@ -71,23 +70,22 @@ def _list_shown(task: RoomTask, placed: Placed, kinds: frozenset[str]) -> Iterat
 def _list_before(task: RoomTask, placed: Placed, seat: Piece) -> Iterator[FurnishedGroup]:
     """Screens at a wall before a seat, those nearest to its axis first."""
     standing = standing_of(pieces_of(task, placed), flat_kinds(task.catalog))
-    forms = (*islice(media(), STANDS), *hung_screens())
-    for case in forms:
+    for case in (*islice(media(), STANDS), *hung_screens()):
         group = make_unplaced(task, placed, Wish("media", 1), case)
         for _, boxes in find_places(task, (case,), standing, group, STEP):
-            for box in _order_before(boxes, seat)[:2]:
-                dressed = dress_group(task, group, case, box, standing)
-                if dressed is not None:
-                    yield dressed
+            dressed = (
+                dress_group(task, group, case, box, standing)
+                for box in _order_before(boxes, seat)[:OF_FORM]
+            )
+            yield from (each for each in dressed if each is not None)
 
 
-def _order_before(boxes: Floats, seat: Piece) -> Sequence[Floats]:
+def _order_before(boxes: Floats, seat: Piece) -> Floats:
     """Of boxes (n, 5) those on the axis of a seat that look at it, the nearest to it first."""
     x, y, _, turn = seat.pose
-    c, s = np.cos(turn), np.sin(turn)
     dx, dy = boxes[:, 0] - x, boxes[:, 1] - y
-    ahead, aside = dx * c + dy * s, np.abs(dx * s - dy * c)
+    ahead = dx * np.cos(turn) + dy * np.sin(turn)
+    aside = np.abs(dx * np.sin(turn) - dy * np.cos(turn))
     fit = (aside <= ASTRAY) & (np.cos(boxes[:, 2] - turn) < -ALIKE)
-    fit &= (ahead >= WATCHED_FROM) & (ahead <= WATCHED_TO + 1.0)
-    at = np.flatnonzero(fit)
-    return list(boxes[at[np.argsort(aside[at], kind="stable")]])
+    at = np.flatnonzero(fit & (ahead >= WATCHED_FROM) & (ahead <= WATCHED_TO))
+    return boxes[at[np.argsort(aside[at], kind="stable")]]

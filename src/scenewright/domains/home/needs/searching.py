@@ -38,7 +38,7 @@ from scenewright.domains.home.programme import Wish
 BLEMISH = 15.0
 """What it may cost how a thing stands that a home cannot do without: by a window, at the wall of a
 door."""
-SHRUNK = 0.6
+SHRUNK = 1.0
 """Metres of storage that a room gives up for a need at most."""
 WALKED = 3
 """Trials of a need that are walked past through the whole home, of each number of places; three

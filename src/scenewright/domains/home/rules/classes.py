@@ -7,6 +7,7 @@ from scenewright.arranging.rows import (
     ENTRANCES,
     OPENINGS,
     PANES,
+    PIPES,
     TURNS,
     WALLS,
     WAYS,
@@ -37,4 +38,5 @@ ON_WAYS = Class("the way between doors", parts=WAYS)
 AT_WINDOWS = Class("a window", parts=WINDOWS)
 AT_OPENINGS = Class("a wide door", parts=OPENINGS)
 BY_GLASS = Class("the light of a window", parts=PANES)
+AT_PIPES = Class("the wall to a room with water", parts=PIPES)
 TO_WALLS = Class("the walls", parts=TURNS)

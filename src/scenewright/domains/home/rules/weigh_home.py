@@ -17,6 +17,7 @@ from scenewright.arranging.rows import (
     ENTRANCES,
     OPENINGS,
     PANES,
+    PIPES,
     TURNS,
     WINDOWS,
     Row,
@@ -167,6 +168,7 @@ def read_room(ground: Ground) -> RoomParts:
     """The parts of a room."""
     panes = ground.windows[:, :5]
     parts = [(ground.keep_free, DOORS), (panes, PANES), (ground.entrances, ENTRANCES)]
+    parts.append((ground.pipes, PIPES))
     for part, window in ((WINDOWS, 1.0), (OPENINGS, 0.0)):
         parts.append((ground.strips[ground.strips[:, 5] == window, :5], part))
     way = ground.edges[:, 2:4] - ground.edges[:, :2]

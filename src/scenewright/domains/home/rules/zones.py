@@ -9,12 +9,24 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from scenewright.arranging.rows import METRES, Class, Example, Place, Row, apart, off
+from scenewright.arranging.rows import (
+    BACK,
+    METRES,
+    WHOLE,
+    Class,
+    Example,
+    Place,
+    Row,
+    apart,
+    clear,
+    near,
+    off,
+)
 from scenewright.catalog.classes import BEDS, DESKS, EATING_TABLES, RUN, SOFAS, TABLE_SEATS
 from scenewright.domains.home.measures import ON_FLOOR
-from scenewright.domains.home.rules.classes import AT_ENTRANCES, stand
-from scenewright.domains.home.rules.every import ROOMY, SEEN
-from scenewright.domains.home.rules.sources import FLATS, NEUFERT
+from scenewright.domains.home.rules.classes import AT_ENTRANCES, AT_PIPES, BY_GLASS, stand
+from scenewright.domains.home.rules.every import DAYLIT, ROOMY, SEEN
+from scenewright.domains.home.rules.sources import DAYLIGHT, DIN_4109, FLATS, NEUFERT
 
 ZONES = {
     "cook": stand("a unit of the kitchen", *RUN),
@@ -63,6 +75,8 @@ BORDERS = (
 )
 """All borders."""
 AT_ENTRANCE = 1.0  # a bed nearer to the front door is beside it, metres
+QUIET = 2.5  # a bed farther from the front door hears nobody come in, metres
+NEAR_PIPES = 0.3  # a head nearer to a wall with pipes hears them, metres
 
 
 def _make_row(border: Border) -> Row:
@@ -75,6 +89,27 @@ def _make_row(border: Border) -> Row:
 
 ZONED = (
     *map(_make_row, BORDERS),
+    Row(
+        "bed_unquiet", ZONES["sleep"], off(SEEN / QUIET, METRES, WHOLE, each=True), AT_ENTRANCES,
+        QUIET, 2.0, "{of} is within {metres} m of {to}", NEUFERT, area=ROOMY, late=True,
+        example=Example(
+            broken=(Place("single_bed", 1.3, 1.05, 90.0, 0.9, 2.0),),
+            held=(),
+            mended=(Place("single_bed", 1.1, 3.5, 0.0, 0.9, 2.0),),
+        ),
+    ),
+    Row(
+        "head_at_pipes", ZONES["sleep"], clear(BACK, 0.05, each=True), AT_PIPES, NEAR_PIPES, 2.0,
+        "the head of {of} is at {to}", DIN_4109, late=True,
+    ),
+    Row(
+        "dim_seat", ZONES["sit"], near(2 * DAYLIT), BY_GLASS, DAYLIT, 2.0,
+        "{of} is more than {metres} m from {to}", DAYLIGHT, late=True,
+    ),
+    Row(
+        "dim_meal", ZONES["eat"], near(2 * DAYLIT), BY_GLASS, DAYLIT, 1.5,
+        "{of} is more than {metres} m from {to}", DAYLIGHT, late=True,
+    ),
     Row(
         "bed_at_entrance", ZONES["sleep"], off(SEEN / AT_ENTRANCE, METRES, each=True), AT_ENTRANCES,
         AT_ENTRANCE, 12.0, "{of} is within {metres} m of {to}", NEUFERT, area=ROOMY,

@@ -12,7 +12,7 @@ from scenewright.domains.home.composing.filling.beside_others import WORTH
 from scenewright.domains.home.groups.bath import fitted_basins, fitted_baths, fitted_showers
 from scenewright.domains.home.groups.entry import fitted_consoles, fitted_shelving, fitted_shoes
 from scenewright.domains.home.groups.living import deep_bookcases, fitted_bookcases
-from scenewright.domains.home.groups.sleeping import chest
+from scenewright.domains.home.groups.sleeping import chest, fitted_wardrobes
 from scenewright.domains.home.rules.every import NEAR_DOOR
 
 SHELVED = 5.0  # what a store may cost more for a wall of shelves
@@ -47,6 +47,7 @@ SHOES = Growth(
 )
 CONSOLE = Growth(fitted_consoles, ((0.0, 1.2, 1.4), (9.0, 1.4, 1.6)), True)
 CHEST = Growth(chest, ((0.0, 0.8, 1.0), (6.0, 1.0, 1.2), (9.0, 1.2, 1.2)), True)
+CLOTHES = Growth(fitted_wardrobes, ((0.0, 1.0, 1.4), (9.0, 1.6, 2.0), (12.0, 1.8, 2.4)), True)
 BOOKS = Growth(fitted_bookcases, ((0.0, 0.8, 1.2), (6.0, 1.2, 1.6), (9.0, 1.6, 2.4)), True)
 SHELVES = Growth(fitted_shelving, ((0.0, inf, inf),), worth=SHELVED, off=NEAR_DOOR)
 ROWS = Growth(deep_bookcases, ((0.0, inf, inf),), worth=SHELVED, off=NEAR_DOOR)
@@ -56,7 +57,9 @@ GROWING: dict[str, dict[str, Growth]] = {
     "bathroom": WET,
     "washroom": WET,
     "toilet": WET,
-    "bedroom": {"chest": CHEST},
+    "bedroom": {"wardrobe": CLOTHES, "chest": CHEST, "shelf": BOOKS},
+    "living": {"shelf": BOOKS},
+    "study": {"wardrobe": CLOTHES, "shelf": BOOKS},
     "hall": {"shoes": SHOES, "console": CONSOLE, "chest": CHEST, "shelf": BOOKS},
     "storage": {"storage": SHELVES},
     "other": {"shelf": ROWS, "storage": SHELVES},
