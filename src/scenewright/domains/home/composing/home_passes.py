@@ -9,6 +9,7 @@ from scenewright.core.passes import ALL_PASSES, Pass, run_passes
 from scenewright.domains.home.attempt import RoomAnswer, RoomTask
 from scenewright.domains.home.composing.alignment.homes import align_rooms
 from scenewright.domains.home.composing.comparing import compare_homes
+from scenewright.domains.home.composing.filling.widening import widen_storage
 from scenewright.domains.home.composing.homewide.bedsides import add_nightstands
 from scenewright.domains.home.composing.homewide.settling import HomeState
 from scenewright.domains.home.composing.kitchens.growing import grow_kitchens
@@ -52,6 +53,7 @@ SETTLING: tuple[Pass[HomePass], ...] = (
 ALIGNING: tuple[Pass[HomePass], ...] = (
     Pass("mend rooms", "home aligning", _of_rooms(mend_rooms), "the worst row, its moves, again"),
     Pass("grow kitchens", "home aligning", _of_rooms(grow_kitchens), "cabinets at their free ends"),
+    Pass("widen storage", "home aligning", _of_rooms(widen_storage), "as wide as its wall allows"),
     Pass("screen", "home aligning", add_screen, "one before a seat in a home without any"),
     Pass("align rooms", "home aligning", _of_rooms(align_rooms), "groups on axes, no odd gaps"),
     Pass("washing machine", "home aligning", add_washing_machine, "one in a home without any"),

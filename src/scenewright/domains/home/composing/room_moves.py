@@ -43,7 +43,7 @@ from scenewright.domains.home.composing.spacing.leave_out import may_leave_out
 from scenewright.domains.home.composing.spacing.rules import list_close
 from scenewright.domains.home.composing.spacing.shifts import list_shifted
 from scenewright.domains.home.composing.verdict import FEWER, STUCK
-from scenewright.domains.home.groups.classes import BED_GROUPS, RUNS, TABLES
+from scenewright.domains.home.groups.classes import BED_GROUPS, RUNS, SITTING, TABLES
 from scenewright.domains.home.groups.least import LEAST as LEAST_FORMS
 from scenewright.domains.home.least_sizes import BED
 from scenewright.domains.home.measures import HAIR
@@ -64,8 +64,8 @@ PAIRED = frozenset(("wardrobe", "one_side"))
 SEATED_FROM = 11.0
 """Area in m² from which a living room has seats for three."""
 PAIRS, LOUNGES = 40, 40  # pairs of places of two groups that are tried, of screen and seats
-LOUNGE, UNLIKE = ("media", "seating"), 0.3
-"""Screen and seats, and by how much two of their places differ, metres and radians."""
+UNLIKE = 0.3
+"""By how much two places of screen and seats differ, metres and radians."""
 Subjects = Callable[[RoomTask, Placed], set[str]]
 
 
@@ -110,8 +110,8 @@ SUBJECTS: dict[str, Subjects] = {
     "seats": lambda task, placed: (
         _is_of("seats")(task, placed) if task.ground.area >= SEATED_FROM else set()
     ),
-    "unseen": lambda _, placed: {p.name for p in placed if p.wish.group in LOUNGE},
-    "off axis": lambda _, placed: {p.name for p in placed if p.wish.group in LOUNGE},
+    "unseen": lambda _, placed: {p.name for p in placed if p.wish.group in SITTING},
+    "off axis": lambda _, placed: {p.name for p in placed if p.wish.group in SITTING},
     "one_side": _is_of("one_side"),
     "closed bed": lambda _, placed: {p.name for p in placed if p.wish.group in BED_GROUPS},
 }
@@ -226,9 +226,9 @@ def _size_of(case: Group) -> tuple[float, float]:
 def _list_lounges(task: RoomTask, answer: RoomAnswer, _: str) -> Iterator[RoomAnswer]:
     """The room with its screen and its seats placed as one, beside all else."""
     placed, own = answer.placed, task.library.own
-    pair = tuple(p for name in LOUNGE for p in placed if p.wish.group == name)
+    pair = tuple(p for name in sorted(SITTING) for p in placed if p.wish.group == name)
     stays = (p.wish.group in own or p.wish.most or p.wish.required for p in pair)
-    if len(pair) != len(LOUNGE) or any(stays):
+    if len(pair) != len(SITTING) or any(stays):
         return
     rest = tuple(p for p in placed if all(p is not q for q in pair))
     beside = task._replace(beside=(*task.beside, *(p for group in rest for p in group.pieces)))

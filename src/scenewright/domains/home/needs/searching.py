@@ -27,7 +27,6 @@ from scenewright.domains.home.composing.homewide.settling import (
 )
 from scenewright.domains.home.composing.judging import Placed
 from scenewright.domains.home.composing.places.moving import AMID_FROM
-from scenewright.domains.home.composing.spacing.rules import measure_closeness
 from scenewright.domains.home.groups.classes import COOKING, TABLES
 from scenewright.domains.home.household import STORING
 from scenewright.domains.home.needs.jointly import list_jointly
@@ -213,7 +212,7 @@ def _list_standing(
     stands_free: Callable[[Group], bool] | None,
 ) -> Iterator[tuple[str, Placed]]:
     """The rest of a room with a need in one of its groups, which comes first; ``spare`` metres of
-    storage may go for it; last where a wall or a door is right behind its seats."""
+    storage may go for it."""
     forms = list(list_forms(place, rest))
     if stage.moves:
         for name in dict.fromkeys(form.function for form in forms):
@@ -222,7 +221,6 @@ def _list_standing(
             for placed in list_jointly(task, before, rest, wish, each, 2 * stage.spare, spare):
                 yield name, placed
         return
-    wedged: list[tuple[str, Placed]] = []
     for case in forms:
         wish = place.wish._replace(group=case.function)
         free = stands_free is not None and stands_free(case)
@@ -231,11 +229,7 @@ def _list_standing(
             there = pieces_of(task, rest)
             found = (g for g in found if may_stand_free(task, there, g.dressed.box))
         for placed in islice(list_sound(task, before, rest, found, stage.spare), 1):
-            if measure_closeness(placed[-1:], (), task.ground) > 0.0:
-                wedged.append((case.function, placed))
-            else:
-                yield case.function, placed
-    yield from wedged
+            yield case.function, placed
 
 
 def has_made_room(missing: Missing) -> bool:

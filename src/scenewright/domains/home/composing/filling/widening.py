@@ -8,31 +8,34 @@ hall 0.9 m stay free before what grows.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.core.catalog import Group
-from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask
+from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask, find_blocked
 from scenewright.domains.home.composing.filling.beside_others import (
     list_others,
     list_taken_beside,
     take_first_place,
 )
 from scenewright.domains.home.composing.filling.widths import (
+    GROWING_LAST,
     Growth,
     bound_width,
     list_depths,
     list_growing,
 )
-from scenewright.domains.home.composing.places.moving import stand_at
+from scenewright.domains.home.composing.homewide.settling import try_in_home
+from scenewright.domains.home.composing.places.moving import stand_at, with_margin
 from scenewright.domains.home.composing.places.wall_stretch import (
     FreeStretch,
     find_deeper,
     measure_front,
 )
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles
+from scenewright.domains.home.remove_blockers import Opened
 from scenewright.domains.home.rules.every import ROOMY
 
 Floats = NDArray[np.float64]
@@ -41,10 +44,30 @@ MORE = 0.04  # what grows by less is not seen, metres
 WAY = 0.9  # left free before what grows in a hall, metres
 
 
+def widen_storage(
+    tasks: Sequence[RoomTask], answers: list[RoomAnswer], opened: Opened
+) -> list[RoomAnswer]:
+    """The answers with what holds things in rooms one lives in as wide as its stretch of wall."""
+    found = answers
+    for room, task in enumerate(tasks):
+        if task.preset.settings.exact and not (task.accessible or task.library.own):
+            barred = frozenset(find_blocked(with_margin(task), found[room].placed))
+            wider = _widen(task, found[room], barred, GROWING_LAST)
+            trial = None if wider is found[room] else try_in_home(room, wider, found, opened)
+            found = found if trial is None else trial
+    return found
+
+
 def widen_groups(task: RoomTask, answer: RoomAnswer, barred: frozenset[str]) -> RoomAnswer:
     """The answer for a bathroom, a hall or a store with each group that may grow there as wide as
     its stretch of wall, where it bars no way and the room costs hardly more."""
-    for name, growth in list_growing(task.space.functions).items():
+    return _widen(task, answer, barred, list_growing(task.space.functions))
+
+
+def _widen(
+    task: RoomTask, answer: RoomAnswer, barred: frozenset[str], growing: Mapping[str, Growth]
+) -> RoomAnswer:
+    for name, growth in growing.items():
         for group in answer.placed:
             if group.wish.group == name and group.wish.most is None and not task.cancelled():
                 placed, standing = answer.placed, list_others(task, answer.placed, group)
@@ -54,7 +77,7 @@ def widen_groups(task: RoomTask, answer: RoomAnswer, barred: frozenset[str]) -> 
                 placed = take_first_place(
                     task, placed, group, found, standing, barred, growth.worth
                 )
-                answer = answer._replace(placed=placed)
+                answer = answer if placed is answer.placed else answer._replace(placed=placed)
     return answer
 
 

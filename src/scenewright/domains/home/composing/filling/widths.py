@@ -57,14 +57,14 @@ GROWING: dict[str, dict[str, Growth]] = {
     "bathroom": WET,
     "washroom": WET,
     "toilet": WET,
-    "bedroom": {"wardrobe": CLOTHES, "chest": CHEST, "shelf": BOOKS},
-    "living": {"shelf": BOOKS},
-    "study": {"wardrobe": CLOTHES, "shelf": BOOKS},
+    "bedroom": {"chest": CHEST},
     "hall": {"shoes": SHOES, "console": CONSOLE, "chest": CHEST, "shelf": BOOKS},
     "storage": {"storage": SHELVES},
     "other": {"shelf": ROWS, "storage": SHELVES},
 }
 """By function of a room what may grow there, in this order."""
+GROWING_LAST = {"wardrobe": CLOTHES, "shelf": BOOKS}
+"""What grows in rooms one lives in when all needs of a home stand."""
 
 
 @cache

@@ -37,7 +37,7 @@ from scenewright.domains.home.remove_blockers import Opened
 
 LANDING = {"sink_cabinet": 0.6, "hob_cabinet": 0.4, "fridge": 0.4}
 """Metres of worktop beside what a run ends with, at least (NKBA 11: 24, 17: 15, 16: 15 inches)."""
-LIVED_IN = 3.0
+FRONT_LIVED_IN = 3.0
 """Metres of front up to which a kitchen grows where people live in its room as well."""
 PARTS = 3
 """Lengths that are tried at one end: all there is, and ever less."""
@@ -79,7 +79,7 @@ def _list_lengths(task: RoomTask, run: FurnishedGroup, end: Slit) -> Iterator[fl
     """Metres by which a run may grow at an end."""
     asked = max(v for start, v in EXPECTED["kitchen"].rows if start <= max(task.ground.area, 7.0))
     if not set(task.space.functions) <= {"kitchen", "hall"}:
-        asked = LIVED_IN
+        asked = FRONT_LIVED_IN
     short = asked - EXPECTED["kitchen"].measure(run.dressed.case)
     most = min(end.gap, max(short, LANDING.get(end.unit.category, 0.0)))
     most = end.gap if end.gap - most < SLIT[1] else floor_length(most)
