@@ -16,9 +16,7 @@ from scenewright.domains.home.attempt import FurnishedGroup
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.closets import has_closet
 from scenewright.domains.home.composing.bed_places import are_adrift
-from scenewright.domains.home.composing.bedrooms.wardrobes import trim_wardrobe
 from scenewright.domains.home.composing.case_faults import find_case_faults
-from scenewright.domains.home.composing.judging import judge_of
 from scenewright.domains.home.composing.placed_faults import cost_of_group
 from scenewright.domains.home.composing.places.forms import cost_of_case, list_further
 from scenewright.domains.home.furnishing.furnish import FurnishedPatch
@@ -27,7 +25,7 @@ from scenewright.domains.home.ground import ground_of
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.rules.weigh_home import sum_rows
-from scenewright.domains.home.solving import prepare_rooms, solve
+from scenewright.domains.home.solving import solve
 from scenewright.geometry.flanks import measure_flank_gaps
 
 RULE = PRESETS["default"].settings.composing
@@ -186,28 +184,6 @@ def test_a_bed_half_past_the_end_of_a_wall_is_adrift():
         True,
         False,
     ]
-
-
-def test_a_wardrobe_far_too_wide_for_a_bed_for_one_is_cut_at_an_end():
-    brief = Brief(rooms=[Room.model_validate(ENTERED)])
-    preset, rooms = PRESETS["default"], spaces(brief)
-    (task,), _ = prepare_rooms(brief, rooms, catalog_of(()), preset, preset.solver, 0)
-    form = max(cases("wardrobe").groups, key=lambda case: case.width)
-    box = np.array([2.0, 3.0 - form.depth / 2, -np.pi / 2, form.width, form.depth])
-    wardrobe = FurnishedGroup(
-        Wish("wardrobe", 0), "wardrobe", FurnishedPatch(form, box, (True,), 0), ()
-    )
-    for bed, most in (("single", 1.8), ("sleeping", form.width)):
-        placed = (_bed_at(1.0)._replace(wish=Wish(bed, 0), name=bed), wardrobe)
-        cut = trim_wardrobe(task, judge_of(task, placed).cost_of(placed)).placed[1]
-        x, _, _, width, depth = cut.dressed.box
-        assert width == pytest.approx(most)
-        assert abs(x - 2.0) == pytest.approx((form.width - width) / 2)
-        assert cut.dressed.box[1] + depth / 2 == pytest.approx(3.0)
-    asked = wardrobe._replace(wish=Wish("wardrobe", 0, required=True))
-    stated = (_bed_at(1.0), asked)
-    before = judge_of(task, stated).cost_of(stated)
-    assert trim_wardrobe(task, before) is before
 
 
 def test_a_blind_hangs_where_a_curtain_would_lie_on_a_desk():

@@ -12,11 +12,9 @@ from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief, Room
 from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer
 from scenewright.domains.home.cases.library import cases
-from scenewright.domains.home.composing.filling.hall_tables import furnish_hall
 from scenewright.domains.home.composing.filling.wet_rooms import can_stand_before, fill_wet_room
 from scenewright.domains.home.composing.filling.widening import widen_groups
 from scenewright.domains.home.composing.places.moving import dress_group, make_unplaced
-from scenewright.domains.home.composing.places.wall_stretch import measure_front
 from scenewright.domains.home.furnishing.obstacles import standing_of
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.programme import Wish
@@ -124,24 +122,6 @@ def test_shelves_of_a_store_reach_from_wall_to_wall():
     shelf = stood(task, "storage", "1.2 m of shelving", 0.7)
     (now,) = run(widen_groups, task, shelf)
     assert sum(p.size.width for p in now.pieces) == pytest.approx(1.65)
-
-
-@pytest.mark.parametrize("deep", [1.6, 1.2])
-def test_a_hall_with_coats_alone_has_a_console_before_which_a_way_stays_free(deep):
-    task = task_of("hall", 4.0, deep)
-    coats = stood(task, "coats", "coat rack", 0.2)
-    (_, table) = run(furnish_hall, task, coats)
-    assert table.pieces[0].category == "console_table"
-    assert measure_front(task.ground, table.dressed.box) >= 0.9
-
-
-def test_small_halls_and_halls_with_a_shoe_cabinet_have_no_console():
-    small = task_of("hall", 2.0, 1.6)
-    coats = stood(small, "coats", "coat rack", 0.2)
-    assert run(furnish_hall, small, coats) == (coats,)
-    large = task_of("hall", 4.0, 1.6)
-    shoes = stood(large, "shoes", "0.6 m shoe cabinet", 1.0)
-    assert run(furnish_hall, large, shoes) == (shoes,)
 
 
 def furnish(*rooms):

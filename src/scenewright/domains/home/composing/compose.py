@@ -14,7 +14,6 @@ from scenewright.domains.home.composing.room_passes import (
     MENDING,
     OPENING,
     RESTORING,
-    TRIMMING,
     Barred,
     complete_room,
     mend_room,
@@ -50,11 +49,11 @@ def compose(task: RoomTask, answer: RoomAnswer) -> RoomAnswer:
 
 
 def _mend(task: RoomTask, best: JudgedRoom, barred: Barred) -> JudgedRoom:
-    """The groups with their faults mended, if there are any, and trimmed."""
+    """The groups with their faults mended, if there are any."""
     best = mend_room(task, best, RESTORING, barred)
     if list_worst_first(task, best.placed):
         best = mend_room(task, best, MENDING, barred)
-    return mend_room(task, best, TRIMMING, barred)
+    return best
 
 
 def _list_given_up(before: Placed, after: Placed) -> tuple[Missing, ...]:

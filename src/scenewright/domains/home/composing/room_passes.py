@@ -10,12 +10,10 @@ from scenewright.core.passes import Pass, run_passes
 from scenewright.domains.home.attempt import RoomAnswer, RoomTask
 from scenewright.domains.home.composing.anew import compose_anew
 from scenewright.domains.home.composing.bedrooms.beds import restore_double_bed
-from scenewright.domains.home.composing.bedrooms.wardrobes import trim_wardrobe
 from scenewright.domains.home.composing.comparing import compare_answers, compare_judged
 from scenewright.domains.home.composing.filling.adding import add_groups
 from scenewright.domains.home.composing.filling.bare_floor import furnish_bare_floor
 from scenewright.domains.home.composing.filling.bare_walls import furnish_bare_walls
-from scenewright.domains.home.composing.filling.hall_tables import furnish_hall
 from scenewright.domains.home.composing.filling.wet_rooms import fill_wet_room
 from scenewright.domains.home.composing.filling.widening import widen_groups
 from scenewright.domains.home.composing.freeing import free_ways
@@ -35,10 +33,6 @@ def _free(task: RoomTask, answer: RoomAnswer, _: Barred) -> RoomAnswer:
     return answer._replace(placed=free_ways(task, answer.placed))
 
 
-def _trim(task: RoomTask, best: JudgedRoom, _: Barred) -> JudgedRoom:
-    return trim_wardrobe(task, best)
-
-
 OPENING: tuple[Pass[AnswerPass], ...] = (
     Pass("free ways", "opening", _free, "what bars a way is pushed along its wall"),
 )
@@ -56,9 +50,6 @@ MENDING: tuple[Pass[JudgedPass], ...] = (
     Pass("compose anew", "mending", compose_anew, "the room laid out from its kitchen or bed on"),
 )
 """Only in rooms with a fault."""
-TRIMMING: tuple[Pass[JudgedPass], ...] = (
-    Pass("trim wardrobe", "trimming", _trim, "no wardrobe far beyond what its sleepers need"),
-)
 FILLING: tuple[Pass[AnswerPass], ...] = (
     Pass("add groups", "filling", add_groups, "worktop, seats and shelves that still fit"),
     Pass("add island", "filling", add_island, "an island in a large kitchen"),
@@ -66,10 +57,9 @@ FILLING: tuple[Pass[AnswerPass], ...] = (
     Pass("bare walls", "filling", furnish_bare_walls, "storage at long bare walls"),
     Pass("close slits", "filling", close_slits, "slits at the ends of a kitchen run closed"),
     Pass("fill wet room", "filling", fill_wet_room, "storage in bathrooms that hold it"),
-    Pass("furnish hall", "filling", furnish_hall, "a narrow table in a hall"),
     Pass("widen groups", "filling", widen_groups, "storage as wide as its wall allows"),
 )
-ROOM_PASSES: tuple[Pass[Any], ...] = (*OPENING, *LACKING, *RESTORING, *MENDING, *TRIMMING, *FILLING)
+ROOM_PASSES: tuple[Pass[Any], ...] = (*OPENING, *LACKING, *RESTORING, *MENDING, *FILLING)
 
 
 def complete_room(
