@@ -116,3 +116,4 @@ LACQUERS = tuple(
     )
 )
 AMETHYST = Material("amethyst", (0.46, 0.32, 0.58), 0.2)
+NAVY_LACQUER = Material("navy lacquer", (0.13, 0.18, 0.27), 0.4)

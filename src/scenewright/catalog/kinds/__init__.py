@@ -19,14 +19,13 @@ Other packages add kinds by the entry point ``scenewright.kinds``: ``gym = "gym.
 
 from __future__ import annotations
 
-import csv
 from collections.abc import Iterator
 from dataclasses import replace
 from importlib import import_module
-from importlib.resources import files
 from typing import TYPE_CHECKING, Any
 
-from scenewright.core.kind import HallUse, Kind, Service, SizeRange, Words, free, words
+from scenewright.catalog.kinds.said import said_words
+from scenewright.core.kind import HallUse, Kind, Service, SizeRange, free
 from scenewright.core.plugins import load_plugins
 
 if TYPE_CHECKING:
@@ -60,22 +59,10 @@ _THEMES = (
 
 def _rows() -> Iterator[tuple[str, Kind]]:
     """Where each row is from, and the row with its words."""
-    said = _said()
+    said = said_words()
     for theme in _THEMES:
         for kind in import_module(f"{__name__}.{theme}").KINDS:
             yield theme, replace(kind, words=(*kind.words, *said.get(kind.category, ())))
-
-
-def _said() -> dict[str, list[Words]]:
-    """The words of kinds by category, from ``words.csv``: a row for each meaning, a column for
-    each language, phrases parted by commas."""
-    text = files(__name__).joinpath("words.csv").read_text(encoding="utf-8")
-    found: dict[str, list[Words]] = {}
-    for row in csv.DictReader(text.splitlines()):
-        category, also = row.pop("category"), row.pop("also")
-        phrases = {language: said for language, said in row.items() if said}
-        found.setdefault(category, []).append(words(also, **phrases))
-    return found
 
 
 def _by_category() -> dict[str, Kind]:

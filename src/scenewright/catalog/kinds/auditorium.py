@@ -30,7 +30,7 @@ KINDS = (
         reach=0.6,
         sizes=size_range("40 62 100", "35 55 90", "100 122 145"),
         hall=free("single", 0.3, 0.3, 0.75, 0.3),
-        drawn_by=(".public.auditorium",),
+        drawn_by=(".public.auditorium", ".public.sacral"),
     ),
     Kind(
         "stage",
@@ -38,7 +38,7 @@ KINDS = (
         reach=0.9,
         sizes=size_range("150 600 1200", "120 350 800", "15 50 120"),
         hall=free("single", 1.2, 0.0, 0.0, 0.0),
-        drawn_by=(".public.auditorium",),
+        drawn_by=(".public.auditorium", ".public.sacral"),
     ),
     Kind(
         "screen",

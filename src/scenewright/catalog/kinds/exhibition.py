@@ -20,7 +20,7 @@ KINDS = (
         reach=0.6,
         sizes=size_range("25 50 150", "25 50 150", "90 160 320"),
         hall=free("radiation grid chain", 0.75),
-        drawn_by=(".public.exhibition",),
+        drawn_by=(".public.exhibition", ".public.sacral"),
     ),
     Kind(
         "exhibit_panel",

@@ -13,7 +13,7 @@ KINDS = (
         sizes=size_range("80 200 800", "45 65 120", "80 100 120"),
         hall=free("chain single", 0.9, 0.0, 0.9, 0.0),
         staff=0.9,
-        drawn_by=(".public.reception",),
+        drawn_by=(".public.reception", ".public.sacral"),
     ),
     Kind(
         "info_desk",
