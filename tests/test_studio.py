@@ -27,11 +27,13 @@ from scenewright.core.errors import InputError
 pytest.importorskip("starlette")
 from starlette.testclient import TestClient
 
+from scenewright.studio.delta import follow_change
 from scenewright.studio.guard import Keys, guarded
 from scenewright.studio.server import PAGES, Listeners, studio_app
 from scenewright.studio.session import Session
 from scenewright.studio.verbs import do_verb
 from scenewright.workflow import project
+from scenewright.workflow.editing import edit_pieces
 from scenewright.workflow.judging import MoveJudge
 
 PORT = 8420
@@ -328,3 +330,27 @@ def test_the_page_speaks_the_language_of_the_browser_unless_told(client: TestCli
     assert 'lang="en"' in client.get("/", headers={"accept-language": "fr;q=x,,;"}).text
     client.cookies.set("scenewright-language", "en")
     assert 'lang="en"' in client.get("/", headers={"accept-language": "zh"}).text
+
+
+def test_a_page_is_told_what_changed_and_little_more(session: Session) -> None:
+    first = session.state_since(0)
+    desk = desk_of(session)
+    x, y, _, heading = desk["pose"]
+    for change in (
+        lambda: session.change("moved", {"move": {desk["id"]: (x + 0.1, y, heading)}}),
+        lambda: session.change("removed", {"remove": [desk["id"]]}, edit_pieces),
+        session.undo,
+        session.undo,
+        session.redo,
+    ):
+        change()
+        told = session.state_since(first["stamp"])
+        assert told["since"] == first["stamp"]
+        assert len(json.dumps(told)) < 3000
+        now = follow_change(first, told)
+        whole = session.state() | {"stamp": now["stamp"]}
+        symbols = whole.pop("symbols")
+        assert now.pop("symbols").items() >= symbols.items()
+        assert now == whole
+        first = session.state_since(0)
+    assert session.state_since(10**9)["stamp"] == first["stamp"]

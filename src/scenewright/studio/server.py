@@ -81,8 +81,12 @@ class Listeners:
 Query = Mapping[str, str]
 
 
-def _state(session: Session, person: Person, _query: Query) -> Any:
-    return session.state() | {"me": {"name": person.name, "right": person.right}}
+def _state(session: Session, person: Person, query: Query) -> Any:
+    """All that the page shows, or what changed ``since`` a state it has."""
+    since = query.get("since", "")[:12]
+    told = session.state_since(int(since) if since.isdecimal() else 0)
+    me = {"name": person.name, "right": person.right}
+    return told if "since" in told else told | {"me": me}
 
 
 def _sheets(session: Session, person: Person) -> Breeding | RaterDesk:

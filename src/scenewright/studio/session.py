@@ -24,6 +24,7 @@ from scenewright.core.solution import Solution, unfurnished
 from scenewright.formats import solution_json, write
 from scenewright.formats.table import formats
 from scenewright.studio.breeding import Breeding
+from scenewright.studio.delta import States
 from scenewright.studio.draft_faults import DraftFault, read_draft
 from scenewright.studio.drafting import FORMAT, draw_act, new_draft
 from scenewright.studio.drawable import Json, describe_finding, draw
@@ -72,6 +73,7 @@ class Session:
         self.raters = Raters(self.people, beside, tell)
         self.shown: Shown | None = None
         self.mover: MoveJudge | None = None
+        self.states = States()
         self.drawn: Drawn | None = None
         version = project.shown_version(db)
         if version is not None:
@@ -92,6 +94,12 @@ class Session:
             scene["name"], scene["draft"] = drawn.draft["name"], drawn.draft
             scene["faults"] = [one._asdict() for one in drawn.faults]
         return {"running": self.running, **where, **scene}
+
+    def state_since(self, stamp: int) -> Json:
+        """How the state changed since one that was told (:mod:`.delta`); all of it if that is not
+        known any more."""
+        with self.lock:
+            return self.states.tell(self.state(), stamp)
 
     def open(self, source: str, root: Path | None = None) -> None:
         """Begin with a file or a sample: its plan, with what is fixed in it. All it names lies

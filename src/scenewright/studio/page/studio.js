@@ -22,11 +22,25 @@ async function change(verb, keys = {}) {
   return said;
 }
 
-let asked = 0;
+function followChange(before, said) {
+  const after = { ...before, ...said.set };
+  for (const key of said.gone) delete after[key];
+  for (const [key, more] of Object.entries(said.add)) after[key] = { ...before[key], ...more };
+  for (const [key, { gone, put }] of Object.entries(said.rows)) {
+    const out = new Set([...gone, ...put.map(([, row]) => row.id)]);
+    after[key] = before[key].filter((row) => !out.has(row.id));
+    for (const [at, row] of put) after[key].splice(at, 0, row);
+  }
+  return after;
+}
+
+let asked = 0, told = {};
 async function refresh() {
   const turn = ++asked;
-  const fresh = await read("/state");
+  const said = await read(`/state?since=${told.stamp ?? 0}`);
   if (turn !== asked) return;
+  told = said.since ? followChange(told, said) : said;
+  const fresh = structuredClone(told);
   if (fresh.name !== doc.name || !view !== !(fresh.levels ?? []).length) { view = null; touched = false; pick(""); }
   doc = fresh;
   if (!(doc.levels ?? []).some((one) => one.id === level)) level = doc.levels?.[0]?.id ?? "";
