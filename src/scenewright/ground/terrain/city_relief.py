@@ -77,7 +77,8 @@ def _drape(
     corners = shapely.get_coordinates(shapely.get_parts(parts)).reshape(-1, 4, 2)[:, :3]
     found = []
     for points in corners:
-        left = np.cross(points[1] - points[0], points[2] - points[0]) > 0
+        (ax, ay), (bx, by) = points[1] - points[0], points[2] - points[0]
+        left = ax * by - ay * bx > 0
         ordered = points if left else points[::-1]
         high = facet_heights_at(ground, ordered)
         ring = [lifted.add(np.array([*p, z])) for p, z in zip(ordered, high, strict=True)]

@@ -30,7 +30,7 @@ APRON = 1.3
 """Metres of level ground around a building."""
 BESIDE = 1.2
 """Metres that the level of a way reaches beyond its edge."""
-LANDING = 1.5
+LANDING = 3.0
 """Metres before a door that are level with it."""
 CLIMB = 0.4
 """Greatest rise of a walk with steps, in metres a metre."""
