@@ -135,7 +135,8 @@ function measure(on) {
 }
 $("measure").onclick = () => measure(!measuring);
 
-const toShow = () => (doc.findings ?? []).filter((found) => !isBare() || found.kind !== "missing");
+// Of a plan that is not furnished yet only what is wrong with itself: all else is missing, of course.
+const toShow = () => (doc.findings ?? []).filter((found) => !isBare() || found.kind !== "missing" && (doc.pieces.length || !found.pieces.length));
 
 function lookAt(found) {
   if (!found.points.length) return;
