@@ -22,6 +22,7 @@ from scenewright.domains.extend.areas import OLD, ExtendPlan
 from scenewright.domains.extend.drawing import marks
 from scenewright.domains.extend.works import plots_of_extension
 from scenewright.drawing import sheet as sheets
+from scenewright.drawing.houses import FAULT, faults_mark, houses_mark, words_mark
 from scenewright.drawing.layers import PlanDrawing, PlanLayer, merge_layers
 from scenewright.drawing.legend import LegendRow, arrange, legend_mark
 from scenewright.drawing.marks import PaperView, clean
@@ -87,11 +88,11 @@ def _layers(
         *(PlanLayer("Ground", marks.ground_mark(view, area)) for area in plan.areas),
         PlanLayer("Streets", marks.streets_mark(view, plan.ground.roads)),
         PlanLayer("Plots", plots_mark(view, plots)),
-        PlanLayer("Old buildings", marks.buildings_mark(view, old)),
-        PlanLayer("New buildings", marks.buildings_mark(view, new)),
-        PlanLayer("Kinds", marks.letters_mark(view, houses)),
+        PlanLayer("Old buildings", houses_mark(view, old, marks.fill_of)),
+        PlanLayer("New buildings", houses_mark(view, new, marks.fill_of)),
+        PlanLayer("Kinds", words_mark(view, houses, lambda piece: piece.function[:4], marks.LABEL)),
         *(PlanLayer("Border", marks.border_mark(view, area)) for area in plan.areas),
-        PlanLayer("Violations", marks.faults_mark(view, houses, report.findings)),
+        PlanLayer("Violations", faults_mark(view, houses, report.findings)),
     ]
 
 
@@ -102,7 +103,7 @@ def _legend(plan: ExtendPlan, houses: Sequence[Piece], report: Report) -> tuple[
     rows += [LegendRow("swatch", w, value=colour) for w, colour in marks.FILLS if colour in used]
     rows.append(LegendRow("entrance", "Front"))
     if report.findings:
-        rows.append(LegendRow("swatch", "Violation", value=marks.FAULT))
+        rows.append(LegendRow("swatch", "Violation", value=FAULT))
     rows += _kinds(houses)
     rows += _strings(plan)
     for area in plan.areas[:4]:

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from itertools import pairwise
 
 import numpy as np
 import shapely
 
 from scenewright.core.report import Finding
-from scenewright.core.scene import Piece
 from scenewright.core.space import Points
 from scenewright.domains.site.shapes import StandingBuilding
+from scenewright.drawing.houses import FAULT, GROUND
 from scenewright.drawing.marks import (
     FINE,
     GREY,
@@ -23,7 +23,6 @@ from scenewright.drawing.marks import (
     Mark,
     MeantMark,
     PaperView,
-    disc,
     group,
     line,
     plate,
@@ -33,13 +32,12 @@ from scenewright.drawing.marks import (
     to_paper,
 )
 from scenewright.drawing.meanings import PieceMeaning
-from scenewright.drawing.pieces import mean_piece
 from scenewright.ground.bays import list_bay_lines
 from scenewright.ground.border import cover_beside
 from scenewright.ground.plan import SitePlan, Way
 from scenewright.ground.works import GroundWorks
 
-GROUND, ASPHALT, PAVING, LEAF, FAULT = "#f1f4ea", "#d9d9d6", "#ece3d0", "#bcd6a8", "#d1121f"
+ASPHALT, PAVING = "#d9d9d6", "#ece3d0"
 LANE, SQUARE, LOT, COURT = "#e2ded6", "#e3d6bd", "#d3d3d0", "#dcead0"
 HATCH = "url(#hatch)"
 FAINT, FULL = np.array([236.0, 226.0, 240.0]), np.array([106.0, 27.0, 130.0])
@@ -136,17 +134,6 @@ def _name(view: PaperView, way: Way) -> Mark:
     turn = float(np.degrees(np.arctan2(b[1] - a[1], b[0] - a[0])))
     turn = (turn + 90.0) % 180.0 - 90.0
     return plate(way.name, to_paper(view, (a + b) / 2), size, turn=turn, fill=INK)
-
-
-def trees_mark(view: PaperView, pieces: Iterable[Piece]) -> Mark:
-    """Crowns with a dot for the stem."""
-    marks = []
-    for piece in pieces:
-        radius = max(min(piece.size[:2]) / 2 * view.scale, 0.3)
-        crown = disc(to_paper(view, piece.pose[:2]), radius)
-        meaning = mean_piece(view, piece, "Tree", ("tree", round(radius, 3)))
-        marks.append(MeantMark(crown, meaning))
-    return group(marks, fill=LEAF, fill_opacity=0.8, stroke="#7d9c66", stroke_width=FINE)
 
 
 def buildings_mark(view: PaperView, rows: Sequence[StandingBuilding]) -> Mark:

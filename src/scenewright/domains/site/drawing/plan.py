@@ -26,6 +26,7 @@ from scenewright.domains.site.drawing.views import Views, views_of
 from scenewright.domains.site.shapes import StandingBuilding, standing
 from scenewright.domains.site.works import works_of
 from scenewright.drawing import sheet as sheets
+from scenewright.drawing.houses import FAULT, LEAF, trees_mark
 from scenewright.drawing.layers import PlanDrawing, PlanLayer, merge_layers
 from scenewright.drawing.legend import LegendRow, arrange, legend_mark
 from scenewright.drawing.marks import NOTHING, PaperView, clean, text
@@ -168,7 +169,7 @@ def _site_layers(
         PlanLayer("Views", marks.views_mark(view, *seen) if seen else NOTHING),
         PlanLayer("Names of ways", marks.way_names_mark(view, plan.roads)),
         PlanLayer("Setback", marks.setback_mark(view, plan, drawing.site.setback)),
-        PlanLayer("Trees", marks.trees_mark(view, drawing.trees)),
+        PlanLayer("Trees", trees_mark(view, drawing.trees)),
         PlanLayer("Buildings", marks.buildings_mark(view, rows)),
         PlanLayer("Names", marks.labels_mark(view, rows, letters)),
         PlanLayer("Ways in", marks.entrances_mark(view, plan)),
@@ -200,13 +201,13 @@ def legend(
         (bool(apart & {"square", "forecourt"}), "swatch", "Square, forecourt", marks.SQUARE),
         ("parking" in apart, "swatch", "Parking", marks.LOT),
         ("court" in apart, "swatch", "Closed court", marks.COURT),
-        (any(d.trees for d in drawings), "swatch", "Tree", marks.LEAF),
+        (any(d.trees for d in drawings), "swatch", "Tree", LEAF),
         (any(d.site.setback for d in drawings), "border", "Setback", ""),
         (bool(letters), "entrance", "Front of a building", ""),
         (any(d.plan.entrances for d in drawings), "exit", "Way in", ""),
         (bool(views), "swatch", "Little to see from the way", marks.view_colour(0.0)),
         (bool(views), "swatch", "Much to see", marks.view_colour(1.0)),
-        (drawn, "swatch", "Violation, distance in metres", marks.FAULT),
+        (drawn, "swatch", "Violation, distance in metres", FAULT),
     )
     rows += [LegendRow(sign, words, value=value) for used_, sign, words, value in signs if used_]
     rows += _models(drawings, letters)

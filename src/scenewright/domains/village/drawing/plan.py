@@ -23,6 +23,7 @@ from scenewright.domains.village.gardens import lay_ground
 from scenewright.domains.village.lanes import opened
 from scenewright.domains.village.plots import lay_block_plots
 from scenewright.drawing import sheet as sheets
+from scenewright.drawing.houses import FAULT, faults_mark, houses_mark, trees_mark, words_mark
 from scenewright.drawing.layers import PlanDrawing, PlanLayer, merge_layers
 from scenewright.drawing.legend import LegendRow, arrange, legend_mark
 from scenewright.drawing.marks import PaperView, clean
@@ -100,6 +101,10 @@ def _layers(
         for plot in lay_block_plots(village, block, solution.pieces, solution.patches)
     ]
     blocks = village.blocks
+
+    def number_of(piece: Piece) -> str:
+        return str(numbers[piece.function])
+
     found = [*(PlanLayer("Ground", marks.ground_mark(view, block)) for block in blocks)]
     found += [
         PlanLayer("Yards and walks", marks.paving_mark(view, paved)),
@@ -108,10 +113,10 @@ def _layers(
         PlanLayer("Plots", plots_mark(view, plots)),
         *(PlanLayer("Street sides", marks.streets_mark(view, block)) for block in blocks),
         PlanLayer("Names of lanes", marks.names_mark(view, village.lanes)),
-        PlanLayer("Trees", marks.trees_mark(view, trees)),
-        PlanLayer("Houses", marks.houses_mark(view, houses)),
-        PlanLayer("Numbers", marks.labels_mark(view, numbers, houses)),
-        PlanLayer("Violations", marks.faults_mark(view, houses, report.findings)),
+        PlanLayer("Trees", trees_mark(view, trees)),
+        PlanLayer("Houses", houses_mark(view, houses, marks.fill_of, named=True)),
+        PlanLayer("Numbers", words_mark(view, houses, number_of, marks.LABEL)),
+        PlanLayer("Violations", faults_mark(view, houses, report.findings)),
     ]
     return found
 
@@ -121,7 +126,7 @@ def legend(
 ) -> tuple[LegendRow, ...]:
     """Signs that occur, the houses by number, the figures of each block."""
     rows = [LegendRow("heading", "Legend")]
-    used = {marks.fill_of(piece, outline_of(piece)) for piece in houses}
+    used = {marks.fill_of(piece) for piece in houses}
     rows += [LegendRow("swatch", w, value=colour) for w, colour in marks.CLASSES if colour in used]
     if marks.KEPT in used:
         rows.append(LegendRow("swatch", "House that stays", value=marks.KEPT))
@@ -129,7 +134,7 @@ def legend(
     rows.append(LegendRow("swatch", "Border of a plot", value=BORDER))
     rows.append(LegendRow("entrance", "Door"))
     if report.findings:
-        rows.append(LegendRow("swatch", "Violation", value=marks.FAULT))
+        rows.append(LegendRow("swatch", "Violation", value=FAULT))
     counts = Counter(piece.function for piece in houses)
     rows.append(LegendRow("heading", "Houses"))
     rows += [
