@@ -24,7 +24,7 @@ from scenewright.render.items import BuiltKind, RenderItem, extrude_polygon
 
 LARGE = 60.0
 """From this area on, m², a room that is not lived in is one of the public."""
-NOT_PUBLIC = OPEN_AIR | LIVED_IN | {"site", "village", "extend"}
+NOT_PUBLIC = OPEN_AIR | (LIVED_IN - {"study"}) | {"site", "village", "extend"}
 SOLEMN = frozenset(("worship", "museum"))
 """Functions of rooms without tiles and bands."""
 GREEN = Material("exit sign", (0.0, 0.52, 0.28), 0.5, 0.0, 1.0, 0.6)
