@@ -399,10 +399,35 @@ async function showSpace(walking) {
   }
   space.walking = walking;
   if (!walking) { space.turn(); return; }
-  const room = roomToStandIn(), [x, y, heading] = space.stood ?? [...room.label, Math.PI / 2];
+  const room = roomToStandIn(), [x, y, heading] = space.stood ?? [...room.label, facing(room.label)];
   space.walk(x, y, room.floor, heading);
   drawMinimap();
   $("space").focus();
+}
+
+// Towards the middle of the level.
+function facing([x, y]) {
+  const here = doc.levels.find((one) => one.id === level) ?? doc.levels[0], [left, top, width, height] = extent(here);
+  return Math.atan2(-(top + height / 2) - y, left + width / 2 - x);
+}
+
+// The place of a room that is farthest from all that stands there.
+function freest(room) {
+  const ring = room.rings[0], [xs, ys] = [0, 1].map((axis) => ring.map((p) => p[axis])), standing = doc.pieces.filter((one) => one.space === room.id && !one.flat && !one.hangs);
+  const inside = (x, y) => ring.reduce((held, [ax, ay], k) => { const [bx, by] = ring[(k + 1) % ring.length]; return (ay > y) !== (by > y) && x < ax + (y - ay) / (by - ay) * (bx - ax) ? !held : held; }, false);
+  const gap = ([x, y]) => Math.min(...standing.map(({ pose, size }) => {
+    const [dx, dy] = [x - pose[0], y - pose[1]], [c, s] = [Math.cos(pose[3] - Math.PI / 2), Math.sin(pose[3] - Math.PI / 2)];
+    return Math.hypot(Math.max(Math.abs(c * dx + s * dy) - size[0] / 2, 0), Math.max(Math.abs(c * dy - s * dx) - size[1] / 2, 0));
+  }), ...ring.map(([ax, ay], k) => {
+    const [bx, by] = ring[(k + 1) % ring.length], long = (bx - ax) ** 2 + (by - ay) ** 2 || 1, share = Math.min(1, Math.max(0, ((x - ax) * (bx - ax) + (y - ay) * (by - ay)) / long));
+    return Math.hypot(ax + share * (bx - ax) - x, ay + share * (by - ay) - y);
+  }));
+  const places = [];
+  for (let i = 1; i < 24; i += 1) for (let j = 1; j < 24; j += 1) {
+    const at = [Math.min(...xs) + i / 24 * (Math.max(...xs) - Math.min(...xs)), Math.min(...ys) + j / 24 * (Math.max(...ys) - Math.min(...ys))];
+    if (inside(...at)) places.push([gap(at), at]);
+  }
+  return places.reduce((best, one) => one[0] > best[0] ? one : best, [-1, room.label])[1];
 }
 
 // Where one stands while walking, on a small plan; a click goes there.
@@ -410,8 +435,10 @@ function drawMinimap() {
   const map = $("minimap"), here = doc.levels.find((one) => one.id === level) ?? doc.levels[0], frame = extent(here);
   map.setAttribute("viewBox", frame.join(" "));
   map.replaceChildren();
-  drawFloor(here, map); drawShell(here, map);
-  const dot = element("path", { class: "here", d: `M0,${-frame[2] / 22} L${frame[2] / 40},${frame[2] / 40} L${-frame[2] / 40},${frame[2] / 40}Z` }, map);
+  drawFloor(here, map);
+  for (const piece of doc.pieces.filter((one) => one.level === here.id && !one.hangs)) element("path", { class: "item", d: doc.symbols[piece.symbol].map(line).join(""), transform: placed(piece.pose) }, map);
+  drawShell(here, map);
+  const dot = element("path", { class: "here", d: `M0,${-frame[2] / 16} L${frame[2] / 28},${frame[2] / 28} L${-frame[2] / 28},${frame[2] / 28}Z` }, map);
   const follow = () => {
     if (map.hasAttribute("hidden") || !space?.walking) return;
     const [x, y, heading] = space.where();
@@ -428,7 +455,7 @@ function drawMinimap() {
 function roomToStandIn() {
   const piece = chosen(), here = doc.levels.find((one) => one.id === level) ?? doc.levels[0];
   const room = here.spaces.find((one) => one.id === piece?.space) ?? here.spaces[0];
-  return { label: room.label, floor: here.elevation };
+  return { label: freest(room), floor: here.elevation };
 }
 
 function showPlan() {
