@@ -39,8 +39,9 @@ function drawOpening(one, plan) {
 export function extent(here) {
   const points = here.spaces.flatMap((one) => one.rings[0]);
   const xs = points.map((p) => p[0]), ys = points.map((p) => -p[1]);
-  const x = Math.min(...xs) - MARGIN, y = Math.min(...ys) - MARGIN;
-  return [x, y, Math.max(...xs) + MARGIN - x, Math.max(...ys) + MARGIN - y];
+  const margin = Math.max(MARGIN, 0.03 * (Math.max(...xs) - Math.min(...xs)));
+  const x = Math.min(...xs) - margin, y = Math.min(...ys) - margin;
+  return [x, y, Math.max(...xs) + margin - x, Math.max(...ys) + margin - y];
 }
 
 // A layout as a small picture: its levels side by side, a path a piece.
