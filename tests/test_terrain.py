@@ -228,3 +228,18 @@ def test_city_models_hold_the_relief_and_buildings_on_their_floors(hill, tmp_pat
     middles = points[faces].mean(1)
     off = middles[:, 2] - heights_at(shaped.finished, middles[:, :2])
     assert np.median(np.abs(off)) < 0.05
+
+
+def test_plans_draw_contours_at_their_heights(hill):
+    from scenewright.domains import draw_plan
+    from scenewright.drawing.contours import contour_lines
+
+    x = np.array([0.0, 1.0, 2.0, 3.0])
+    cone = HeightGrid((-20.0, -20.0), 1.0, np.zeros((41, 41)))
+    cone = cone._replace(values=10 - np.hypot(*cone.points.transpose(2, 0, 1)))
+    ring = contour_lines(cone, 4.5)
+    assert ring.length == pytest.approx(2 * np.pi * 5.5, rel=0.02)
+    away = np.hypot(*shapely.get_coordinates(ring).T)
+    assert away == pytest.approx(5.5, abs=0.1)
+    assert contour_lines(cone._replace(values=np.tile(x, (2, 1))), 9.0).is_empty
+    assert "Contours" in [layer.name for layer in draw_plan(hill).layers]

@@ -34,7 +34,7 @@ from scenewright.core.solution import Solution
 from scenewright.core.space import Space
 from scenewright.domains.contract import Domain
 from scenewright.domains.explaining import advise, explain_solution
-from scenewright.domains.terrain import check_terrain, judge_ground, lay_on_terrain
+from scenewright.domains.terrain import check_terrain, draw_ground, judge_ground, lay_on_terrain
 from scenewright.engine.preference.features import composition_features
 
 if TYPE_CHECKING:
@@ -236,7 +236,7 @@ def draw_plan(solution: Solution, plan: Plan | None = None) -> PlanDrawing:
     """The plan of a solution to print."""
     made, draw = plan or plan_of(solution.brief), domain_of(solution.brief.domain).verb("draw")
     drawing: PlanDrawing = draw(solution, made, partial(check, solution, plan=made))
-    return drawing
+    return draw_ground(drawing, solution, made)
 
 
 def draw_levels(solution: Solution, plan: Plan | None = None) -> tuple[PlanDrawing, ...]:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
+import shapely
+
 from scenewright.check.terrain import JudgedTerrain, judge_terrain
 from scenewright.core.brief import Brief
 from scenewright.core.brief.terrain import TerrainBrief
@@ -13,6 +15,9 @@ from scenewright.core.registry import domain_of
 from scenewright.core.report import Report
 from scenewright.core.scene import Scene
 from scenewright.core.solution import Solution
+from scenewright.drawing.contours import contours_mark, water_mark
+from scenewright.drawing.layers import PlanDrawing, PlanLayer
+from scenewright.drawing.marks import is_blank
 from scenewright.ground.built import BuiltRoad
 from scenewright.ground.terrain.city_relief import lay_on_relief
 from scenewright.ground.terrain.lifting import extent, lift_scene, shape_for
@@ -93,3 +98,22 @@ def lay_city_on_terrain(
     made: Plan = plan or domain_of(solution.brief.domain).verb("plan")(solution.brief)
     shaped = ground_shape(solution, made)
     return document if shaped is None else lay_on_relief(document, shaped)
+
+
+def draw_ground(drawing: PlanDrawing, solution: Solution, plan: Plan) -> PlanDrawing:
+    """A plan with the contours of its finished ground and its water, where it is not flat and all
+    of it is drawn as one."""
+    shaped = ground_shape(solution, plan)
+    view = drawing.view
+    if shaped is None or view is None:
+        return drawing
+    floor = shapely.union_all([shapely.Polygon(s.outline, s.holes) for s in plan.spaces])
+    waters = [shapely.get_coordinates(water.shape)[:-1] for water in shaped.waters]
+    made = [
+        PlanLayer("Water", water_mark(view, waters, floor)),
+        PlanLayer("Contours", contours_mark(view, shaped.finished, floor)),
+    ]
+    names = [layer.name for layer in drawing.layers]
+    at = names.index("Ground") + 1 if "Ground" in names else len(names)
+    layers = (*drawing.layers[:at], *made, *drawing.layers[at:])
+    return drawing._replace(layers=tuple(row for row in layers if not is_blank(row.mark)))

@@ -39,6 +39,8 @@ LAYERS = {
     "Setback": LayerRow("C-PROP-SETB", 8),
     "Roads and paths": LayerRow("C-ROAD"),
     "Names of ways": LayerRow("C-ROAD-IDEN"),
+    "Contours": LayerRow("C-TOPO"),
+    "Water": LayerRow("C-TOPO-WATR"),
     "Streets": LayerRow("C-ROAD"),
     "Street sides": LayerRow("C-ROAD-EDGE"),
     "Lanes": LayerRow("C-ROAD-LANE"),
