@@ -41,7 +41,7 @@ def adjust(
         Names, typer.Option(metavar="PIECE=X,Y[,DEGREES]", help="Put a piece there and lock it.")
     ] = None,
     swap: Annotated[
-        Names, typer.Option(metavar="PIECE,PIECE", help="Swap two pieces and lock them (homes).")
+        Names, typer.Option(metavar="PIECE,PIECE", help="Swap two pieces and lock them.")
     ] = None,
     lock: Annotated[
         Names, typer.Option(metavar="PIECE", help="Keep the piece where it is.")
