@@ -19,6 +19,7 @@ from scenewright.domains.home.composing.homewide.settling import (
     try_in_home,
 )
 from scenewright.domains.home.composing.judging import Placed
+from scenewright.domains.home.composing.placed_faults import cost_of_screen
 from scenewright.domains.home.composing.places.moving import dress_group, find_places, make_unplaced
 from scenewright.domains.home.composing.views import ASTRAY, WATCHED_FROM, WATCHED_TO, is_unseen
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
@@ -63,7 +64,8 @@ def _list_shown(task: RoomTask, placed: Placed, kinds: frozenset[str]) -> Iterat
     seats = [p for group in placed for p in group.pieces if p.category in kinds]
     for seat in sorted(seats, key=lambda p: -p.size.width):
         for found in list_sound(task, placed, placed, _list_before(task, placed, seat)):
-            if not is_unseen(found, task.ground.edges):
+            small = cost_of_screen(found, task.ground, 1.0) > 0.0
+            if not small and not is_unseen(found, task.ground.edges):
                 yield found
 
 
