@@ -49,18 +49,18 @@ WAY = 0.9  # left free before what grows in a hall, metres
 def widen_storage(
     tasks: Sequence[RoomTask], answers: list[RoomAnswer], opened: Opened
 ) -> list[RoomAnswer]:
-    """The answers with what holds things in rooms one lives in as wide as its stretch of wall, where
-    nothing then stands nearer to it."""
+    """The answers with storage in rooms one lives in as wide as its stretch of wall, where nothing
+    then stands nearer to it."""
     found = answers
     for room, task in enumerate(tasks):
         if task.preset.settings.exact and not (task.accessible or task.library.own):
             barred = frozenset(find_blocked(with_margin(task), found[room].placed))
             wider = _widen(task, found[room], barred, GROWING_LAST)
-            near = [
+            near, before = (
                 measure_closeness(answer.placed, task.fixed, task.ground)
                 for answer in (wider, found[room])
-            ]
-            better = wider is not found[room] and near[0] <= near[1] + HAIR
+            )
+            better = wider is not found[room] and near <= before + HAIR
             trial = try_in_home(room, wider, found, opened) if better else None
             found = found if trial is None else trial
     return found
