@@ -263,11 +263,10 @@ def test_what_was_done_is_there_after_a_kill(browser: Any, tmp_path: Path) -> No
     with visiting(browser, studio.link) as page:
         furnish(page)
         count = page.locator("#plan .piece").count()
-        page.evaluate("() => 0")
+        page.close()
         studio.process.kill()
         with studio.process:
             studio.process.wait()
-        page.close()
     with (
         started(tmp_path, "sample-home-room.studio") as again,
         visiting(browser, again.link) as page,
