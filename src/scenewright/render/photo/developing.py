@@ -10,6 +10,8 @@ Pixels = NDArray[np.uint8]
 
 MIDDLE = 0.17
 """What the middle tone of a picture becomes."""
+SUNLIT, DARKEST = 1.3, 0.65
+"""What all but the brightest twentieth is kept below, and how far a picture is darkened for it."""
 ADAPTED = 0.65
 """How far the eye is taken to adapt to the colour of the light: 1 makes the mean grey."""
 WEIGHTS = np.array([0.2126, 0.7152, 0.0722], np.float32)
@@ -29,7 +31,9 @@ def develop(light: Singles) -> Pixels:
     bright = light @ WEIGHTS
     kept = bright[bright <= np.quantile(bright, 0.8)]
     middle = float(np.exp(np.log(kept + 1e-5).mean()))
-    x = light * (MIDDLE / max(middle, 1e-5)) * 0.85
+    gain = 0.85 * MIDDLE / max(middle, 1e-5)
+    less = SUNLIT / max(float(np.quantile(bright, 0.94)) * gain, 1e-5)
+    x = light * gain * min(max(less, DARKEST), 1.0)
     shown = np.clip(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0)
     coded = np.where(shown < 0.0031308, 12.92 * shown, 1.055 * shown ** (1 / 2.4) - 0.055)
     return np.round(coded * 255).astype(np.uint8)

@@ -13,7 +13,7 @@ Singles = NDArray[np.float32]
 
 STRAIGHT = 0.08
 """Share of light that a pane of two faces mirrors straight on: twice 0.04, of an index of 1.5."""
-MOST = 0.35
+MOST = 0.15
 """The most that is mirrored: more is noise beside what is seen through it."""
 GOLDEN = 0.618034
 """Samples of a pixel are evenly spread by steps of this."""
