@@ -10,7 +10,7 @@ Pixels = NDArray[np.uint8]
 
 MIDDLE = 0.17
 """What the middle tone of a picture becomes."""
-SUNLIT, DARKEST = 1.3, 0.65
+SUNLIT, DARKEST = 1.3, 0.8
 """What all but the brightest twentieth is kept below, and how far a picture is darkened for it."""
 ADAPTED = 0.65
 """How far the eye is taken to adapt to the colour of the light: 1 makes the mean grey."""
