@@ -13,6 +13,7 @@ from scenewright.catalog.assets.materials import (
     NAVY,
     RATTAN,
     SAGE_FABRIC,
+    SPINED,
     STEEL,
     TERRACOTTA,
     WHITE,
@@ -32,16 +33,19 @@ def wobble(k: float) -> float:
 
 
 def books(x: Interval, y: Interval, z: Interval, start: int = 0) -> Stuff:
-    """Books standing from ``x[0]`` on as far as they fit, no taller than the interval ``z``."""
+    """Books standing from ``x[0]`` on as far as they fit, no taller than the interval ``z``: runs
+    of a height with printed spines, and between them single ones of a colour."""
     found: Stuff = {}
     at, k, tall = x[0], start, min(z[1] - z[0] - 0.02, 0.29)
     while tall > 0.03:
-        wide = 0.025 + 0.035 * wobble(k)
-        if at + wide > x[1]:
+        single = k % 3 == 2
+        wide = 0.025 + 0.03 * wobble(k) if single else 0.09 + 0.12 * wobble(k)
+        wide = wide if single else max(min(wide, x[1] - at), 0.03)
+        if at + wide > x[1] + 1e-9:
             break
         high = tall * (0.72 + 0.28 * wobble(k + 0.5))
         deep = min(y[1] - y[0], 0.16 + 0.06 * wobble(k + 0.25))
-        spine = SPINES[int(wobble(k + 0.75) * len(SPINES))]
+        spine = SPINES[int(wobble(k + 0.75) * len(SPINES))] if single else SPINED
         book = block((at, at + wide - 0.003), (y[0], y[0] + deep), (z[0], z[0] + high))
         found.setdefault(spine, []).append(book)
         at, k = at + wide, k + 1

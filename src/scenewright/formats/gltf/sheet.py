@@ -75,7 +75,9 @@ def keep_textures(parts: Sequence[Part]) -> list[bool]:
 
 def _is_large(part: Part, shares: Mapping[Material, float], least: float) -> bool:
     row = texture_of(part.material.name)
-    return row is not None and row.metres != WOOD and shares[part.material] >= least
+    if row is None or row.metres == WOOD:
+        return False
+    return row.always or shares[part.material] >= least
 
 
 def lay_out(parts: Iterable[Part]) -> Sheet:

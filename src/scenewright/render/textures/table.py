@@ -27,7 +27,8 @@ board, as a picture fills its frame."""
 @dataclass(frozen=True, slots=True)
 class Texture:
     """One repeat: the generator and what it is given, metres and pixels (down, across), how it is
-    laid, and how strong its normal map is (0: none)."""
+    laid, how strong its normal map is (0: none), and whether things wear it ``always``, be it
+    a small share of them: what is printed or painted."""
 
     name: str
     draw: Callable[..., g.Surface]
@@ -35,6 +36,7 @@ class Texture:
     pixels: tuple[int, int]
     laying: Laying = "grain"
     relief: float = 0.0
+    always: bool = False
     settings: Mapping[str, Any] = field(default_factory=dict, hash=False)
 
 
@@ -98,16 +100,18 @@ _ROWS = (
                       "deep": 0.5}),
     Texture("grass", g.grass, (1.5, 1.5), (512, 512), "upright"),
     Texture("leaves", g.leaves, (1.5, 1.5), (256, 256), "upright"),
-    Texture("labels", q.labels, (0.64, 0.96), (512, 1024), "upright"),
-    Texture("spines", q.spines, (0.32, 0.96), (256, 1024), "upright"),
-    Texture("landscape", q.landscape, (1.0, 1.0), (512, 512), "whole"),
-    Texture("evening", q.landscape, (1.0, 1.0), (512, 512), "whole", settings={"warm": 1.0}),
-    Texture("fields", q.fields, (1.0, 1.0), (256, 256), "whole"),
-    Texture("strokes", q.strokes, (1.0, 1.0), (512, 512), "whole"),
-    Texture("sitter", q.ovals, (1.0, 1.0), (512, 512), "whole"),
-    Texture("fruit", q.ovals, (1.0, 1.0), (512, 512), "whole", settings={"rows": q.FRUIT}),
-    Texture("poster", q.poster, (1.0, 1.0), (512, 512), "whole"),
-    Texture("tapestry", q.tapestry, (1.0, 1.0), (512, 512), "whole"),
+    Texture("labels", q.labels, (0.64, 0.96), (512, 1024), "upright", always=True),
+    Texture("spines", q.spines, (0.32, 0.96), (256, 1024), "upright", always=True),
+    Texture("landscape", q.landscape, (1.0, 1.0), (512, 512), "whole", always=True),
+    Texture("evening", q.landscape, (1.0, 1.0), (512, 512), "whole", always=True,
+            settings={"warm": 1.0}),
+    Texture("fields", q.fields, (1.0, 1.0), (256, 256), "whole", always=True),
+    Texture("strokes", q.strokes, (1.0, 1.0), (512, 512), "whole", always=True),
+    Texture("sitter", q.ovals, (1.0, 1.0), (512, 512), "whole", always=True),
+    Texture("fruit", q.ovals, (1.0, 1.0), (512, 512), "whole", always=True,
+            settings={"rows": q.FRUIT}),
+    Texture("poster", q.poster, (1.0, 1.0), (512, 512), "whole", always=True),
+    Texture("tapestry", q.tapestry, (1.0, 1.0), (512, 512), "whole", always=True),
 )  # fmt: skip
 TEXTURES: dict[str, Texture] = {row.name: row for row in _ROWS}
 """All textures, by name."""
