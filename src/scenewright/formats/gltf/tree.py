@@ -8,6 +8,7 @@ its ceilings and its skirting each are one mesh, and nodes of their names hang b
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
@@ -23,8 +24,9 @@ RESERVED = re.compile(r"[\[\].:/%@\"\\]+")
 """What three.js and Godot drop from the names of nodes."""
 LONGEST = 63
 """Bytes of a name that Blender keeps."""
-MANY = 8
-"""From this number on, equal pieces of a room are instances of one node."""
+MANY, FEW, CROWD = 8, 3, 40
+"""From this number on, equal pieces of a room are instances of one node; in a room that holds a
+crowd of pieces, small ones and fixed ones apart, from a few on."""
 SMALL = 0.45
 """Longest side, in metres, of what is drawn with the other small things of a room."""
 TOGETHER, HUNG = 2, 0.25
@@ -172,9 +174,13 @@ def _add_pieces(
     batches: dict[tuple[str, Hashable], list[RenderItem]] = {}
     for thing in found:
         batches.setdefault(_batch_key(thing, pieces.get(thing.name)), []).append(thing)
+    large = Counter[str]()
+    for (space, what), group in batches.items():
+        large[space] += len(group) * (what not in (SMALL, FIXED))
     for key, group in batches.items():
         parent = rooms.get(group[0].space, 1)
-        least = TOGETHER if key[1] in (SMALL, FIXED) else MANY
+        alike = FEW if large[key[0]] > CROWD else MANY
+        least = TOGETHER if key[1] in (SMALL, FIXED) else alike
         held = batched and len(group) >= least and bool(group[0].parts)
         if held:
             _add_batch(tree, parent, group, key)
@@ -199,7 +205,7 @@ def _add_batch(
 ) -> None:
     """A node that draws a group: instances of one mesh, or different things as one."""
     first = group[0]
-    if len({thing.key for thing in group}) > 1 or len(group) < MANY:
+    if key[1] in (SMALL, FIXED) and (len({t.key for t in group}) > 1 or len(group) < MANY):
         kind = "fixtures" if key[1] == FIXED else "small things"
         name = tree.free(f"{kind} of {first.space}")
         drawn = Drawn(key, name, tuple(_in_level(group)))

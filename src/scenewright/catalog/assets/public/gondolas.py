@@ -40,7 +40,7 @@ class Fitting(NamedTuple):
 FITTINGS = (
     Fitting("steel", m.PLASTIC, m.WHITE, m.STEEL, m.PAPER, m.RUBBER, 0.36, sign=m.ACCENT),
     Fitting("oak", m.OAK, m.OAK, m.OAK, m.BLACK, m.CHARCOAL, 0.36, True),
-    Fitting("black", m.CHARCOAL, m.BLACK, m.BLACK, m.PAPER, m.BLACK, 0.4, sign=m.RED),
+    Fitting("black", m.IRON, m.BLACK, m.BLACK, m.PAPER, m.BLACK, 0.4, sign=m.RED),
 )
 """A shop is fitted out by one of them."""
 
