@@ -27,7 +27,7 @@ def lay(demands: list[dict[str, Any]], **room: Any) -> Solution:
         "demands": demands,
     }
     brief = {"domain": "hall", "name": "Hall", "rooms": [hall | room]}
-    return solve(Brief.model_validate(brief), steps=200, threads=1)
+    return solve(Brief.model_validate(brief), steps=1500, threads=1)
 
 
 @pytest.mark.parametrize(

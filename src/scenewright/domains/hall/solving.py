@@ -38,7 +38,6 @@ from scenewright.domains.hall.demands.open_numbers import with_theme
 from scenewright.domains.hall.demands.shared import find_models, share_demands
 from scenewright.domains.hall.demands.split import find_locked, split_demands
 from scenewright.domains.hall.desks.staff_room import fit_with_staff
-from scenewright.domains.hall.desks.turning import turn_desks
 from scenewright.domains.hall.desks.unserved import count_unserved
 from scenewright.domains.hall.furnishing.assemble import Laid, assemble_solution
 from scenewright.domains.hall.furnishing.layout import furnish_guided
@@ -366,7 +365,6 @@ def _lay(
     best = found.layouts[0]
     if may_retry(search):
         fitted, best, missing = compose(search._replace(hall=hall), fitted, best, missing)
-    best = turn_desks(hall, wishes, fitted.units, fitted.problem, best)
     search = search._replace(hall=hall, wishes=[*wishes, *small])
     laid = furnish_guided(search, fitted, best, locked, missing, found.evaluations)
     on, groups, out = put_on_stage(hall, carried, (*hall.fixed, *laid.pieces), catalog)

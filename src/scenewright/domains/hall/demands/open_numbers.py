@@ -7,6 +7,7 @@ what its programme holds and the brief does not name. ``"fill": "none"`` refuses
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 
@@ -14,6 +15,7 @@ from scenewright.catalog.kinds import name_of
 from scenewright.core.brief import Brief, Room
 from scenewright.core.brief.zones import AisleBrief, Demand
 from scenewright.domains.hall.build_problem import HallContext, wall_lengths, zone_areas
+from scenewright.domains.hall.classes import SERVING
 from scenewright.domains.hall.demands.checked import (
     floor_needed,
     sizes_of,
@@ -43,6 +45,8 @@ from scenewright.domains.hall.demands.themes import (
 )
 from scenewright.domains.hall.problem import Floats
 
+ROWS_OF_BENCHES, BENCH_FREE = ("gate", "waiting"), (1.2, 0.0, 0.3, 0.0)
+"""Themes whose benches stand in rows, and the free depths round these, in metres."""
 FEWEST_LINING = 3
 """How many more stand at walls at least where such things stand free else."""
 
@@ -70,11 +74,12 @@ def open_numbers(brief: Brief, room: Room, hall: HallContext) -> Room:
     theme, fill = theme_of(brief, room), room.fill
     if not theme or fill == "none":
         return room
-    room = _call_desks(room, THEMES[theme].desk)
+    room = _break_long_rows(_call_desks(room, THEMES[theme].desk))
     demands = [*room.demands, *(_missing(room, hall, theme) if room.theme else ())]
     goods = THEMES[theme].goods
     opened = [k for k, d in enumerate(demands) if is_open(d) and d.category in goods]
-    if not opened and len(demands) == len(room.demands):
+    rows = theme in ROWS_OF_BENCHES
+    if not opened and not rows and len(demands) == len(room.demands):
         return room
     share = THEMES[theme].fill if fill is None else fill
     at_wall = [k for k in opened if fill_defaults(demands[k], "").at_wall]
@@ -94,7 +99,18 @@ def open_numbers(brief: Brief, room: Room, hall: HallContext) -> Room:
             else {"count": _by_floor(demands[k], hall, each)}
         )
         demands[k] = demands[k].model_copy(update=number)
+    if rows:
+        demands = [_in_rows(demand) for demand in demands]
     return room.model_copy(update={"demands": demands})
+
+
+def _in_rows(demand: Demand) -> Demand:
+    """Benches to wait on side by side in rows, where the brief does not say how they stand."""
+    stated = demand.patterns or demand.place or demand.facing or demand.clearance
+    if demand.category != "bench" or stated:
+        return demand
+    rows: dict[str, Any] = {"patterns": ["chain"], "clearance": BENCH_FREE}
+    return demand.model_copy(update=rows)
 
 
 def with_theme(
@@ -123,18 +139,39 @@ def _call_desks(room: Room, name: str) -> Room:
     return room.model_copy(update={"demands": called}) if any(desks) else room
 
 
+def _break_long_rows(room: Room) -> Room:
+    """A hall whose goods used from both sides have an aisle across rows of a stated length."""
+    demands = [
+        d.model_copy(update={"aisle": _aisle_of(d)})
+        if d.length and d.aisle is None and not (d.patterns or d.clearance or d.zone)
+        else d
+        for d in room.demands
+    ]
+    return room.model_copy(update={"demands": demands}) if demands != room.demands else room
+
+
+def _aisle_of(demand: Demand) -> AisleBrief | None:
+    """The aisle across long rows of goods used from both sides."""
+    clear, width = usual_clearance(demand), usual_size(demand)[0]
+    both = clear[0] > 0.0 and clear[2] > 0.0 and not any(clear[1::2])
+    every = max(int(LONGEST_RUN / width), 1)
+    return AisleBrief(every=every, width=CROSS_AISLE) if both else demand.aisle
+
+
 def _missing(room: Room, hall: HallContext, theme: str) -> list[Demand]:
     """What the programme of a theme holds and a hall does not name, each merely welcome; what
     fills has its number left open."""
     area, around = float(zone_areas(hall).sum()), float(wall_lengths(hall).sum())
     named = {demand.category for demand in room.demands}
     filling = {row.category for row in PROGRAMMES[theme] if row.share}
+    goods = theme in ROWS_OF_BENCHES and bool(named.intersection(THEMES[theme].goods))
+    named |= set(SERVING) if named & set(SERVING) else set()
     own = any(demand.category == "box" for demand in room.demands)
     named |= {row.category for row in PROGRAMMES[theme] if own and row.name}
     return [
         d.model_copy(update={"required": False, "count": None if open_ else d.count})
         for d in shop_programme(theme, area, around)
-        if d.category not in named
+        if d.category not in named and not (goods and d.category in THEMES[theme].goods)
         for open_ in [d.category in filling and d.category in THEMES[theme].goods]
     ]
 
@@ -186,18 +223,17 @@ def _by_floor(demand: Demand, hall: HallContext, each: float) -> int:
 def _part_rows(demand: Demand, hall: HallContext, share: float) -> AisleBrief | None:
     """The aisle across rows of goods used from both sides that are likely to be many; the one the
     brief states."""
-    clear, width = usual_clearance(demand), usual_size(demand)[0]
-    every = max(int(LONGEST_RUN / width), 1)
+    aisle = _aisle_of(demand)
     floor = float((zone_areas(hall) * zones_of(demand, hall)).sum())
-    both = clear[0] > 0.0 and clear[2] > 0.0 and not any(clear[1::2])
-    many = share * floor / floor_needed(demand) >= RUNS * every
-    return AisleBrief(every=every, width=CROSS_AISLE) if both and many else demand.aisle
+    many = aisle and share * floor / floor_needed(demand) >= RUNS * aisle.every
+    return aisle if many else demand.aisle
 
 
 def _front(demand: Demand) -> float:
     """Metres of wall that one object of a demand takes."""
     filled = fill_defaults(demand, "")
-    return filled.sizes[0].width + WALL_BETWEEN * any(filled.clearance[1::2])
+    apart = any(filled.clearance[1::2]) and demand.category not in PLAYED
+    return filled.sizes[0].width + WALL_BETWEEN * apart
 
 
 def zones_of(demand: Demand, hall: HallContext) -> Floats:

@@ -27,10 +27,10 @@ RETAIL = (
 
 class Role(NamedTuple):
     """What of a ``category`` meets a door: the main entrance (``in``) or one people leave by
-    (``out``). It stands ``across`` the way, ``beside`` the door at walls, or is a desk at which
-    people are ``served``: between ``least`` and ``within`` metres from the door, looking there as
-    far as it ``faces`` matters, near a door at the ``back`` for those who serve, and with ``queue``
-    metres of free floor before it."""
+    (``out``). It stands ``across`` the way, ``beside`` the door at walls, ``far`` from it, or is a
+    desk at which people are ``served``: between ``least`` and ``within`` metres from the door,
+    looking there as far as it ``faces`` matters, near a door at the ``back`` for those who serve,
+    and with ``queue`` metres of free floor before it."""
 
     category: str
     door: str
@@ -45,6 +45,9 @@ class Role(NamedTuple):
 USUAL_ROLES = (
     Role("ticket_gate", "out", "across", 3.0),
     Role("cash_machine", "in", "beside", 5.0, least=0.5),
+    Role("ticket_machine", "in", "beside", 5.0, least=0.5),
+    Role("vending_machine", "in", "beside", 12.0, least=1.5),
+    Role("fitting_room", "in", "far", 1000.0),
     Role("info_desk", "in", "served", 4.0, least=2.5, faces=1.6),
     Role("checkout", "out", "served", 3.5, least=2.0, faces=1.4),
     Role("counter", "in", "served", 9.0, least=2.5, faces=2.0, back=1.0),
@@ -53,7 +56,7 @@ USUAL_ROLES = (
 in and out, counters are seen from it and near the room behind (Neufert 2012, shops, banks,
 restaurants)."""
 BOARDING = (
-    USUAL_ROLES[0],
+    *USUAL_ROLES[:4],
     Role("counter", "out", "served", 3.5, faces=0.2, queue=2.0),
     Role("info_desk", "out", "served", 3.5, faces=0.2, queue=2.0),
 )
@@ -63,6 +66,7 @@ BOARDING = (
 Island = tuple[tuple[str, float, float], ...]
 """Kinds of an island, how far each is ahead of its middle, in metres, and turned, in degrees."""
 _GOODS: Island = (("display_table", 0.0, 0.0),)
+_SHELF: Island = (("gondola", 0.0, 0.0),)
 _BENCHES: Island = (("bench", 0.3, 0.0), ("bench", -0.3, 180.0))
 _LOUNGE: Island = (("lounge_seat", 0.45, 0.0), ("lounge_seat", -0.45, 180.0))
 _GREEN: Island = (("planter", 0.0, 0.0),)
@@ -135,7 +139,7 @@ THEMES: dict[str, Theme] = {
         *(0.6, 0.8, RETAIL),
         "supermarket convenience grocery groceries greengrocer deli frozen_food organic "
         "health_food general wholesale kiosk drugstore",
-        island=_GOODS,
+        island=_SHELF,
     ),
     "books": Theme(
         0.58, 0.8, RETAIL, "books bookshop newsagent stationery comics music", island=_GOODS

@@ -16,7 +16,7 @@ from scenewright.core.layout import corners
 from scenewright.core.piece_outlines import boxes_of, polygons_of
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains.hall.build_problem import HallContext, taken_floor
-from scenewright.domains.hall.classes import SERVING
+from scenewright.domains.hall.classes import LOUNGE_SEATS, SERVING
 from scenewright.domains.hall.measures import QUEUE, WAY_WIDTH
 from scenewright.domains.hall.problem import Floats
 from scenewright.domains.hall.visit.doors import ways_in
@@ -37,6 +37,7 @@ def fill_voids(
         return ()
     along = atan2(*np.diff(hall.space.outline[:2], axis=0)[0][::-1])
     doors = {gate.opening.id: gate.face for gate in gates(hall.space)}
+    backed = any(kind in LOUNGE_SEATS for kind, _, _ in hall.island)
     ways = [doors[door.id] for door in ways_in(hall.space)]
     found, low = list[Piece](), [p for p in standing if p.pose.z < 1.0 and not p.on]
     shapes = [floor.boundary, *polygons_of(low)]
@@ -49,7 +50,8 @@ def fill_voids(
         island = list[Piece]()
         for k in np.argsort(-far)[: int((far > EMPTY_RADIUS).sum())]:
             at = shapely.get_coordinates(points[k])[0]
-            axis = min((along, along + 0.5 * np.pi), key=partial(_look_to, at, ways))
+            axes = (along, along + 0.5 * np.pi)[: 2 if backed else 1]
+            axis = min(axes, key=partial(_look_to, at, ways))
             island = _make_island(hall, at, axis, number, catalog)
             around = shapely.union_all(polygons_of(island))
             if free.covers(around) and around.buffer(ISLAND_ASIDE).disjoint(

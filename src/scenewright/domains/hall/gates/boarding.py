@@ -19,7 +19,7 @@ from scenewright.domains.hall.accessories.stools import COUNTER, STOOL
 from scenewright.domains.hall.build_problem import HallContext, taken_floor
 from scenewright.domains.hall.classes import QUEUED_AT, is_audience_seat
 from scenewright.domains.hall.demands.holdings import HallDemand
-from scenewright.domains.hall.demands.themes import Role
+from scenewright.domains.hall.demands.themes import BOARDING, Role
 from scenewright.domains.hall.desks.chairs import desk_chairs
 from scenewright.domains.hall.furnishing.pieces import make_piece
 from scenewright.domains.hall.gates.barriers import make_barriers
@@ -72,7 +72,9 @@ def set_at_doors(
     for way in ways_in(hall.space)[: bool(roles)]:
         asked, pieces = furnish_nave(hall, asked, doors[way.id], catalog)
         hall, found = hall._replace(fixed=(*hall.fixed, *pieces)), [*pieces]
-    seats = any(is_audience_seat(w.category, 0.0) and not w.facing for w in asked)
+    seats = roles is BOARDING or any(
+        is_audience_seat(w.category, 0.0) and not w.facing for w in asked
+    )
     boards = seats and any(wish.category == GATE for wish in asked)
     stools = any(wish.category == STOOL for wish in asked)
     for wish in sorted(asked, key=lambda wish: wish.category != GATE):
@@ -130,10 +132,10 @@ def _set_one(
             if place is None:
                 continue
             pieces, stand = furnish_service(hall, wish, place, catalog)
-            queue = (tuple(place.queue),) if role.queue else ()
-            hall = hall._replace(fixed=(*hall.fixed, *stand), queues=(*hall.queues, *queue))
+            free = (tuple(place.queue), *map(tuple, place.way))
+            hall = hall._replace(fixed=(*hall.fixed, *stand), queues=(*hall.queues, *free))
             return hall, pieces, door.opening.id, place
-        row = next((r for r in _line_up(hall, wish, role, door) if _is_free(hall, r)), None)
+        row = next((r for r in _line_up(hall, wish, role, door) if _is_free(hall, r, role)), None)
         if row is None:
             continue
         pieces = _make_row(hall, wish, row, catalog)
@@ -182,7 +184,7 @@ def _line_up(
         for off in BOARDING_OFF:
             yield _stand_along(wish, door.face, door.inward, -0.5 * long, off)
         return
-    rows = list[tuple[float, Floats]]()
+    rows, sign = list[tuple[float, Floats]](), -1.0 if role.stands == "far" else 1.0
     right = np.array([door.inward[1], -door.inward[0]])
     half = 0.5 * door.opening.width * right
     way = shapely.LineString([door.face - half, door.face + half])
@@ -191,7 +193,7 @@ def _line_up(
         for at in np.arange(0.5 * long, length - 0.5 * long + 1e-9, ALONG_STEP):
             row = _stand_along(wish, start + at * along, left, -0.5 * long, BESIDE_OFF)
             far = float(shapely.polygons(corners(box_round(row)[None]))[0].distance(way))
-            rows += [(far, row)] if role.least <= far <= role.within else []
+            rows += [(far * sign, row)] if role.least <= far <= role.within else []
     yield from (row for _, row in sorted(rows, key=lambda one: one[0]))
 
 
@@ -222,14 +224,23 @@ def _stand_along(wish: HallDemand, face: Floats, inward: Floats, at: float, off:
     return np.array(found)
 
 
-def _is_free(hall: HallContext, row: Floats) -> bool:
-    """Whether boxes (n, 5) and the route beside them, or before those at walls, lie on the free
-    floor of a hall."""
-    little = np.array([0.0, 0.0, 0.0, -2.0 * hall.route, 2.0 * BOARDING_LITTLE])
-    needed = shapely.union_all(shapely.polygons(corners(row - little)))
+def _is_free(hall: HallContext, row: Floats, role: Role) -> bool:
+    """Whether boxes (n, 5) lie on the free floor of a hall with the route beside them on one side,
+    or before those at walls."""
+    heading, half = float(row[0, 2]), 0.5 * hall.route
+    ahead = np.array([np.cos(heading), np.sin(heading)])
+    aside = np.array([ahead[1], -ahead[0]])
+    across = role.stands in ("across", "lanes")
     taken = shapely.polygons(corners(taken_floor(hall)))
     floor = shapely.Polygon(hall.space.outline, hall.space.holes)
-    return bool(floor.covers(needed) and not shapely.intersects(taken, needed).any())
+    for way, side in ((aside, 3), (-aside, 3)) if across else ((ahead, 4),):
+        wider = row - np.array([0.0, 0.0, 0.0, 0.0, 2.0 * BOARDING_LITTLE])
+        wider[:, :2] += half * way
+        wider[:, side] += hall.route
+        needed = shapely.union_all(shapely.polygons(corners(wider)))
+        if floor.covers(needed) and not shapely.intersects(taken, needed).any():
+            return True
+    return False
 
 
 def _lay_rails(

@@ -44,12 +44,14 @@ LOOKS_AWAY, JUST_INSIDE = -0.3, 1.0
 
 class Service(NamedTuple):
     """A line of desks: boxes (n, 5) of these, the floor of the line with its staff and that of its
-    queue (5,), and boxes (k, 5) of what shuts its ends off, that one comes in by first."""
+    queue (5,), boxes (k, 5) of what shuts its ends off, that one comes in by first, and (1, 5) of
+    the floor before that."""
 
     row: Floats
     body: Floats
     queue: Floats
     ends: Floats
+    way: Floats
 
 
 def find_service(
@@ -61,7 +63,7 @@ def find_service(
     way = before(door, max(WAY_WIDTH, door.opening.width), CLEAR_OF_WAY)
     taken = shapely.polygons(corners(taken_floor(hall)))
     tree = shapely.STRtree([*taken, shapely.polygons(corners(np.array([way])))[0]])
-    fits = partial(_is_free, hall, floor, tree)
+    fits = partial(_is_free, floor, tree)
     return next((place for _, place in ranked if fits(place)), None)
 
 
@@ -92,7 +94,7 @@ def _list_places(
             if not all(shut):
                 ends = _list_ends(place, along, left, shut)
                 cost = _weigh(place.row, role, door, backs) + OPEN_END * len(ends)
-                yield cost, place._replace(ends=ends)
+                yield cost, place._replace(ends=ends, way=_find_way(hall, place.body, ends[0]))
 
 
 def _stand(wish: HallDemand, role: Role, start: Floats, along: Floats, left: Floats) -> Service:
@@ -109,7 +111,7 @@ def _stand(wish: HallDemand, role: Role, start: Floats, along: Floats, left: Flo
     body = np.array([*(middle + 0.5 * (STAFF_FLOOR + deep) * left), turn, at, STAFF_FLOOR + deep])
     ahead = STAFF_FLOOR + deep + 0.5 * role.queue
     queue = np.array([*(middle + ahead * left), turn, at, max(role.queue, 0.01)])
-    return Service(np.array(rows[::-1]), body, queue, np.zeros((0, 5)))
+    return Service(np.array(rows[::-1]), body, queue, np.zeros((0, 5)), np.zeros((0, 5)))
 
 
 def _side(place: Service, along: Floats, left: Floats, side: int) -> Floats:
@@ -160,20 +162,20 @@ def _weigh(row: Floats, role: Role, door: DoorApproach, backs: list[Floats]) -> 
     return PER_METRE * off + role.faces * (1.0 - facing) + role.back * PER_BACK * back
 
 
-def _is_free(
-    hall: HallContext, floor: shapely.Polygon, taken: shapely.STRtree, place: Service
-) -> bool:
-    """Whether a line, its queue and the way round its open end lie on free floor."""
-    boxes = [place.body, place.queue]
-    if len(place.ends):
-        aside = place.ends[0].copy()
-        way = aside[:2] - place.body[:2]
-        along = np.array([sin(place.body[2]), -cos(place.body[2])])
-        aside[:2] += np.sign(way @ along) * 0.5 * hall.route * along
-        aside[4] = hall.route
-        boxes.append(aside)
-    needed = np.array(boxes) - np.array([0.0, 0.0, 0.0, 2.0 * SERVICE_LITTLE, 2.0 * SERVICE_LITTLE])
-    shapes = shapely.polygons(corners(needed))
+def _find_way(hall: HallContext, body: Floats, end: Floats) -> Floats:
+    """The box (1, 5) of the floor before the end by which staff comes in."""
+    along = np.array([sin(body[2]), -cos(body[2])])
+    way = end.copy()
+    way[:2] += np.sign((end[:2] - body[:2]) @ along) * 0.5 * hall.route * along
+    way[4] = hall.route
+    return way[None]
+
+
+def _is_free(floor: shapely.Polygon, taken: shapely.STRtree, place: Service) -> bool:
+    """Whether a line, its queue and the way to its staff lie on free floor."""
+    boxes = np.concatenate([place.body[None], place.queue[None], place.way])
+    little = np.array([0.0, 0.0, 0.0, 2.0 * SERVICE_LITTLE, 2.0 * SERVICE_LITTLE])
+    shapes = shapely.polygons(corners(boxes - little))
     return bool(floor.covers(shapely.union_all(shapes))) and not len(
         taken.query(shapes, "intersects")[0]
     )
