@@ -10,12 +10,14 @@ import pytest
 import shapely
 
 from scenewright.building import plan
+from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief
 from scenewright.core.piece_outlines import polygons_of
 from scenewright.core.solution import Solution
 from scenewright.domains import check
-from scenewright.domains.hall.furnishing.voids import EMPTY_RADIUS
-from scenewright.domains.hall.solving import solve
+from scenewright.domains.hall.demands.themes import THEMES
+from scenewright.domains.hall.furnishing.voids import fill_voids
+from scenewright.domains.hall.solving import hall_contexts, solve
 
 
 def lay(demands: list[dict[str, Any]], **room: Any) -> Solution:
@@ -67,14 +69,17 @@ def test_an_altar_of_ones_own_stands_at_the_far_wall_with_pews_before_it() -> No
     assert not check(solution).findings
 
 
-def test_floor_left_empty_gets_islands_where_numbers_are_open() -> None:
-    demands = [{"category": "wall_shelving"}, {"category": "checkout"}]
-    for fill, least in ((None, 1), ("none", 0)):
-        room = {"theme": "generic", "sides": (14.0, 14.0)} | ({"fill": fill} if fill else {})
-        solution = lay([*demands, {"category": "gondola", "count": 2}], **room)
-        islands = [p for p in solution.pieces if p.function == "island"]
-        assert bool(islands) == bool(least)
-    assert EMPTY_RADIUS <= 2.5
+def test_islands_stand_in_empty_floor_off_the_way_in() -> None:
+    room = {"name": "Hall", "outline": [(0, 0), (14, 0), (14, 14), (0, 14)], "demands": []}
+    room |= {"doors": [{"id": "street", "at": (7, 0), "width": 1.8, "swing": "slide"}]}
+    brief = Brief.model_validate({"domain": "hall", "name": "Hall", "rooms": [room]})
+    [hall] = hall_contexts(brief, plan.spaces(brief), catalog_of([]), 0, 0)
+    assert not fill_voids(hall, (), catalog_of([]))
+    found = fill_voids(hall._replace(island=THEMES["museum"].island), (), catalog_of([]))
+    assert len(found) >= 6
+    assert all(math.hypot(piece.pose.x - 7.0, piece.pose.y) > 1.5 for piece in found)
+    bodies = shapely.union_all(polygons_of(found))
+    assert shapely.box(0, 0, 14, 14).contains(bodies)
 
 
 def test_doors_called_after_who_works_there_are_not_the_way_in() -> None:
