@@ -85,16 +85,19 @@ def _state(stands: Piece, text: str, amount: float = 0.0) -> Finding:
 
 
 def mark_locked(
-    findings: Sequence[Finding], locked: Collection[str], pieces: Sequence[Piece] = ()
+    findings: Sequence[Finding],
+    locked: Collection[str],
+    pieces: Sequence[Piece] = (),
+    given: Sequence[Piece] = (),
 ) -> tuple[Finding, ...]:
     """Findings with those marked that concern something a person locked, and too many of something
-    accepted where as many of the ``pieces`` of that space were put or locked there by hand.
+    accepted where as many of the ``pieces`` that a person put in that space are locked.
 
     >>> found = Finding("collision", "0", "a", "a/bed", "a/desk", "they overlap")
     >>> [one.locked for one in mark_locked([found], {"a/desk"})]
     [True]
     """
-    put = Counter(piece.space for piece in pieces if piece.id in locked)
+    put = Counter(piece.space for piece in _put_by_hand(pieces, given) if piece.id in locked)
 
     def mark(found: Finding) -> Finding:
         if found.kind == "surplus" and 0 < found.amount <= put[found.space]:
@@ -103,6 +106,13 @@ def mark_locked(
         return replace(found, locked=True) if concerned else found
 
     return tuple(map(mark, findings))
+
+
+def _put_by_hand(pieces: Sequence[Piece], given: Sequence[Piece]) -> list[Piece]:
+    """The fixed pieces that a person may have put: no landmark, which is placed and then stays,
+    and none in a space with pieces that are ``given``, among which nobody counts more."""
+    held = {piece.space for piece in given}
+    return [p for p in pieces if p.fixed and p.function != "landmark" and p.space not in held]
 
 
 def locked_ids(brief: Brief) -> frozenset[str]:
