@@ -82,7 +82,7 @@ def _buildings(rng: np.random.Generator, ground: float) -> list[dict[str, Any]]:
     rows: list[dict[str, Any]] = [{"model": "gallery", "size": [30, 18, 12]}]
     for number in chosen:
         model, size = DWELLINGS[number]
-        area = SIZES.get(model) or size[0] * size[1]
+        area = size[0] * size[1] if size else SIZES[model]
         count = max(round(DENSITY * ground / len(chosen) / area), 2)
         rows.append({"model": model, "count": count} | ({"size": size} if size else {}))
     return rows
