@@ -96,7 +96,7 @@ def energies_of(solution: Solution, number: int = 0) -> Energies:
     hall = hall_in(solution.brief, number, solution)
     wishes = collect_demands(solution.brief, number, (), shipped())
     placed = _placed(solution, hall, wishes)
-    small = {wish.id for wish in split_accessories(wishes, False)[1]}
+    small = {wish.id for wish in split_accessories(wishes, False, [])[1]}
     beside = [key for key in placed if wishes[key[0]].id in small]
     standing = tuple(piece for key in beside for piece in placed.pop(key))
     hall = hall._replace(fixed=(*hall.fixed, *standing))

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from scenewright.catalog.assets import shipped
     from scenewright.core.brief import Brief
     from scenewright.core.catalog import Asset, Catalog
+    from scenewright.core.edits import Addition as Addition
     from scenewright.core.errors import InputError
     from scenewright.core.kind import Kind
     from scenewright.core.layout import Layout, NamedBox
@@ -47,7 +48,6 @@ if TYPE_CHECKING:
     from scenewright.formats import losses, read, samples, write
     from scenewright.formats.solution_json import read as read_solution
     from scenewright.workflow.arrange import arrange
-    from scenewright.workflow.editing import Addition as Addition
     from scenewright.workflow.editing import edit_pieces as edit_pieces
     from scenewright.workflow.evolve import evolve
     from scenewright.workflow.generate import generate
@@ -120,7 +120,7 @@ _HOMES = {
     "batch": "batch:batch",
     "solve": "domains:solve",
     "edit_pieces": "workflow.editing:edit_pieces",
-    "Addition": "workflow.editing:Addition",
+    "Addition": "core.edits:Addition",
     "Project": "workflow.scene_project:Project",
     "Workspace": "workflow.workspace:Workspace",
     "resolve": "domains:resolve",
