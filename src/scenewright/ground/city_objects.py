@@ -1,7 +1,7 @@
 """Objects of a CityJSON 2.0 document: prisms over footprints, flat areas, vertices listed once.
 
-Vertices are whole millimetres; solids are of level of detail 1.2, every surface marked as ground,
-wall or roof.
+Vertices are whole millimetres; prisms are of level of detail 1.2, every surface marked as ground,
+wall or roof. Real roofs are added by :mod:`scenewright.ground.city_roofs`.
 """
 
 from __future__ import annotations
@@ -35,8 +35,8 @@ def prism_object(
     """
     corners = _whole(footprint)
     bottom, upper = round(low / SCALE), round(high / SCALE)
-    floor = [_vertex((x, y, bottom), vertices) for x, y in corners.tolist()]
-    top = [_vertex((x, y, upper), vertices) for x, y in corners.tolist()]
+    floor = [add_vertex((x, y, bottom), vertices) for x, y in corners.tolist()]
+    top = [add_vertex((x, y, upper), vertices) for x, y in corners.tolist()]
     count = len(corners)
     walls = [
         [[floor[i], floor[j], top[j], top[i]]]
@@ -57,7 +57,10 @@ def flat_object(
     """Areas at height 0, each an outline and holes, as an object of a kind (``Road`` …)."""
     boundaries = [
         [
-            [_vertex((x, y, 0), vertices) for x, y in np.round(line / SCALE).astype(int).tolist()]
+            [
+                add_vertex((x, y, 0), vertices)
+                for x, y in np.round(line / SCALE).astype(int).tolist()
+            ]
             for line in area
         ]
         for area in areas
@@ -106,7 +109,8 @@ def _whole(footprint: Points) -> NDArray[np.int64]:
     return corners if signed_area(corners.astype(float)) > 0 else corners[::-1]
 
 
-def _vertex(at: tuple[int, int, int], vertices: Vertices) -> int:
+def add_vertex(at: tuple[int, int, int], vertices: Vertices) -> int:
+    """The number of a vertex in whole millimetres, listed if it is new."""
     return vertices.setdefault(at, len(vertices))
 
 

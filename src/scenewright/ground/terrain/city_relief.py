@@ -52,13 +52,13 @@ def lay_on_relief(document: dict[str, Any], shaped: ShapedGround) -> dict[str, A
 def _lift(
     name: str, one: dict[str, Any], lifted: LiftedVertices, shaped: ShapedGround
 ) -> dict[str, Any]:
-    made = []
+    made, floor = [], shaped.floors.get(name)
     for geometry in one.get("geometry", ()):
         rows = geometry["boundaries"]
         if geometry["type"] == "Solid":
             used = sorted({k for shell in rows for face in shell for ring in face for k in ring})
-            ground = float(facet_heights_at(shaped.finished, lifted.whole[used, :2]).mean())
-            floor = shaped.floors.get(name, ground)
+            if floor is None:
+                floor = float(facet_heights_at(shaped.finished, lifted.whole[used, :2]).mean())
             at = {k: lifted.add(lifted.whole[k] + (0.0, 0.0, floor)) for k in used}
             rows = [[[[at[k] for k in r] for r in face] for face in shell] for shell in rows]
         else:

@@ -38,7 +38,12 @@ def roof_over(wings: Sequence[Wing], eave: float, pitch: float, thick: float) ->
     >>> len(meshes), round(max(float(mesh.vertices[:, 2].max()) for mesh in meshes), 3)
     (8, 5.2)
     """
-    slopes = [slope for wing in wings for slope in _slopes_of(wing)]
+    cells = highest([slope for wing in wings for slope in slopes_of(wing)])
+    return [_slab(part, slope, eave, pitch, thick) for part, slope in cells]
+
+
+def highest(slopes: Sequence[Slope]) -> list[tuple[shapely.Polygon, Slope]]:
+    """Where each of some slopes of one pitch is the highest."""
     made = []
     for k, slope in enumerate(slopes):
         rest = slope.ground
@@ -47,11 +52,11 @@ def roof_over(wings: Sequence[Wing], eave: float, pitch: float, thick: float) ->
                 rest = shapely.difference(rest, _higher(it, slope, other < k))
         for part in shapely.get_parts(rest):
             if part.geom_type == "Polygon" and part.area > SPECK:
-                made.append(_slab(part, slope, eave, pitch, thick))
+                made.append((part, slope))
     return made
 
 
-def _slopes_of(wing: Wing) -> tuple[Slope, Slope]:
+def slopes_of(wing: Wing) -> tuple[Slope, Slope]:
     """Both slopes of a wing."""
     across, length = (wing.y, wing.x) if wing.along == "x" else (wing.x, wing.y)
     middle, axis = sum(across) / 2, np.array([0.0, 1.0] if wing.along == "x" else [1.0, 0.0])

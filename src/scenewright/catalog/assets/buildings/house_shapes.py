@@ -183,30 +183,47 @@ def hips(footprint: Footprint, eave: float, pitch: float) -> list[Mesh]:
             rise = pitch * min(east - west, north - south) / 2
             made.append(hip((west, east), (south, north), (eave, eave + rise)))
         return made
-    ring = np.array(footprint)
-    if not shapely.equals_exact(
-        shapely.convex_hull(shapely.Polygon(ring)).normalize(),
-        shapely.orient_polygons(shapely.Polygon(ring)).normalize(),
-        STRAIGHT,
-    ):
+    if not is_convex(footprint):
         return []
-    return [_slope_over(ring, side, eave, pitch) for side in range(len(ring))]
+    rows = cells_of(np.array(footprint))
+    return [_slope_over(cell, at, inward, eave, pitch) for cell, at, inward in rows]
 
 
-def _slope_over(ring: Points, side: int, eave: float, pitch: float) -> Mesh:
-    """The slope above one side of a convex ring (n, 2): over what is nearest to that side."""
+def is_convex(footprint: Footprint) -> bool:
+    """Whether a footprint is its own convex hull."""
+    shape = shapely.Polygon(footprint)
+    return bool(
+        shapely.equals_exact(
+            shapely.convex_hull(shape).normalize(),
+            shapely.orient_polygons(shape).normalize(),
+            STRAIGHT,
+        )
+    )
+
+
+def cells_of(ring: Points) -> list[tuple[Points, Points, Points]]:
+    """What is nearest to each side of a convex ring (n, 2), with a point of that side and the
+    direction inwards from it."""
     step = np.roll(ring, -1, axis=0) - ring
     inward = np.stack([-step[:, 1], step[:, 0]], 1) / np.hypot(*step.T)[:, None]
     offset = (ring * inward).sum(1)
-    cell = ring
-    for other in range(len(ring)):
-        if other != side:
-            normal, away = inward[other] - inward[side], offset[other] - offset[side]
-            cell = _clip(cell, normal, away)
+    found = []
+    for side in range(len(ring)):
+        cell = ring
+        for other in range(len(ring)):
+            if other != side:
+                normal, away = inward[other] - inward[side], offset[other] - offset[side]
+                cell = _clip(cell, normal, away)
+        found.append((cell, ring[side], inward[side]))
+    return found
+
+
+def _slope_over(cell: Points, at: Points, inward: Points, eave: float, pitch: float) -> Mesh:
+    """The slope over a part of the plan that rises from a side inwards."""
     body = extrude(cell, eave - 0.05, eave)
     vertices = body.vertices.copy()
     upper = vertices[:, 2] > eave - 0.02
-    rise = vertices[upper, :2] @ inward[side] - offset[side]
+    rise = vertices[upper, :2] @ inward - float((at * inward).sum())
     vertices[upper, 2] = eave + pitch * np.maximum(rise, 0.0)
     return Mesh(vertices, body.faces)
 
@@ -235,6 +252,15 @@ def tallest(footprint: Footprint) -> float:
 
 def saddle(footprint: Footprint, eave: float, top: float) -> list[Mesh]:
     """Two slopes over any footprint, from a ridge along its longest side through its middle."""
+    halves, reach = saddle_sides(footprint)
+    return [_slope(part, at, inward, reach, (eave, top)) for part, at, inward in halves]
+
+
+def saddle_sides(
+    footprint: Footprint,
+) -> tuple[list[tuple[shapely.Polygon, Points, Points]], float]:
+    """The parts of a footprint on both sides of a ridge along its longest side through its middle,
+    each with a point of its eave and the direction inwards, and half the span of the roof."""
     ring = np.array(footprint)
     step = np.roll(ring, -1, axis=0) - ring
     way = step[int(np.argmax(np.hypot(*step.T)))]
@@ -252,17 +278,17 @@ def saddle(footprint: Footprint, eave: float, top: float) -> list[Mesh]:
             shapely.intersection(shapely.Polygon(ring), shapely.Polygon(half))
         ):
             if part.geom_type == "Polygon" and part.area > STRAIGHT:
-                made.append(_slope(part, left, middle, reach, (eave, top)))
-    return made
+                made.append((part, at + side * reach * left, -side * left))
+    return made, float(reach)
 
 
-def _slope(part: shapely.Polygon, left: Points, middle: float, reach: float, z: Interval) -> Mesh:
+def _slope(part: shapely.Polygon, at: Points, inward: Points, reach: float, z: Interval) -> Mesh:
     ring = shapely.get_coordinates(shapely.orient_polygons(part).exterior)[:-1]
     body = extrude(ring, z[0], z[1])
     vertices = body.vertices.copy()
     upper = vertices[:, 2] > z[0] + 1e-9
-    off = np.abs(vertices[upper, :2] @ left - middle) / max(reach, 1e-9)
-    vertices[upper, 2] = z[0] + 0.08 + (z[1] - z[0] - 0.08) * (1.0 - off)
+    share = (vertices[upper, :2] - at) @ inward / max(reach, 1e-9)
+    vertices[upper, 2] = z[0] + 0.08 + (z[1] - z[0] - 0.08) * share
     return Mesh(vertices, body.faces)
 
 

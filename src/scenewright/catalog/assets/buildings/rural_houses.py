@@ -88,7 +88,8 @@ CHIMNEY, THICK, LOWEST = 0.55, 0.16, 1.9
 """Height of chimneys over the ridge, thickness of roofs, least height of eaves, in metres."""
 COURT = 9.5
 """Metres on both sides from which a Hui house has a court."""
-PARAPET = 0.3
+PARAPET, YARD = 0.3, 0.12
+"""Thickness of walls that stand above a roof, height of the ground of a court, in metres."""
 
 
 def build_house(size: Size, footprint: Footprint, style: str, roof: str) -> Parts:
@@ -97,14 +98,48 @@ def build_house(size: Size, footprint: Footprint, style: str, roof: str) -> Part
     outline = footprint or ((-w, -d), (w, -d), (w, d), (-w, d))
     look = LOOKS[style]
     area = float(shapely.Polygon(outline).area)
-    wings = split_wings(outline) if style == "hui" else list_wings(outline)
-    if roof == "flat":
+    form, wings = form_of(size, outline, style, roof)
+    if form == "flat":
         return _flat(size, outline, look, area)
-    if style == "hui" and len(wings) == 1 and min(size.width, size.depth) >= COURT:
+    if form == "court":
         return _court_house(size, look)
-    if not wings or (roof == "hipped" and style != "hui"):
+    if form == "hips":
         return _build_hips(size, outline, look, area)
     return _build_gables(size, outline, wings, look, area, style == "hui")
+
+
+def form_of(size: Size, outline: Footprint, style: str, roof: str) -> tuple[str, tuple[Wing, ...]]:
+    """How a house is roofed (flat, court, hips or gables) and the wings of its footprint."""
+    wings = split_wings(outline) if style == "hui" else list_wings(outline)
+    if roof == "flat":
+        return "flat", wings
+    if style == "hui" and len(wings) == 1 and min(size.width, size.depth) >= COURT:
+        return "court", wings
+    if not wings or (roof == "hipped" and style != "hui"):
+        return "hips", wings
+    return "gables", wings
+
+
+class GableHeights(NamedTuple):
+    """Of a gabled house in metres: its chimney, what gables stand above the roof, the ridge of the
+    widest wing below the roof's thickness, the rise by a metre, and the eaves."""
+
+    chimney: float
+    above: float
+    top: float
+    pitch: float
+    eave: float
+
+
+def gable_heights(
+    size: Size, wings: tuple[Wing, ...], look: HouseLook, area: float, stepped: bool
+) -> GableHeights:
+    """The heights of a house of gabled wings, the widest first."""
+    chimney = CHIMNEY if area >= SHED and not stepped else 0.0
+    above = 0.5 if stepped else 0.0
+    top = size.height - chimney - THICK - above
+    pitch = min(look.pitch, (top - LOWEST) / (wings[0].span / 2))
+    return GableHeights(chimney, above, top, pitch, top - pitch * wings[0].span / 2)
 
 
 def _build_gables(
@@ -116,11 +151,7 @@ def _build_gables(
     stepped: bool,
 ) -> Parts:
     """Wings under gables; ``stepped`` gables stand above the roof."""
-    chimney = CHIMNEY if area >= SHED and not stepped else 0.0
-    above = 0.5 if stepped else 0.0
-    top = size.height - chimney - THICK - above
-    pitch = min(look.pitch, (top - LOWEST) / (wings[0].span / 2))
-    eave = top - pitch * wings[0].span / 2
+    chimney, above, top, pitch, eave = gable_heights(size, wings, look, area, stepped)
     walls, caps = list[Mesh](), list[Mesh]()
     roofs = [] if stepped else roof_over(wings, eave, pitch, THICK)
     for wing in wings:
@@ -197,9 +228,7 @@ def _rim(outline: Footprint, inner: Footprint, z: tuple[float, float]) -> list[M
 def _court_house(size: Size, look: HouseLook) -> Parts:
     """Four roofs that drain into a court, behind high white walls with stepped ends."""
     w, d = size.width / 2, size.depth / 2
-    court_x, court_y = 0.3 * w, 0.3 * d
-    low = 0.55 * size.height
-    high = low + min(0.5 * (d - court_y), 0.28 * size.height)
+    court_x, court_y, low, high = court_heights(size)
     rings = [(w - PARAPET, d - PARAPET, high), (court_x, court_y, low)]
     roofs = _court_roofs(rings)
     inner = [
@@ -219,7 +248,7 @@ def _court_house(size: Size, look: HouseLook) -> Parts:
         wall, copings = stepped_gable((-d, d), at, high - 0.2, size.height - 0.14, "x", 3)
         inner.append(wall)
         caps += copings
-    yard = [block((-court_x, court_x), (-court_y, court_y), (0, 0.12))]
+    yard = [block((-court_x, court_x), (-court_y, court_y), (0, YARD))]
     wood = [
         block(
             (-court_x - 0.15, court_x + 0.15),
@@ -236,6 +265,13 @@ def _court_house(size: Size, look: HouseLook) -> Parts:
     shown.stones.extend(yard)
     shown.doors.extend(wood)
     return _parts(size, look, inner, [*roofs, *caps], shown, [])
+
+
+def court_heights(size: Size) -> tuple[float, float, float, float]:
+    """Half the width and depth of a court, and the heights of the roofs over it and outside."""
+    court_x, court_y = 0.15 * size.width, 0.15 * size.depth
+    low = 0.55 * size.height
+    return court_x, court_y, low, low + min(0.5 * (size.depth / 2 - court_y), 0.28 * size.height)
 
 
 def _court_roofs(rings: list[tuple[float, float, float]]) -> list[Mesh]:

@@ -1,7 +1,8 @@
 """A solved extension as CityJSON 2.0: buildings old and new, areas and streets.
 
 In local metres, or those of the city model the only source came from. Buildings are prisms over
-their footprints with the model that draws them, their age and the front's heading as attributes.
+their footprints, houses also bodies with their roofs; the model that draws them, their age and the
+front's heading are attributes.
 """
 
 from __future__ import annotations
@@ -32,6 +33,7 @@ from scenewright.ground.city_objects import (
     free_key,
     prism_object,
 )
+from scenewright.ground.city_roofs import add_roof
 from scenewright.ground.plot_writing import add_plots
 
 
@@ -76,4 +78,5 @@ def _building(piece: Piece, vertices: Vertices) -> dict[str, Any]:
         "heading": round(float(np.rad2deg(piece.pose.heading)), 3),
     }
     low = piece.pose.z
-    return prism_object(outline_of(piece), low, low + piece.size.height, attributes, vertices)
+    made = prism_object(outline_of(piece), low, low + piece.size.height, attributes, vertices)
+    return add_roof(made, piece, vertices)

@@ -1,5 +1,5 @@
 """A filled village as CityJSON 2.0: houses as prisms (level of detail 1.2), as high as they are,
-blocks, lanes and free squares, in the local metres of the brief."""
+and with their roofs (2.0), blocks, lanes and free squares, in the local metres of the brief."""
 
 from __future__ import annotations
 
@@ -29,6 +29,7 @@ from scenewright.ground.city_objects import (
     free_key,
     prism_object,
 )
+from scenewright.ground.city_roofs import add_roof
 from scenewright.ground.plot_writing import add_plots
 
 
@@ -57,7 +58,7 @@ def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
             low = piece.pose.z
             shape = outline_of(piece)
             built = prism_object(shape, low, low + piece.size[2], attributes, vertices)
-            objects[free_key(piece.id, objects)] = built
+            objects[free_key(piece.id, objects)] = add_roof(built, piece, vertices)
     return city_document(solution.brief.name, objects, vertices)
 
 
