@@ -21,6 +21,7 @@ from scenewright._version import __version__
 from scenewright.catalog import credits as authorship
 from scenewright.core.atomic_file import atomic_write
 from scenewright.core.catalog import Catalog, Part
+from scenewright.core.georeference import Georeference, georeference_of
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Scene
 from scenewright.core.solution import Solution
@@ -56,14 +57,23 @@ def write_scene(
 
     with atomic_write(path) as partial:
         scene, catalog = scene_of(solution, plan), catalog_of(solution.brief.catalogs)
-        partial.write_bytes(encode_scene(scene, catalog, solution.brief.domain, batched))
+        where = georeference_of(solution.brief)
+        partial.write_bytes(encode_scene(scene, catalog, solution.brief.domain, batched, where))
 
 
 def encode_scene(
-    scene: Scene, catalog: Catalog, domain: str = "home", batched: bool = True
+    scene: Scene,
+    catalog: Catalog,
+    domain: str = "home",
+    batched: bool = True,
+    where: Georeference | None = None,
 ) -> bytes:
-    """The bytes of a GLB file: a header, a chunk of JSON, a chunk of numbers."""
+    """The bytes of a GLB file: a header, a chunk of JSON, a chunk of numbers. ``where`` its origin
+    lies on a map, if that is known, is said at its root."""
     document, numbers = document_of(scene, catalog, domain, batched)
+    if where is not None and where.system:
+        stated = {"crs": where.system, "origin": list(where.origin)}
+        document["nodes"][0]["extras"] |= {"georeference": stated}
     text = json.dumps(document, ensure_ascii=False, separators=(",", ":")).encode()
     text += b" " * (-len(text) % 4)
     total = 12 + 8 + len(text) + 8 + len(numbers)

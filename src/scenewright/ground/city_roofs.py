@@ -46,7 +46,7 @@ def add_roof(made: dict[str, Any], piece: Piece, vertices: Vertices) -> dict[str
 
 
 def add_flat_roof(made: dict[str, Any]) -> dict[str, Any]:
-    """The object of a building as a prism, which is its solid of level of detail 2 too."""
+    """The object of a building that is drawn as a prism: that is its body of detail 2.0 too."""
     (prism,) = made["geometry"]
     return made | {"geometry": [prism, prism | {"lod": "2.0"}]}
 

@@ -1,10 +1,11 @@
-"""A solved site as CityJSON 2.0: buildings as solids of level of detail 1.2, ground, roads, and
-what is laid out (lanes, drives, walks; squares and parking; courts).
+"""A solved site as CityJSON 2.0: buildings as solids of level of detail 1.2 (and 2.0 where
+their roof is known), ground, roads, and what is laid out (lanes, drives, walks; squares and
+parking; courts).
 
-Prisms over the footprints, every surface marked as ground, wall or roof; vertices are whole
-millimetres, each listed once. Coordinates are those of the city model that the site came from,
-else the local metres of the brief. Credits are attributes of the ground: extra properties of the
-whole would need an extension of the schema.
+Prisms over the footprints and bodies under roofs, every surface marked as ground, wall or roof;
+vertices are whole millimetres, each listed once. Coordinates are those of the city model that the
+site came from, else the local metres of the brief. Credits are attributes of the ground: extra
+properties of the whole would need an extension of the schema.
 """
 
 from __future__ import annotations
@@ -22,9 +23,10 @@ from scenewright.catalog import credits as authorship
 from scenewright.catalog.loading import catalog_of
 from scenewright.core.atomic_file import write_atomically
 from scenewright.core.brief import Brief
+from scenewright.core.georeference import georeference_of
 from scenewright.core.plan import Plan
 from scenewright.core.projection import projection_at
-from scenewright.core.reference_system import address_of
+from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
 from scenewright.core.space import Points
 from scenewright.domains.site.plan import plans_of
@@ -37,6 +39,7 @@ from scenewright.ground.city_objects import (
     free_key,
     prism_object,
 )
+from scenewright.ground.city_roofs import add_flat_roof, add_roof
 from scenewright.ground.plan import SitePlan
 from scenewright.ground.surfaces import pave
 from scenewright.ground.works import GroundWorks
@@ -69,8 +72,9 @@ def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
     for works in solution.detail or ():
         for name, made_of in _laid_out(works, vertices):
             objects[free_key(name, objects)] = made_of
+    placed = {piece.id: piece for piece in solution.pieces}
     for row in standing(solution, plans):
-        objects[free_key(row.id, objects)] = _building(row, vertices)
+        objects[free_key(row.id, objects)] = _building(row, placed.get(row.id), vertices)
     return city_document(solution.brief.name, objects, vertices, *_frame(solution.brief))
 
 
@@ -100,16 +104,16 @@ def rings_of(part: shapely.Polygon) -> tuple[Points, ...]:
 def _frame(brief: Brief) -> tuple[tuple[float, float], str, tuple[float, float, float]]:
     """What all sites add to their coordinates for those of one reference system, its name, and
     the metres in a unit of it along x, y and upwards."""
-    frames = {(site.shift, address_of(site.system)) for site in brief.part.sites}
-    shift, address = frames.pop() if len(frames) == 1 else ((0.0, 0.0), "")
+    shift, address = georeference_of(brief)
     if not address:
         return shift, "", (1.0, 1.0, 1.0)
     map_ = projection_at(shift, address)
     return shift, address, (*map_.scale, map_.system.height if map_.system else 1.0)
 
 
-def _building(row: StandingBuilding, vertices: Vertices) -> dict[str, Any]:
-    """A prism over the footprint."""
+def _building(row: StandingBuilding, piece: Piece | None, vertices: Vertices) -> dict[str, Any]:
+    """A prism over the footprint, and its body with the roof it is drawn with: a level one where
+    it has no model."""
     attributes = {
         "name": row.name,
         "measuredHeight": round(row.high - row.low, 3),
@@ -118,4 +122,7 @@ def _building(row: StandingBuilding, vertices: Vertices) -> dict[str, Any]:
         "landmark": row.landmark,
         "heading": round(float(np.rad2deg(row.heading)), 3),
     }
-    return prism_object(row.footprint, row.low, row.high, attributes, vertices)
+    made = prism_object(row.footprint, row.low, row.high, attributes, vertices)
+    if not row.model:
+        return add_flat_roof(made)
+    return add_roof(made, piece, vertices) if piece else made
