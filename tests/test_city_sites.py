@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -73,6 +74,25 @@ def test_written_city_models_lie_where_they_were_read(tmp_path):
         (float(x), float(y)) for x, y in BLOCK
     )
     assert document["metadata"]["referenceSystem"].endswith("7415")
+
+
+def test_scenes_say_where_their_origin_lies(tmp_path):
+    brief = read(saved(tmp_path / "town.json", city(TOWN)))
+    solution, (site,) = solve(brief, seed=1, steps=1), brief.part.sites
+    roots = []
+    for told in (solution, replace(solution, brief=_unplaced(brief))):
+        write(told, tmp_path / "town.glb")
+        content = (tmp_path / "town.glb").read_bytes()
+        document = json.loads(content[20 : 20 + int.from_bytes(content[12:16], "little")])
+        roots.append(document["nodes"][0]["extras"])
+    system = "https://www.opengis.net/def/crs/EPSG/0/7415"
+    stated = {"crs": system, "origin": list(site.shift)}
+    assert roots == [{"category": "site", "georeference": stated}, {"category": "site"}]
+
+
+def _unplaced(brief):
+    sites = [site.model_copy(update={"system": ""}) for site in brief.part.sites]
+    return brief.model_copy(update={"part": brief.part.model_copy(update={"sites": sites})})
 
 
 def test_what_was_written_is_read_with_its_ground(tmp_path):

@@ -39,10 +39,19 @@ def _count_hanging(solution: Solution) -> int:
     return sum(piece.category in above for piece in solution.pieces)
 
 
+def _count_roofs(solution: Solution) -> int:
+    """Buildings with models of which a city model does not hold the roof."""
+    from scenewright.catalog.assets.buildings.roof_planes import roof_planes
+
+    built = [piece for piece in solution.pieces if piece.category == "building" and piece.asset]
+    return sum(not roof_planes(piece.asset, piece.size, piece.footprint) for piece in built)
+
+
 COUNTED: dict[str, Callable[[Solution], int]] = {
     "hanging lamps": _count_hanging,
     "sloped ceilings": lambda solution: sum(len(room.slopes) for room in solution.brief.rooms),
     "outlets": lambda solution: sum(len(room.outlets) for room in solution.brief.rooms),
+    "roofs": _count_roofs,
     "trees and street furniture": lambda solution: sum(
         piece.category != "building" for piece in solution.pieces
     ),

@@ -37,7 +37,9 @@ Face = tuple[list[list[Key]], tuple[float, float, float]]
 
 def add_roof(made: dict[str, Any], piece: Piece, vertices: Vertices) -> dict[str, Any]:
     """The object of a building with its solid of level of detail 2 beside what it has, where it is
-    drawn as a house with a roof that is known."""
+    drawn as a house with a roof that is known, or as a prism, having no model."""
+    if not piece.asset:
+        return add_flat_roof(made)
     w, d = piece.size.width / 2, piece.size.depth / 2
     outline = piece.footprint or ((w, -d), (w, d), (-w, d), (-w, -d))
     planes = roof_planes(piece.asset, piece.size, piece.footprint)

@@ -68,7 +68,7 @@ DOMAIN = Domain(
             "city model (CityJSON) of an extension (written)",
             writer=f"{__name__}.writing.cityjson",
             domain="extend",
-            lacks=MAPPED,
+            lacks=("roofs", *MAPPED),
         ),
         Format(
             ".street.png",

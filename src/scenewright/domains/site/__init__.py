@@ -71,7 +71,7 @@ DOMAIN = Domain(
             f"{__name__}.reading.cityjson",
             f"{__name__}.writing.cityjson",
             "site",
-            lacks=MAPPED,
+            lacks=("roofs", *MAPPED),
         ),
         Format(
             ".cityjson",
@@ -79,7 +79,7 @@ DOMAIN = Domain(
             f"{__name__}.reading.cityjson",
             f"{__name__}.writing.cityjson",
             "site",
-            lacks=MAPPED,
+            lacks=("roofs", *MAPPED),
         ),
         *(
             Format(

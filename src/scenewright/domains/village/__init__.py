@@ -70,7 +70,7 @@ DOMAIN = Domain(
             "city model (CityJSON) of a village (written)",
             writer=f"{__name__}.writing.cityjson",
             domain="village",
-            lacks=MAPPED,
+            lacks=("roofs", *MAPPED),
         ),
         Format(
             ".street.png",
