@@ -57,7 +57,7 @@ def roofed_solid(
     outline: Footprint, planes: Sequence[RoofPlane], pose: Sequence[float], vertices: Vertices
 ) -> dict[str, Any] | None:
     """The closed body between a footprint and a roof, in a local frame that ``pose`` (x, y, z,
-    heading) places; ``None`` if the planes do not cover the footprint or miss each other.
+    heading) places; ``None`` if the planes do not cover the footprint or the body would not be closed.
 
     >>> from scenewright.core.scene import Pose
     >>> from scenewright.catalog.assets.buildings.roof_planes import flat_roof
@@ -93,6 +93,8 @@ def roofed_solid(
     walls = [*_outer_walls(rim, corners, sides, levels), *_inner_walls(sides, levels)]
     floor = [[(key, 0.0) for key in corners[::-1]]]
     shell = [floor, *roof, *([ring] for ring in walls)]
+    if not _is_closed([ring for face in shell for ring in face]):
+        return None
     kinds = [GROUND, *[ROOF] * len(roof), *[WALL] * len(walls)]
     return {
         "type": "Solid",
@@ -100,6 +102,13 @@ def roofed_solid(
         "boundaries": [[[[at[spot] for spot in ring] for ring in face] for face in shell]],
         "semantics": {"surfaces": SURFACES, "values": [kinds]},
     }
+
+
+def _is_closed(rings: list[list[Spot]]) -> bool:
+    """Whether every side is used twice, in opposite directions."""
+    sides = [(ring[k - 1], ring[k]) for ring in rings for k in range(len(ring))]
+    known = set(sides)
+    return len(known) == len(sides) and all((b, a) in known for a, b in sides)
 
 
 def _key(point: Sequence[float]) -> Key:

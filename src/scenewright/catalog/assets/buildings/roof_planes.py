@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 import shapely
 
-from scenewright.catalog.assets.buildings.house_roofs import Slope, highest, slopes_of
+from scenewright.catalog.assets.buildings.house_roofs import SPECK, Slope, highest, slopes_of
 from scenewright.catalog.assets.buildings.house_shapes import (
     Wing,
     cells_of,
@@ -114,7 +114,9 @@ def _hips(outline: Footprint, height: float, pitch: float) -> tuple[RoofPlane, .
 
 def _sides(ring: np.ndarray) -> list[Slope]:
     """The slopes over a convex ring, one a side, each where it is the lowest."""
-    return [Slope(shapely.Polygon(cell), at, inward) for cell, at, inward in cells_of(ring)]
+    rows = [row for row in cells_of(ring) if len(row[0]) > 2]
+    made = [(shapely.buffer(shapely.Polygon(cell), 0.0), at, inward) for cell, at, inward in rows]
+    return [Slope(ground, at, inward) for ground, at, inward in made if ground.area > SPECK]
 
 
 def _planes(
