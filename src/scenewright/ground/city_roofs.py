@@ -57,7 +57,7 @@ def roofed_solid(
     outline: Footprint, planes: Sequence[RoofPlane], pose: Sequence[float], vertices: Vertices
 ) -> dict[str, Any] | None:
     """The closed body between a footprint and a roof, in a local frame that ``pose`` (x, y, z,
-    heading) places; ``None`` if the planes do not cover the footprint or the body would not be closed.
+    heading) places; ``None`` if planes do not cover the footprint or the body would not close.
 
     >>> from scenewright.core.scene import Pose
     >>> from scenewright.catalog.assets.buildings.roof_planes import flat_roof
