@@ -73,7 +73,7 @@ def edit_pieces(
     if domain.has("editing"):
         rules = domain.verb("editing")(solution, made)
         return edit_by_rules(solution, made, rules, edits, catalog)
-    if solution.brief.domain != "home":
+    if not domain.rooms:
         raise InputError(f"a {solution.brief.domain} takes no pieces by hand", "change the brief")
     return _edit_home(solution, made, edits, catalog)
 
