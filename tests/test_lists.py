@@ -30,8 +30,8 @@ def test_every_kind_of_furniture_is_listed_once(capsys: Captured) -> None:
     shown = lists.select_columns("assets", rows)
     assert [row["category"] for row in shown] == list(dict.fromkeys(r["category"] for r in rows))
     assert sum(row["models"] for row in shown) == len(rows)
-    plinth = next(row for row in shown if row["category"] == "plinth")
-    assert plinth["usual"] == ["0.4–0.6", "0.4–0.6", "1.4–1.7"]
+    checkout = next(row for row in shown if row["category"] == "checkout")
+    assert checkout["usual"] == ["1.6–2.2", "0.7–1.2", "1.2–1.3"]
 
 
 def test_samples_tell_what_they_hold() -> None:

@@ -110,8 +110,9 @@ def faults_of_city(document: dict[str, Any]) -> list[str]:
     for name, row in objects.items():
         faults += [name] * (not row.keys() <= {"type", "attributes", "geometry"})
         for shape in row["geometry"]:
-            right = {"Building": ("Solid", "1.2")}.get(row["type"], ("MultiSurface", "1"))
-            faults += [name] * ((shape["type"], shape["lod"]) != right)
+            solids = {("Solid", "1.2"), ("Solid", "2.0")}
+            right = {"Building": solids}.get(row["type"], {("MultiSurface", "1")})
+            faults += [name] * ((shape["type"], shape["lod"]) not in right)
             used |= set(flat(shape["boundaries"]))
     corners = np.array(document["vertices"])
     extent = corners[[*used]] * document["transform"]["scale"] + document["transform"]["translate"]

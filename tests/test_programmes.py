@@ -26,6 +26,10 @@ def used(kind: str, floor_area: float, perimeter: float) -> float:
     total = 0.0
     for demand in shop_programme(kind, floor_area, perimeter):
         assert demand.count
+        if demand.clearance is None:  # generated at its door, with the floor it needs
+            rows = (row for row in PROGRAMMES[kind] if row.category == demand.category)
+            total += demand.count * max(row.used for row in rows)
+            continue
         assert isinstance(demand.clearance, tuple)
         front, left, back, right = demand.clearance
         till = measure_cash_desk(shipped())

@@ -1,9 +1,12 @@
-"""Terrain of any domain with open ground: its heights shaped for a solution, its scene on them."""
+"""Terrain of any domain with open ground: its heights shaped for a solution, its scene on them.
+
+What shapes ground is compiled, and imported only where a brief states terrain.
+"""
 
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import shapely
 
@@ -19,10 +22,9 @@ from scenewright.drawing.contours import contours_mark, water_mark
 from scenewright.drawing.layers import PlanDrawing, PlanLayer
 from scenewright.drawing.marks import is_blank
 from scenewright.ground.built import BuiltRoad
-from scenewright.ground.terrain.city_relief import lay_on_relief
-from scenewright.ground.terrain.lifting import extent, lift_scene, shape_for
-from scenewright.ground.terrain.reading import natural_ground, waters_of
-from scenewright.ground.terrain.shaping import ShapedGround
+
+if TYPE_CHECKING:
+    from scenewright.ground.terrain.shaping import ShapedGround
 
 
 def terrain_of(brief: Brief) -> TerrainBrief | None:
@@ -36,6 +38,8 @@ def ground_shape(solution: Solution, plan: Plan) -> ShapedGround | None:
     terrain = terrain_of(solution.brief)
     if terrain is None:
         return None
+    from scenewright.ground.terrain.lifting import shape_for
+
     ways = domain_of(solution.brief.domain).verb("ways")(solution, plan)
     return shape_for(terrain, plan.spaces, ways, solution.pieces, shift_of(solution.brief))
 
@@ -50,7 +54,11 @@ def shift_of(brief: Brief) -> tuple[float, float]:
 def lay_on_terrain(scene: Scene, solution: Solution, plan: Plan) -> Scene:
     """The scene of a solution on its terrain; as it is where that is flat."""
     shaped = ground_shape(solution, plan)
-    return scene if shaped is None else lift_scene(scene, shaped)
+    if shaped is None:
+        return scene
+    from scenewright.ground.terrain.lifting import lift_scene
+
+    return lift_scene(scene, shaped)
 
 
 def judge_ground(solution: Solution, plan: Plan, report: Report) -> Report:
@@ -85,6 +93,9 @@ def check_terrain(brief: Brief, plan: Plan) -> None:
     """InputError where the terrain of a brief cannot be read or does not cover its ground."""
     terrain = terrain_of(brief)
     if terrain is not None:
+        from scenewright.ground.terrain.lifting import extent
+        from scenewright.ground.terrain.reading import natural_ground, waters_of
+
         floor = extent(plan.spaces, ())
         waters_of(terrain.water, natural_ground(terrain, floor, shift_of(brief)))
 
@@ -97,7 +108,11 @@ def lay_city_on_terrain(
         return document
     made: Plan = plan or domain_of(solution.brief.domain).verb("plan")(solution.brief)
     shaped = ground_shape(solution, made)
-    return document if shaped is None else lay_on_relief(document, shaped)
+    if shaped is None:
+        return document
+    from scenewright.ground.terrain.city_relief import lay_on_relief
+
+    return lay_on_relief(document, shaped)
 
 
 def draw_ground(drawing: PlanDrawing, solution: Solution, plan: Plan) -> PlanDrawing:
