@@ -91,10 +91,10 @@ def test_retouches_are_switched_off_and_heard_and_tell_what_is_left() -> None:
         solve_hall(brief, steps=300, threads=1, passes=options)
         return heard
 
-    heard, bare = run_without(), run_without("desks")
+    heard, bare = run_without(), run_without("spread")
     assert {run.name for run in heard} == {LEFT, *(each.name for each in RETOUCHES)}
-    assert max(c.faults for run in heard if run.name == "desks" for c in run.changes) > 1.0
-    assert "desks" not in {run.name for run in bare}
+    assert max(c.faults for run in heard if run.name == "spread" for c in run.changes) > 1.0
+    assert "spread" not in {run.name for run in bare}
     left = [
         min(-run.changes[0].faults for run in runs if run.name == LEFT) for runs in (heard, bare)
     ]

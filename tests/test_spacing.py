@@ -250,7 +250,7 @@ def _ground(keep_free=()):
 
 
 def test_a_chair_with_a_wall_right_behind_it_is_wedged():
-    near, far = (group("dining", "dining_chair", x, 0.0, 0.0, 0.46, 0.5) for x in (-0.65, -0.4))
+    near, far = (group("dining", "dining_chair", x, 0.0, 0.0, 0.46, 0.5) for x in (-0.65, -0.2))
     close = rules.list_close([near], (), _ground())
     assert {pair.group for pair in close} == {"dining"}
     assert sum(pair.cost for pair in close) > 5.0 / 2

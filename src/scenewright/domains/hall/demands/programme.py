@@ -280,7 +280,7 @@ def shop_programme(kind: str, area: float, perimeter: float) -> list[Demand]:
     little less below 60 m², where single things count. Nothing for unknown kinds and under 30 m².
 
     >>> [(d.category, d.count) for d in shop_programme("grocery", 100.0, 40.0)]
-    [('checkout', 1), ('fridge_shelf', 8), ('wall_shelving', 18), ('gondola', 6)]
+    [('checkout', 1), ('fridge_shelf', 8), ('wall_shelving', 16), ('gondola', 7)]
     """
     if area < SMALLEST_SHOP or kind not in PROGRAMMES:
         return []
@@ -312,7 +312,8 @@ def count_fixtures(
             most = min(most, wall / row.front)
         counts[k] = int(min(wished, most) + 1e-9)
         left -= counts[k] * row.used
-        wall -= counts[k] * row.front * (row.place == "wall")
+        at = row.place == "wall" or row.category in PLAYED
+        wall = max(wall - counts[k] * row.front * at, 0.0)
     for k, row in enumerate(rows):
         if row.fills:
             more = int(left / row.used)
