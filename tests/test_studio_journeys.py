@@ -17,6 +17,8 @@ from typing import Any, NamedTuple
 
 import pytest
 
+from thoroughness import only_thorough
+
 pytest.importorskip("starlette")
 browsing = pytest.importorskip("playwright.sync_api")
 
@@ -26,6 +28,7 @@ SOON = 240_000.0
 """Milliseconds that anything may take on a busy machine."""
 DATA = Path(__file__).parent / "data" / "field_cases"
 pytestmark = [
+    only_thorough,
     pytest.mark.slow,
     pytest.mark.skipif(not CHROMIUM.exists(), reason="no Chromium on this machine"),
 ]
