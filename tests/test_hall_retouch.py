@@ -74,12 +74,12 @@ def test_without_the_touch_a_column_stands_in_an_aisle(monkeypatch: pytest.Monke
 @pytest.mark.parametrize("seed", range(4))
 def test_the_ticket_desk_stands_at_a_wall_beside_the_way_in(seed: int) -> None:
     demands = [
-        {"category": "counter", "name": "tickets"},
+        {"category": "info_desk", "name": "tickets"},
         {"category": "bench", "count": 4},
         {"category": "showcase", "count": 6},
     ]
     solution = laid(seed, demands=demands)
-    (desk,) = of(solution, "counter")
+    (desk,) = of(solution, "info_desk")
     front = np.array([math.cos(desk.pose.heading), math.sin(desk.pose.heading)])
     right = np.array([front[1], -front[0]])
     at = np.array(desk.pose[:2])
@@ -90,7 +90,7 @@ def test_the_ticket_desk_stands_at_a_wall_beside_the_way_in(seed: int) -> None:
     room = min(min(x, y, 16 - x, 12 - y) for x, y in ends)
     assert room < 0.35, "the back, where one serves, or a side is at a wall"
     assert np.hypot(at[0] - 2.0, at[1]) < 7.0
-    assert abs(at[0] - 2.0) > 0.9, "not across the way in"
+    assert abs(at[0] - 2.0) > 0.9 or at[1] > 2.5, "not across the way in"
     assert scenewright.check(solution).valid
 
 

@@ -186,7 +186,7 @@ def _unit_arrays(units: Units, printed: bool) -> dict[str, Any]:
     rows = capacity(counts)
     ends = np.cumsum(rows)
     demanded = (sizes[:, 0] + clear[:, 1] + clear[:, 3]) * (sizes[:, 1] + clear[:, 0] + clear[:, 2])
-    choices = np.array(units.choices, np.int64).reshape(len(spans), -1)
+    choices = np.array(units.choices, np.int64).reshape(len(spans), -1 if len(spans) else WALL + 1)
     beta, largest, gaps = np.zeros(len(spans)), np.zeros((len(spans), 2)), np.zeros((len(spans), 2))
     constant, near = np.full(len(spans), -1.0), np.zeros(len(spans))
     several_sides = (_fresh(units.access, 4) > 0.0).sum(1) > 1

@@ -44,7 +44,7 @@ BOARDING_OFF = (1.3, 1.9, 2.3)
 BOARDING_LITTLE = 0.005
 LANES_OFF, LANES_ASIDE = (2.0, 2.6, 3.4), tuple(0.6 * k for k in range(-9, 10))
 """Metres between a way out and the lanes before it, and beside it, that are tried."""
-ROPE = "rope_barrier"
+ROPE, LANE_ROPES = "rope_barrier", 4
 STOOLS_DEEP, TILLS_APART = 0.9, 1.0
 """Metres before a counter with stools, and between tills with belts."""
 BESIDE_OFF, ALONG_STEP = 0.02, 0.3
@@ -77,8 +77,11 @@ def set_at_doors(
     )
     boards = seats and any(wish.category == GATE for wish in asked)
     stools = any(wish.category == STOOL for wish in asked)
+    winding = any(w.category == ROPE and len(w.sizes) > LANE_ROPES for w in asked)
     for wish in sorted(asked, key=lambda wish: wish.category != GATE):
         role = by_kind.get(wish.category) if wish.unstated else None
+        if role is not None and role.stands == "served" and winding:
+            role = None
         if role is not None and _has_belts(wish):
             role = role._replace(stands="lanes")
         if role is not None and stools and wish.category == COUNTER:
