@@ -102,7 +102,7 @@ def part_keys(name: str) -> tuple[str, ...]:
     """The keys that only briefs of a domain have, empty for what is no domain.
 
     >>> part_keys("site"), part_keys("castle")
-    (('sites',), ())
+    (('sites', 'terrain'), ())
     """
     model = domain_of(name).part_model() if name in domain_names() else None
     return tuple(model.model_fields) if model else ()

@@ -73,7 +73,7 @@ def suited(catalog: Catalog, asset: Asset) -> tuple[tuple[str, ...], ...]:
 
     >>> from scenewright.catalog.assets import shipped
     >>> [names[0] for names in suited(shipped(), shipped().assets["round_rack"])]
-    ['round_rack_f', 'round_rack_k', 'round_rack']
+    ['round_rack_k', 'round_rack_f', 'round_rack']
     """
     found: dict[str, list[str]] = {}
     for one in catalog.of(asset.category):

@@ -80,8 +80,8 @@ def set_at_doors(
     winding = any(w.category == ROPE and len(w.sizes) > LANE_ROPES for w in asked)
     for wish in sorted(asked, key=lambda wish: wish.category != GATE):
         role = by_kind.get(wish.category) if wish.unstated else None
-        if role is not None and role.stands == "served" and winding:
-            role = None
+        if role is not None and role.stands == "served" and (winding or wish.zones):
+            role = None  # the search lays out what winds, or where a zone says
         if role is not None and _has_belts(wish):
             role = role._replace(stands="lanes")
         if role is not None and stools and wish.category == COUNTER:
