@@ -74,12 +74,12 @@ def test_without_the_touch_a_column_stands_in_an_aisle(monkeypatch: pytest.Monke
 @pytest.mark.parametrize("seed", range(4))
 def test_the_ticket_desk_stands_at_a_wall_beside_the_way_in(seed: int) -> None:
     demands = [
-        {"category": "info_desk", "name": "tickets"},
+        {"category": "counter", "name": "tickets"},
         {"category": "bench", "count": 4},
         {"category": "showcase", "count": 6},
     ]
     solution = laid(seed, demands=demands)
-    (desk,) = of(solution, "info_desk")
+    (desk,) = of(solution, "counter")
     front = np.array([math.cos(desk.pose.heading), math.sin(desk.pose.heading)])
     right = np.array([front[1], -front[0]])
     at = np.array(desk.pose[:2])

@@ -7,7 +7,6 @@ piece, and findings say so.
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from typing import NamedTuple
@@ -84,35 +83,19 @@ def _state(stands: Piece, text: str, amount: float = 0.0) -> Finding:
     return Finding("changed_given", "", stands.space, stands.id, "", text, round(amount, 4))
 
 
-def mark_locked(
-    findings: Sequence[Finding],
-    locked: Collection[str],
-    pieces: Sequence[Piece] = (),
-    given: Sequence[Piece] = (),
-) -> tuple[Finding, ...]:
-    """Findings with those marked that concern something a person locked, and too many of something
-    accepted where as many of the ``pieces`` that a person put in that space are locked.
+def mark_locked(findings: Sequence[Finding], locked: Collection[str]) -> tuple[Finding, ...]:
+    """Findings with those marked that concern something a person locked.
 
     >>> found = Finding("collision", "0", "a", "a/bed", "a/desk", "they overlap")
     >>> [one.locked for one in mark_locked([found], {"a/desk"})]
     [True]
     """
-    put = Counter(piece.space for piece in _put_by_hand(pieces, given) if piece.id in locked)
-
-    def mark(found: Finding) -> Finding:
-        if found.kind == "surplus" and 0 < found.amount <= put[found.space]:
-            return replace(found, accepted="put there by hand")
-        concerned = not {found.piece, *found.other.split(",")}.isdisjoint(locked)
-        return replace(found, locked=True) if concerned else found
-
-    return tuple(map(mark, findings))
-
-
-def _put_by_hand(pieces: Sequence[Piece], given: Sequence[Piece]) -> list[Piece]:
-    """The fixed pieces that a person may have put: no landmark, which is placed and then stays,
-    and none in a space with pieces that are ``given``, among which nobody counts more."""
-    held = {piece.space for piece in given}
-    return [p for p in pieces if p.fixed and p.function != "landmark" and p.space not in held]
+    return tuple(
+        replace(found, locked=True)
+        if not {found.piece, *found.other.split(",")}.isdisjoint(locked)
+        else found
+        for found in findings
+    )
 
 
 def locked_ids(brief: Brief) -> frozenset[str]:

@@ -202,7 +202,7 @@ def check(
     judge = domain.verb("findings") if quick else domain.verb("check")
     report: Report = judge_ground(judged, made, judge(judged, made, kinds))
     told = (*restored.findings, *report.findings)
-    found = mark_locked(told, restored.locked, solution.pieces, given)
+    found = mark_locked(told, restored.locked)
     placed = locate_findings(found, judged.pieces, made.spaces)
     report = replace(report, findings=placed, unplaced=sum(o.required for o in solution.left_out))
     return accept_findings(report, brief.accepted, solution.pieces)

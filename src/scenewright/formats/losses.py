@@ -41,10 +41,10 @@ def _count_hanging(solution: Solution) -> int:
 
 def _count_roofs(solution: Solution) -> int:
     """Buildings with models of which a city model does not hold the roof."""
-    from scenewright.catalog.assets.buildings.roof_planes import roof_planes
+    from scenewright.ground.city_roofs import find_roofed
 
     built = [piece for piece in solution.pieces if piece.category == "building" and piece.asset]
-    return sum(not roof_planes(piece.asset, piece.size, piece.footprint) for piece in built)
+    return sum(find_roofed(piece, {}) is None for piece in built)
 
 
 COUNTED: dict[str, Callable[[Solution], int]] = {

@@ -40,11 +40,17 @@ def add_roof(made: dict[str, Any], piece: Piece, vertices: Vertices) -> dict[str
     drawn as a house with a roof that is known, or as a prism, having no model."""
     if not piece.asset:
         return add_flat_roof(made)
+    solid = find_roofed(piece, vertices)
+    return made if solid is None else made | {"geometry": [*made["geometry"], solid]}
+
+
+def find_roofed(piece: Piece, vertices: Vertices) -> dict[str, Any] | None:
+    """The solid of a building under the roof its model is drawn with; ``None`` if that roof is not
+    known or the body would not close."""
     w, d = piece.size.width / 2, piece.size.depth / 2
     outline = piece.footprint or ((w, -d), (w, d), (-w, d), (-w, -d))
     planes = roof_planes(piece.asset, piece.size, piece.footprint)
-    solid = roofed_solid(outline, planes, piece.pose, vertices) if planes else None
-    return made if solid is None else made | {"geometry": [*made["geometry"], solid]}
+    return roofed_solid(outline, planes, piece.pose, vertices) if planes else None
 
 
 def add_flat_roof(made: dict[str, Any]) -> dict[str, Any]:

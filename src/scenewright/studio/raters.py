@@ -29,7 +29,7 @@ class Raters:
 
     def __init__(self, people: People, beside: Path | None, tell: Tell) -> None:
         self.people, self.beside, self.tell = people, beside, tell
-        self.lock, self.stopping = RLock(), Event()
+        self.lock, self.stopping = RLock(), Event()  # an event of its own for each pool
         self.pool: RaterPool | None = None
         self.cards: dict[int, Json] = {}
         last = people.last_pool()
@@ -44,24 +44,20 @@ class Raters:
 
     def _open(self, number: int, brief: Brief) -> None:
         self.close()
-        path = (
-            self.beside.with_name(f"{self.beside.stem}-{name_brief(brief)}.raters")
-            if (self.beside)
-            else ""
-        )
-        self.stopping.clear()
-        self.cards = {}
+        beside = self.beside
+        path = beside.with_name(f"{beside.stem}-{name_brief(brief)}.raters") if beside else ""
+        self.stopping, self.cards = Event(), {}
         self.pool = pool = RaterPool(
             brief,
             EvolutionLog(path),
             lambda who, kind, body: self.people.keep(number, who, kind, body),
             self.people.marks(number),
         )
-        Thread(target=self._prepare, args=(pool,), daemon=True).start()
+        Thread(target=self._prepare, args=(pool, self.stopping), daemon=True).start()
 
-    def _prepare(self, pool: RaterPool) -> None:
+    def _prepare(self, pool: RaterPool, stopping: Event) -> None:
         try:
-            pool.prepare(cancel=self.stopping.is_set)
+            pool.prepare(cancel=stopping.is_set)
         except CancelledError:
             return
         except InputError as error:

@@ -55,6 +55,8 @@ USUAL_ROLES = (
 """Where visitors ask, pay and are served: desks to ask at and to pay at are at hand beside the way
 in and out, counters are seen from it and near the room behind (Neufert 2012, shops, banks,
 restaurants)."""
+TICKETED = (*USUAL_ROLES[:-1], Role("counter", "in", "served", 4.0, least=2.5, faces=1.6))
+"""Where visitors pay to come in, the counter is where they do."""
 BOARDING = (
     *USUAL_ROLES[:4],
     Role("counter", "out", "served", 3.5, faces=0.2, queue=2.0),
@@ -92,10 +94,12 @@ THEMES: dict[str, Theme] = {
     "museum": Theme(
         *(0.45, 0.6, ("showcase", "wall_exhibit", "plinth", "exhibit_panel", "interactive_table")),
         "museum gallery exhibition",
+        TICKETED,
         island=_BENCHES,
     ),
     "fair": Theme(
-        0.6, 0.3, ("exhibit_island", "exhibit_panel"), "fair expo trade_fair", island=_BENCHES
+        *(0.6, 0.3, ("exhibit_island", "exhibit_panel"), "fair expo trade_fair", TICKETED),
+        island=_BENCHES,
     ),
     "showroom": Theme(
         *(0.45, 0.3, ("exhibit_island",), "showroom car car_dealer"),

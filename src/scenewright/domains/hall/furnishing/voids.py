@@ -42,11 +42,14 @@ def fill_voids(
     found, low = list[Piece](), [p for p in standing if p.pose.z < 1.0 and not p.on]
     shapes = [floor.boundary, *polygons_of(low)]
     free = floor.difference(shapely.union_all(shapely.polygons(corners(_list_kept(hall, low)))))
+    shapely.prepare(free)
     points = _list_points(floor)
     for number in range(1, MOST_ISLANDS + 1):
         far = shapely.STRtree(shapes).query_nearest(
             points, return_distance=True, all_matches=False
         )[1]
+        taken = shapely.union_all(shapes)
+        shapely.prepare(taken)
         island = list[Piece]()
         for k in np.argsort(-far)[: int((far > EMPTY_RADIUS).sum())]:
             at = shapely.get_coordinates(points[k])[0]
@@ -54,9 +57,7 @@ def fill_voids(
             axis = min(axes, key=partial(_look_to, at, ways))
             island = _make_island(hall, at, axis, number, catalog)
             around = shapely.union_all(polygons_of(island))
-            if free.covers(around) and around.buffer(ISLAND_ASIDE).disjoint(
-                shapely.union_all(shapes)
-            ):
+            if free.covers(around) and taken.disjoint(around.buffer(ISLAND_ASIDE)):
                 break
             island = []
         if not island:

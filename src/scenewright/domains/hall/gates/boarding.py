@@ -45,6 +45,7 @@ BOARDING_LITTLE = 0.005
 LANES_OFF, LANES_ASIDE = (2.0, 2.6, 3.4), tuple(0.6 * k for k in range(-9, 10))
 """Metres between a way out and the lanes before it, and beside it, that are tried."""
 ROPE, LANE_ROPES = "rope_barrier", 4
+"""Barriers of a queue, and the most of them that make one straight lane before desks."""
 STOOLS_DEEP, TILLS_APART = 0.9, 1.0
 """Metres before a counter with stools, and between tills with belts."""
 BESIDE_OFF, ALONG_STEP = 0.02, 0.3
@@ -81,7 +82,7 @@ def set_at_doors(
     for wish in sorted(asked, key=lambda wish: wish.category != GATE):
         role = by_kind.get(wish.category) if wish.unstated else None
         if role is not None and role.stands == "served" and (winding or wish.zones):
-            role = None  # the search lays out what winds, or where a zone says
+            role = None  # what winds, and what a zone says, is laid out by the search
         if role is not None and _has_belts(wish):
             role = role._replace(stands="lanes")
         if role is not None and stools and wish.category == COUNTER:
