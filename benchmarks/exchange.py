@@ -129,7 +129,7 @@ ROWS = (
     Exchanged(".glb", (), ("formats/glb.py",), "trimesh", check_glb),
     Exchanged(".gpkg", ("pyogrio",), ("formats/gpkg.py", *GIS), "pyogrio", check_layers, SITE),
     Exchanged(".geojson", (), ("formats/geojson.py",), "pyogrio", check_layers, SITE),
-    Exchanged(".city.json", (), ("ground/city_objects.py",), "json", check_json, SITE),
+    Exchanged(".city.json", (), ("ground/buildings/city_objects.py",), "json", check_json, SITE),
     *(
         Exchanged(suffix, (library,), GIS, library, check, made=sound_map(suffix))
         for suffix, library, check in (

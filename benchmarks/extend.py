@@ -20,7 +20,7 @@ from benchmarks.extend_growth import growth_records
 from benchmarks.extend_speed import folding_records, speed_records
 from benchmarks.real_data import skipped
 from scenewright.core.errors import InputError
-from scenewright.ground.built import BuiltScene
+from scenewright.ground.buildings.built import BuiltScene
 from scenewright.ground.likeness.excess import Excess, find_excess
 from scenewright.ground.likeness.features import join_measures, measure_scene
 

@@ -19,7 +19,7 @@ import shapely
 from benchmarks.real_data import data_set
 from benchmarks.site_reco import Designed, compounds
 from scenewright.domains.site.brief import Site
-from scenewright.ground.built import BuiltBuilding, BuiltRoad, BuiltScene
+from scenewright.ground.buildings.built import BuiltBuilding, BuiltRoad, BuiltScene
 from scenewright.ground.likeness.places import split_halves
 from scenewright.ground.reading.cleaning import clean_outline
 

@@ -27,7 +27,7 @@ from scenewright.domains.extend.problem import (
 from scenewright.domains.extend.settings import GrowthSettings
 from scenewright.domains.extend.solvers import EXTEND_SOLVERS
 from scenewright.engine.solve import Budget
-from scenewright.ground.built import BuiltFrames
+from scenewright.ground.buildings.built import BuiltFrames
 from scenewright.ground.likeness.excess import find_excess
 from scenewright.ground.likeness.features import measure_buildings, measure_scene
 

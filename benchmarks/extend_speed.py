@@ -13,10 +13,10 @@ import scenewright as sw
 from benchmarks.real_data import data_set, skipped
 from scenewright.core.errors import InputError
 from scenewright.geometry.folding import cost_of, fold
-from scenewright.ground.built import frames_of
-from scenewright.ground.kinds import name_kinds
+from scenewright.ground.buildings.built import frames_of
+from scenewright.ground.buildings.kinds import name_kinds
+from scenewright.ground.buildings.rows import PASSAGE, find_rows, string_of
 from scenewright.ground.reading import read_built
-from scenewright.ground.rows import PASSAGE, find_rows, string_of
 
 Record = dict[str, Any]
 SIZES = {100: (200.0, 2.0), 1000: (1750.0, 20.0)}

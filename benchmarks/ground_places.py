@@ -19,7 +19,7 @@ from benchmarks.village import path_of_style
 from benchmarks.village_data import SPLITS, real_blocks
 from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
-from scenewright.ground.built import BuiltScene
+from scenewright.ground.buildings.built import BuiltScene
 from scenewright.ground.reading import read_built
 
 PLACES, BLOCKS, QUICK_PLACES, QUICK_BLOCKS = 10, 8, 4, 3

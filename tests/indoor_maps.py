@@ -11,7 +11,7 @@ import shapely
 from scenewright.building.plan import spaces
 from scenewright.core.brief import Brief, Room
 from scenewright.domains.hall.indoor.geojson import IndoorReport, report
-from scenewright.ground.map_features import collection
+from scenewright.ground.maps.features import collection
 
 LON, LAT = 5.72, 45.18
 

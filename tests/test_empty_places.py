@@ -11,7 +11,7 @@ import scenewright as sw
 from scenewright.building.masonry import walls_from_brief
 from scenewright.domains.extend.streets import continue_streets
 from scenewright.domains.site.courts import _as_areas
-from scenewright.ground.built import BuiltRoad
+from scenewright.ground.buildings.built import BuiltRoad
 
 GROUND = [(0, 0), (60, 0), (60, 40), (0, 40)]
 

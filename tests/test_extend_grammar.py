@@ -14,8 +14,8 @@ from scenewright.domains.extend.solvers import EXTEND_SOLVERS
 from scenewright.domains.extend.solvers.scene_grammar import read_grammar
 from scenewright.engine.solve import Budget
 from scenewright.geometry.folding import fold, stretch, unfold
-from scenewright.ground.built import to_frames
-from scenewright.ground.rows import PASSAGE
+from scenewright.ground.buildings.built import to_frames
+from scenewright.ground.buildings.rows import PASSAGE
 
 
 def grown_by_grammar(name: str) -> tuple[ExtendProblem, GrownLayout]:

@@ -12,7 +12,7 @@ import scenewright as sw
 from scenewright.core.piece_outlines import polygons_of
 from scenewright.domains.extend.problem import GrownLayout
 from scenewright.domains.extend.solvers.fronts import turn_fronts
-from scenewright.ground.built import BuiltBuilding, BuiltScene, ground_of
+from scenewright.ground.buildings.built import BuiltBuilding, BuiltScene, ground_of
 
 
 @pytest.fixture(scope="module")

@@ -19,7 +19,7 @@ from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
 from scenewright.core.projection import projection
 from scenewright.core.reference_system import system_of
-from scenewright.ground.map_features import collection
+from scenewright.ground.maps.features import collection
 
 CASES = Path(__file__).parent / "data" / "field_cases"
 SQUARE = [[0.0, 0.0], [60.0, 0.0], [60.0, 40.0], [0.0, 40.0], [0.0, 0.0]]

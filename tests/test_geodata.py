@@ -32,7 +32,7 @@ from scenewright.core.errors import InputError
 from scenewright.core.map_options import MapOptions
 from scenewright.formats.geojson import brief_of_map
 from scenewright.ground.geodata.reading import load_map
-from scenewright.ground.map_place import place_map
+from scenewright.ground.maps.place import place_map
 
 pytest.importorskip("pyogrio", reason="extra gis")
 pytest.importorskip("osmium", reason="extra gis")

@@ -11,7 +11,7 @@ import pytest
 import scenewright as sw
 from scenewright.core.errors import InputError
 from scenewright.geometry.folding import show, unfold
-from scenewright.ground.abstraction import (
+from scenewright.ground.buildings.abstraction import (
     BoxNode,
     abstract_boxes,
     leaves_of,
@@ -20,8 +20,8 @@ from scenewright.ground.abstraction import (
     symmetry_value,
     total_value,
 )
-from scenewright.ground.built import BuiltBuilding, frames_of
-from scenewright.ground.grammar import grow_layout, parse_scene, parse_slabs, show_layout
+from scenewright.ground.buildings.built import BuiltBuilding, frames_of
+from scenewright.ground.buildings.grammar import grow_layout, parse_scene, parse_slabs, show_layout
 
 
 def some_boxes(seed: int, count: int = 6) -> np.ndarray:

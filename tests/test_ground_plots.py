@@ -10,7 +10,7 @@ import shapely
 
 import scenewright as sw
 from scenewright.core.piece_outlines import polygons_of
-from scenewright.ground.plots import fence_lines, lay_plots, share_ground
+from scenewright.ground.streetside.plots import fence_lines, lay_plots, share_ground
 
 BOX = shapely.box
 

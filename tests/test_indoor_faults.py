@@ -80,7 +80,7 @@ def test_hostile_files_give_one_line(name: str, tmp_path: Path) -> None:
 def test_too_large_files_are_not_opened(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     path = tmp_path / "map.geojson"
     path.write_bytes(json.dumps(document(SHOES)).encode())
-    monkeypatch.setattr("scenewright.ground.map_features.GREATEST_FILE", 100)
+    monkeypatch.setattr("scenewright.ground.maps.features.GREATEST_FILE", 100)
     with pytest.raises(InputError, match="is larger than"):
         formats.read(path)
 

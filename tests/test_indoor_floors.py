@@ -9,7 +9,7 @@ import pytest
 from indoor_maps import SHOES, STREET, Json, area, box, degrees, floor, node, read, room
 from scenewright.building.plan import spaces
 from scenewright.domains.hall.indoor.geojson import report
-from scenewright.ground.map_features import collection
+from scenewright.ground.maps.features import collection
 
 
 def test_holes_columns_and_kiosks_are_cut_out() -> None:

@@ -29,7 +29,7 @@ from indoor_maps import (
 from scenewright.building.plan import spaces
 from scenewright.core.projection import metres, projection
 from scenewright.domains.hall.indoor.geojson import report
-from scenewright.ground.map_features import collection
+from scenewright.ground.maps.features import collection
 
 
 @given(st.floats(-179, 179), st.floats(-80, 80), st.floats(-300, 300), st.floats(-300, 300))

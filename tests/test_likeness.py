@@ -12,7 +12,7 @@ from scipy.stats import wasserstein_distance
 
 import scenewright as sw
 from scenewright import cli
-from scenewright.ground.built import BuiltBuilding, BuiltRoad, BuiltScene
+from scenewright.ground.buildings.built import BuiltBuilding, BuiltRoad, BuiltScene
 from scenewright.ground.likeness.excess import find_excess, wasserstein
 from scenewright.ground.likeness.features import measure_scene
 from scenewright.ground.likeness.places import compare_places, share_copied, split_halves

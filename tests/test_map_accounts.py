@@ -13,7 +13,7 @@ from scenewright.core.errors import InputError
 from scenewright.domains.site.reading.cityjson import read_report
 from scenewright.formats import domains
 from scenewright.formats.geojson import read as read_map
-from scenewright.ground.map_features import collection
+from scenewright.ground.maps.features import collection
 
 CITIES = (
     "citymodels_cityjson/rotterdam_subset.json",

@@ -21,7 +21,7 @@ from scenewright.domains import check, plan_of, scene_of
 from scenewright.domains.site.plan import site_plan
 from scenewright.domains.site.writing import cityjson, geojson
 from scenewright.formats import solution_json
-from scenewright.ground.lots import keep_open_lots, list_frontages, list_lots
+from scenewright.ground.streetside.lots import keep_open_lots, list_frontages, list_lots
 from sites import site
 
 

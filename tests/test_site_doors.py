@@ -18,8 +18,8 @@ from scenewright.domains import check, scene_of
 from scenewright.domains.site.plan import plans_of, site_plan
 from scenewright.formats import solution_json
 from scenewright.geometry.wavefront import find_quickest
-from scenewright.ground.path_tree import cut_tree, square_off
-from scenewright.ground.pathways import lay_pathways
+from scenewright.ground.ways.path_tree import cut_tree, square_off
+from scenewright.ground.ways.pathways import lay_pathways
 from scenewright.ground.works import Pathway
 from sites import building, site
 

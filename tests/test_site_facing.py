@@ -15,10 +15,10 @@ from scenewright.domains import check, plan_of
 from scenewright.domains.site.facing import face_ways, find_box_doors
 from scenewright.domains.site.solvers.front import on_square
 from scenewright.domains.site.solving import problems
-from scenewright.ground.fronts import find_fronting, list_ways
-from scenewright.ground.lane_ends import LONG, TURN, find_dead_ends, lay_heads, link_ends
-from scenewright.ground.pathways import lay_pathways
-from scenewright.ground.walks import find_doors
+from scenewright.ground.streetside.fronts import find_fronting, list_ways
+from scenewright.ground.ways.lane_ends import LONG, TURN, find_dead_ends, lay_heads, link_ends
+from scenewright.ground.ways.pathways import lay_pathways
+from scenewright.ground.ways.walks import find_doors
 
 NORTH, SOUTH, EAST = math.pi / 2, -math.pi / 2, 0.0
 

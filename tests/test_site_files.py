@@ -16,7 +16,7 @@ from scenewright.domains.site.reading.geojson import report
 from scenewright.domains.site.writing import cityjson
 from scenewright.domains.site.writing import geojson as footprints_geojson
 from scenewright.formats import read
-from scenewright.ground.map_features import collection
+from scenewright.ground.maps.features import collection
 from sites import answer, building, quarter, site
 
 LON, LAT = 11.5, 49.5

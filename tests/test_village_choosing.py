@@ -20,7 +20,7 @@ from scenewright.domains.village.learned.mix import HouseMix, draw_sizes, fetch_
 from scenewright.domains.village.plan import plan_village
 from scenewright.domains.village.problem import VillageProblem
 from scenewright.engine.solve import Budget
-from scenewright.ground.plots import Plot
+from scenewright.ground.streetside.plots import Plot
 
 MIX = HouseMix(
     np.array([[9.0, 0.3, 3.0], [9.0, 0.3, 12.0], [11.0, 0.3, 6.0]]),

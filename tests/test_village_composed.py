@@ -10,7 +10,7 @@ import scenewright as sw
 from scenewright.core.piece_outlines import polygons_of
 from scenewright.domains import plan_of
 from scenewright.domains.village.lanes import opened
-from scenewright.ground.inner_lanes import area_of, lay_inner_lanes
+from scenewright.ground.ways.inner_lanes import area_of, lay_inner_lanes
 
 NOTHING = np.zeros(0, object)
 SOUTH = np.array([[[0.0, 0.0], [90.0, 0.0]]])

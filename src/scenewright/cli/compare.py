@@ -11,7 +11,7 @@ from scenewright.cli import tables
 from scenewright.core.errors import InputError
 
 if TYPE_CHECKING:
-    from scenewright.ground.built import BuiltScene
+    from scenewright.ground.buildings.built import BuiltScene
     from scenewright.ground.likeness.places import PlaceComparison
 
 

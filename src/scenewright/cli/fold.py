@@ -84,7 +84,7 @@ def _layout_lines(source: str, suffix: str, axis: str, to: int | None) -> list[s
     """The productions of a scene, of the first model of a file, or of a string; grown to ``to``
     elements, if asked for."""
     from scenewright.geometry.folding import unfold
-    from scenewright.ground.grammar import grow_layout, parse_slabs, show_layout
+    from scenewright.ground.buildings.grammar import grow_layout, parse_slabs, show_layout
 
     if _is_scene(source):
         layout = _scene_layout(Path(source))
@@ -101,9 +101,9 @@ def _layout_lines(source: str, suffix: str, axis: str, to: int | None) -> list[s
 
 
 def _scene_layout(path: Path) -> Any:
-    from scenewright.ground.built import frames_of
-    from scenewright.ground.grammar import parse_scene
-    from scenewright.ground.kinds import name_kinds
+    from scenewright.ground.buildings.built import frames_of
+    from scenewright.ground.buildings.grammar import parse_scene
+    from scenewright.ground.buildings.kinds import name_kinds
     from scenewright.ground.reading import read_built
 
     scene = read_built(path)
@@ -143,10 +143,10 @@ def _row(name: str, symbols: tuple[str, ...], to: int | None) -> dict[str, Any]:
 
 def scene_rows(path: Path, to: int | None) -> list[dict[str, Any]]:
     """The rows of a scene, the longest first."""
-    from scenewright.ground.built import frames_of
-    from scenewright.ground.kinds import name_kinds
+    from scenewright.ground.buildings.built import frames_of
+    from scenewright.ground.buildings.kinds import name_kinds
+    from scenewright.ground.buildings.rows import find_rows, string_of
     from scenewright.ground.reading import read_built
-    from scenewright.ground.rows import find_rows, string_of
 
     scene = read_built(path)
     frames = frames_of(scene.buildings, scene.roads)

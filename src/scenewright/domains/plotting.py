@@ -6,7 +6,7 @@ from scenewright.core.plan import Plan
 from scenewright.core.registry import domain_of
 from scenewright.core.solution import Solution
 from scenewright.domains import plan_of
-from scenewright.ground.plots import Plot
+from scenewright.ground.streetside.plots import Plot
 
 
 def plots_of(solution: Solution, plan: Plan | None = None) -> tuple[Plot, ...]:

@@ -21,7 +21,7 @@ from scenewright.core.solution import Solution
 from scenewright.drawing.contours import contours_mark, water_mark
 from scenewright.drawing.layers import PlanDrawing, PlanLayer
 from scenewright.drawing.marks import is_blank
-from scenewright.ground.built import BuiltRoad
+from scenewright.ground.buildings.built import BuiltRoad
 
 if TYPE_CHECKING:
     from scenewright.ground.terrain.shaping import ShapedGround

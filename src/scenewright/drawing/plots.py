@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from scenewright.drawing.marks import FINE, Mark, PaperView, group, shape, title, to_paper
-from scenewright.ground.plots import Plot
+from scenewright.ground.streetside.plots import Plot
 
 BORDER = "#6f7f5a"
 

@@ -9,8 +9,8 @@ from types import ModuleType
 from scenewright.core.brief import Brief
 from scenewright.core.map_options import AS_IT_IS, MapOptions
 from scenewright.core.registry import domain_names, domain_of
-from scenewright.ground.map_features import Collection, load
-from scenewright.ground.map_place import place_map
+from scenewright.ground.maps.features import Collection, load
+from scenewright.ground.maps.place import place_map
 
 
 def read(path: Path, keep: bool = False, map_options: MapOptions = AS_IT_IS) -> Brief:

@@ -11,7 +11,7 @@ from scenewright.core.errors import InputError
 from scenewright.core.map_options import AS_IT_IS, MapOptions
 from scenewright.formats.geojson import brief_of_map, find_reader
 from scenewright.ground.geodata.reading import load_map, name_of
-from scenewright.ground.map_place import place_map
+from scenewright.ground.maps.place import place_map
 
 NEEDED = (
     "name its layers after what they hold (buildings, roads, site), or give the id of an area with "

@@ -32,7 +32,7 @@ class Way(NamedTuple):
     """A road or path: its middle line ``(n, 2)`` as given, the parts of it inside the site, and
     the areas of the site it covers. ``beside`` are the parts of it that run outside beside the
     border, and ``mouths`` the stretches of the outline that are open to it (see
-    :func:`~scenewright.ground.border.open_border`)."""
+    :func:`~scenewright.ground.streetside.border.open_border`)."""
 
     id: str
     name: str

@@ -24,7 +24,7 @@ from scenewright.geometry.mesh import Mesh, merge
 from scenewright.geometry.walker import Sights, sights_of_boxes
 from scenewright.geometry.walker_meshes import best_spots
 from scenewright.ground.plan import SitePlan, Way
-from scenewright.ground.surfaces import kerb
+from scenewright.ground.ways.surfaces import kerb
 from scenewright.render.building_quality import collect_building_quality
 from scenewright.render.picture import Camera, view_of
 from scenewright.render.stage import PartTriangles

@@ -17,9 +17,9 @@ from scenewright.domains.extend.plan import plan_extend
 from scenewright.domains.extend.solvers import EXTEND_SOLVERS
 from scenewright.domains.extend.solving import solve
 from scenewright.engine.rows import solver_again
-from scenewright.ground.adjusting import GroundRules, adjust_ground, find_overlapped
-from scenewright.ground.by_hand import ground_rules
-from scenewright.ground.locks import check_lockable, count_buildings
+from scenewright.ground.edits.adjusting import GroundRules, adjust_ground, find_overlapped
+from scenewright.ground.edits.by_hand import ground_rules
+from scenewright.ground.edits.locks import check_lockable, count_buildings
 from scenewright.ground.names import assign_ids
 
 APART = 2.0

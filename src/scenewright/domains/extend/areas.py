@@ -10,7 +10,7 @@ from scenewright.core.footprint import Footprint
 from scenewright.core.space import Points
 from scenewright.domains.extend.brief import GrowthArea
 from scenewright.domains.extend.pattern import SourcePattern
-from scenewright.ground.built import BuiltRoad, BuiltScene
+from scenewright.ground.buildings.built import BuiltRoad, BuiltScene
 from scenewright.ground.plan import SitePlan
 
 OLD = "source"

@@ -18,10 +18,10 @@ from numpy.typing import NDArray
 from scenewright.core.piece_outlines import outline_of, polygons_of
 from scenewright.core.scene import Piece, Size
 from scenewright.domains.extend.given import wrap_angle
-from scenewright.ground.fronts import find_fronting, list_ways
-from scenewright.ground.plain_buildings import fits_footprint
+from scenewright.ground.buildings.plain_buildings import fits_footprint
 from scenewright.ground.plan import SitePlan
-from scenewright.ground.walks import find_doors
+from scenewright.ground.streetside.fronts import find_fronting, list_ways
+from scenewright.ground.ways.walks import find_doors
 
 QUARTERS = (0, 2, 1, 3)
 """Quarters of a turn that are tried for a front, in turn."""

@@ -14,7 +14,7 @@ from scenewright.domains.extend.models import model_of
 from scenewright.domains.extend.pattern import STOREY, SourcePattern
 from scenewright.domains.extend.problem import GrownLayout
 from scenewright.domains.extend.works import fence_plots, lay_walks
-from scenewright.ground.surfaces import surfaces
+from scenewright.ground.ways.surfaces import surfaces
 
 
 def new_pieces(

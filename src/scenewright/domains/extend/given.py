@@ -16,7 +16,7 @@ from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.space import Points
 from scenewright.domains.extend.areas import OLD, AreaPlan, ExtendPlan
 from scenewright.domains.extend.pattern import BuildingKind
-from scenewright.ground.built import to_frames
+from scenewright.ground.buildings.built import to_frames
 
 BOXY = 0.985
 """The share of its box from which a footprint counts as the box."""

@@ -16,7 +16,7 @@ from scenewright.domains.extend.areas import ExtendPlan
 from scenewright.domains.extend.given import footprint_within
 from scenewright.domains.extend.pattern import BuildingKind, SourcePattern
 from scenewright.domains.extend.problem import Floats
-from scenewright.ground.plain_buildings import HOUSES, plain_building
+from scenewright.ground.buildings.plain_buildings import HOUSES, plain_building
 
 ROUNDED = 0.015
 """Metres by which corners of the same footprint may differ."""

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from scenewright.core.space import Points
 from scenewright.domains.extend.repeats import repeat_steps
-from scenewright.ground.built import (
+from scenewright.ground.buildings.built import (
     BuiltBuilding,
     BuiltFrames,
     BuiltScene,
@@ -19,7 +19,7 @@ from scenewright.ground.built import (
     ground_of,
     to_frames,
 )
-from scenewright.ground.kinds import group_kinds, letter_of
+from scenewright.ground.buildings.kinds import group_kinds, letter_of
 
 Floats = NDArray[np.float64]
 Indices = NDArray[np.int64]

@@ -30,7 +30,7 @@ from scenewright.domains.extend.brief import (
 from scenewright.domains.extend.pattern import STOREY, learn_pattern
 from scenewright.domains.extend.streets import continue_streets
 from scenewright.ground import outlines as shapes
-from scenewright.ground.built import BuiltBuilding, BuiltRoad, BuiltScene, ground_of
+from scenewright.ground.buildings.built import BuiltBuilding, BuiltRoad, BuiltScene, ground_of
 from scenewright.ground.names import assign_ids
 from scenewright.ground.plan import Area, SitePlan, Way
 from scenewright.ground.reading import read_built

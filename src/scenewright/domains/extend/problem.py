@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from scenewright.domains.extend.pattern import SourcePattern
 from scenewright.domains.extend.settings import GrowthSettings
 from scenewright.engine.solve import Found
-from scenewright.ground.built import BuiltRoad, from_frames
+from scenewright.ground.buildings.built import BuiltRoad, from_frames
 
 Floats = NDArray[np.float64]
 Indices = NDArray[np.int64]

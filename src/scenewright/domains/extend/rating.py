@@ -12,7 +12,7 @@ from scenewright.domains.extend.problem import (
     boxes_at,
     shapes_at,
 )
-from scenewright.ground.built import BuiltFrames
+from scenewright.ground.buildings.built import BuiltFrames
 from scenewright.ground.likeness.excess import Excess, find_excess, wasserstein
 from scenewright.ground.likeness.features import ROWS, join_measures, measure_buildings
 

@@ -9,7 +9,7 @@ from pydantic import Field
 
 from scenewright.core.brief.fields import StrictModel
 from scenewright.domains.extend.brief import StreetLine
-from scenewright.ground.built import BuiltRoad
+from scenewright.ground.buildings.built import BuiltRoad
 
 
 class ExtensionRecord(StrictModel):

@@ -23,9 +23,9 @@ from scenewright.domains.extend.pattern import SourcePattern
 from scenewright.domains.extend.solvers.colony import BredPlots
 from scenewright.engine.clustering.resonance import fuzzy_art
 from scenewright.engine.trace import Step
-from scenewright.ground.abstraction import abstract_boxes, leaves_of, total_value
-from scenewright.ground.built import frames_of
-from scenewright.ground.grammar import parse_scene, show_layout
+from scenewright.ground.buildings.abstraction import abstract_boxes, leaves_of, total_value
+from scenewright.ground.buildings.built import frames_of
+from scenewright.ground.buildings.grammar import parse_scene, show_layout
 
 
 def cluster_kinds(brief: Brief, pattern: SourcePattern, catalog: Catalog) -> list[int]:

@@ -10,7 +10,7 @@ import shapely
 from scenewright.core.plan import Plan
 from scenewright.core.solution import Solution
 from scenewright.core.space import Points
-from scenewright.ground.built import BuiltRoad
+from scenewright.ground.buildings.built import BuiltRoad
 
 NEAR = 25.0
 """Metres from an area within which a street that ends counts as ending at its border."""

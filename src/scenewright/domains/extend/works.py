@@ -13,10 +13,10 @@ from scenewright.core.plan import Plan
 from scenewright.core.scene import GroundSurface, Piece
 from scenewright.core.solution import Solution
 from scenewright.domains.extend.areas import OLD, ExtendPlan
-from scenewright.ground.door_walks import WalkGround, lay_long_walks, lay_walks_to_doors
-from scenewright.ground.lanes import corners_of_line
 from scenewright.ground.outlines import GRID, polygons
-from scenewright.ground.plots import OUTBUILDING, Plot, fence_lines, lay_plots
+from scenewright.ground.streetside.plots import OUTBUILDING, Plot, fence_lines, lay_plots
+from scenewright.ground.ways.door_walks import WalkGround, lay_long_walks, lay_walks_to_doors
+from scenewright.ground.ways.lanes import corners_of_line
 from scenewright.ground.works import GroundWorks, Pathway
 
 WIDE, GATE, ALONG = 1.4, 1.2, 1.5

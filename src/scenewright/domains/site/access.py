@@ -14,8 +14,8 @@ import shapely
 from scenewright.core.footprint import place_outline
 from scenewright.core.layout import corners
 from scenewright.domains.site.problem import Flags, Floats
-from scenewright.ground.border import find_mouths
 from scenewright.ground.plan import SitePlan
+from scenewright.ground.streetside.border import find_mouths
 
 ARRIVE, SLACK, ROUND = 1.95, 0.008, 8
 """How near a way must come, in metres; what a way may lack of its width on each side, so that one

@@ -19,9 +19,9 @@ from scenewright.domains.site.plan import plan_sites
 from scenewright.domains.site.solvers import SITE_SOLVERS
 from scenewright.domains.site.solving import solve
 from scenewright.engine.rows import solver_again
-from scenewright.ground.adjusting import GroundRules, adjust_ground
-from scenewright.ground.by_hand import ground_rules
-from scenewright.ground.locks import check_lockable
+from scenewright.ground.edits.adjusting import GroundRules, adjust_ground
+from scenewright.ground.edits.by_hand import ground_rules
+from scenewright.ground.edits.locks import check_lockable
 from scenewright.ground.names import assign_ids
 
 

@@ -20,10 +20,10 @@ from scenewright.domains.site.courts import list_court_blocks
 from scenewright.domains.site.facing import face_ways
 from scenewright.domains.site.problem import Flags, Floats, SiteProblem
 from scenewright.domains.site.solvers.outcome import SiteLayout
-from scenewright.ground.frontage import find_doors_at_border
-from scenewright.ground.pathways import Network, lay_pathways
 from scenewright.ground.plan import SitePlan
-from scenewright.ground.walks import find_doors
+from scenewright.ground.streetside.frontage import find_doors_at_border
+from scenewright.ground.ways.pathways import Network, lay_pathways
+from scenewright.ground.ways.walks import find_doors
 
 ROUNDS = 3
 """How often what is cut off is left out, before all that is still cut off is."""

@@ -10,9 +10,9 @@ import shapely
 
 from scenewright.core.layout import corners
 from scenewright.domains.site.problem import Flags, Floats, SiteProblem
-from scenewright.ground.fronts import Shapes, find_fronting, list_ways
 from scenewright.ground.plan import SitePlan
-from scenewright.ground.walks import Doors
+from scenewright.ground.streetside.fronts import Shapes, find_fronting, list_ways
+from scenewright.ground.ways.walks import Doors
 
 TURNS = (math.pi, math.pi / 2, -math.pi / 2)
 SLACK = 1e-3

@@ -13,7 +13,7 @@ from scenewright.domains.site.holdings import BuildingDemand
 from scenewright.domains.site.problem import Flags, Floats
 from scenewright.domains.site.works import works_of
 from scenewright.ground.plan import SitePlan
-from scenewright.ground.surfaces import surfaces
+from scenewright.ground.ways.surfaces import surfaces
 
 
 def buildings(

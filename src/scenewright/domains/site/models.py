@@ -18,13 +18,13 @@ from scenewright.core.scene import Size
 from scenewright.core.space import Points
 from scenewright.domains.site.brief import Building, Landmark, LibraryModel, LockedBuilding, Site
 from scenewright.ground import outlines as shapes
-from scenewright.ground.fit import corners_of
-from scenewright.ground.plain_buildings import (
+from scenewright.ground.buildings.plain_buildings import (
     fits_footprint,
     plain_building,
     style_at,
     usual_height,
 )
+from scenewright.ground.fit import corners_of
 from scenewright.ground.plan import Standing
 
 OVERLAP = 0.02

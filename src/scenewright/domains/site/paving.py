@@ -20,11 +20,11 @@ from scenewright.core.errors import InputError
 from scenewright.domains.site.brief import Landmark, Site
 from scenewright.domains.site.forecourts import find_sight, lay_forecourt
 from scenewright.domains.site.problem import Floats
-from scenewright.ground.bays import BAY_DEPTH, BAY_WIDTH, DRIVE
-from scenewright.ground.border import list_fronts
-from scenewright.ground.lots import STRAIGHT, keep_open_lots, list_frontages, list_lots
-from scenewright.ground.path_raster import is_drivable
 from scenewright.ground.plan import Standing, Way
+from scenewright.ground.streetside.bays import BAY_DEPTH, BAY_WIDTH, DRIVE
+from scenewright.ground.streetside.border import list_fronts
+from scenewright.ground.streetside.lots import STRAIGHT, keep_open_lots, list_frontages, list_lots
+from scenewright.ground.ways.path_raster import is_drivable
 from scenewright.ground.works import Pathway, PavedArea
 
 ASPECTS = (1.0, 1.4, 0.72)

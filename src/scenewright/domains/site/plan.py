@@ -23,10 +23,10 @@ from scenewright.domains.site.brief import Site, rows_of
 from scenewright.domains.site.models import building_models, fixed_of, landmarks_of, style_of
 from scenewright.domains.site.paving import Reserved, reserve_areas
 from scenewright.ground import outlines as shapes
-from scenewright.ground.border import open_border
 from scenewright.ground.fit import main_direction
 from scenewright.ground.names import assign_ids
 from scenewright.ground.plan import Area, Block, Entrance, SitePlan, Standing, Way
+from scenewright.ground.streetside.border import open_border
 
 LEVEL = Level("0", "", 0.0, 2.6)
 ACROSS = 4.0

@@ -18,7 +18,7 @@ from scenewright.core.layout import corners
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains.site.problem import Floats
 from scenewright.ground.plan import SitePlan, Way
-from scenewright.ground.surfaces import kerb
+from scenewright.ground.ways.surfaces import kerb
 from scenewright.ground.works import GroundWorks, middle_lines
 
 TREES = 900

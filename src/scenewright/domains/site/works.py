@@ -14,10 +14,10 @@ from scenewright.core.solution import Solution
 from scenewright.core.space import Points
 from scenewright.domains.site.brief import Site
 from scenewright.domains.site.courts import find_courts
-from scenewright.ground.built import BuiltRoad
-from scenewright.ground.pathways import Network, lay_pathways
+from scenewright.ground.buildings.built import BuiltRoad
 from scenewright.ground.plan import SitePlan
 from scenewright.ground.terrain.profiles import rule_area
+from scenewright.ground.ways.pathways import Network, lay_pathways
 from scenewright.ground.works import GroundWorks, Pathway
 
 

@@ -15,9 +15,9 @@ from scenewright.domains.village.plan import plan_village
 from scenewright.domains.village.solvers import VILLAGE_SOLVERS
 from scenewright.domains.village.solving import solve
 from scenewright.engine.rows import solver_again
-from scenewright.ground.adjusting import GroundRules, adjust_ground, find_overlapped
-from scenewright.ground.by_hand import ground_rules
-from scenewright.ground.locks import check_lockable, count_buildings
+from scenewright.ground.edits.adjusting import GroundRules, adjust_ground, find_overlapped
+from scenewright.ground.edits.by_hand import ground_rules
+from scenewright.ground.edits.locks import check_lockable, count_buildings
 
 APART = 2.0
 """Metres kept between buildings where one is put in by hand."""

@@ -16,7 +16,7 @@ import shapely
 from scenewright.core.piece_outlines import outline_of, polygons_of
 from scenewright.core.scene import Piece
 from scenewright.domains.village.blocks import BlockPlan
-from scenewright.ground.plots import Plot, Shapes, fence_lines
+from scenewright.ground.streetside.plots import Plot, Shapes, fence_lines
 
 
 class Enclosure(NamedTuple):

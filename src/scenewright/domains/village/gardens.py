@@ -16,8 +16,8 @@ from scenewright.domains.village.blocks import BlockPlan, VillagePlan
 from scenewright.domains.village.enclosures import enclose_plots, lay_beds
 from scenewright.domains.village.plots import houses_on, lay_block_plots, squares_on
 from scenewright.domains.village.walks import walk_ground
-from scenewright.ground.door_walks import Walk, lay_long_walks, lay_walks_to_doors
 from scenewright.ground.outlines import GRID
+from scenewright.ground.ways.door_walks import Walk, lay_long_walks, lay_walks_to_doors
 
 HEIGHTS = {"asphalt": 0.03, "path": 0.035, "yard": 0.02, "square": 0.04, "walk": 0.045, "bed": 0.14}
 """How far the top of each lies above the ground, in metres."""

@@ -38,7 +38,7 @@ from scenewright.domains.village.relations import relate
 from scenewright.domains.village.standing import Flags, Floats, Shapes, StandingHouses, add, place
 from scenewright.domains.village.weights import weigh
 from scenewright.engine.growing import OnGrowth
-from scenewright.ground.plots import OUTBUILDING
+from scenewright.ground.streetside.plots import OUTBUILDING
 
 SLIT = (0.01, 0.3)
 """Metres between walls that nobody leaves."""

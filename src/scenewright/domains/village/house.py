@@ -14,7 +14,7 @@ import numpy as np
 import shapely
 
 from scenewright.core.space import Points
-from scenewright.ground.plots import OUTBUILDING
+from scenewright.ground.streetside.plots import OUTBUILDING
 
 SMALL, LARGE = 50.0, 100.0
 CONCAVE = 1e-6

@@ -14,9 +14,9 @@ from scenewright.core.solution import Solution
 from scenewright.core.space import Points
 from scenewright.domains.village.blocks import BlockPlan, VillagePlan
 from scenewright.ground import outlines as shapes
-from scenewright.ground.built import BuiltRoad
-from scenewright.ground.inner_lanes import LaidLane, area_of, edges_of, lay_inner_lanes
+from scenewright.ground.buildings.built import BuiltRoad
 from scenewright.ground.plan import Area, Way
+from scenewright.ground.ways.inner_lanes import LaidLane, area_of, edges_of, lay_inner_lanes
 
 WIDTHS = {"rural": 3.6, "riviera": 3.0, "hui": 2.6}
 """Width of a laid lane in metres, by look: those of hill villages are 3 m at most."""

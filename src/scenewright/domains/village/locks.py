@@ -6,7 +6,7 @@ from scenewright.core.brief import Brief
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
 from scenewright.domains.village.brief import LockedHouse
-from scenewright.ground.locks import lock_areas
+from scenewright.ground.edits.locks import lock_areas
 from scenewright.ground.names import assign_ids
 
 WORDS = ("trees", "houses")

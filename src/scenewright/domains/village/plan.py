@@ -33,8 +33,8 @@ from scenewright.domains.village.learned.style import (
 from scenewright.domains.village.library import LOOKS, houses_of
 from scenewright.domains.village.paper.nets_file import PaperNets, read_paper_nets
 from scenewright.ground import outlines as shapes
+from scenewright.ground.buildings.plain_buildings import plain_building, style_at
 from scenewright.ground.names import assign_ids
-from scenewright.ground.plain_buildings import plain_building, style_at
 from scenewright.ground.plan import Area, SitePlan, Way
 
 LEVEL = Level("0", "", 0.0, 2.6)

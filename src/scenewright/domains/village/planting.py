@@ -19,7 +19,7 @@ from scenewright.core.solution import Patch
 from scenewright.core.space import Points
 from scenewright.domains.village.blocks import BlockPlan
 from scenewright.domains.village.walks import walk_ground
-from scenewright.ground.door_walks import lay_walks_to_doors
+from scenewright.ground.ways.door_walks import lay_walks_to_doors
 
 GROVE = 6.0
 """Side of the squares that hold at most one tree, in metres."""

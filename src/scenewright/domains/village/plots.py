@@ -15,7 +15,7 @@ from scenewright.core.solution import Patch, Solution
 from scenewright.domains.village.blocks import BlockPlan, VillagePlan
 from scenewright.domains.village.house import is_outbuilding
 from scenewright.domains.village.lanes import opened
-from scenewright.ground.plots import Plot, lay_plots
+from scenewright.ground.streetside.plots import Plot, lay_plots
 
 
 def plots_of_village(solution: Solution, plan: Plan) -> tuple[Plot, ...]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import shapely
 
 from scenewright.domains.village.blocks import BlockPlan
-from scenewright.ground.door_walks import WalkGround
+from scenewright.ground.ways.door_walks import WalkGround
 
 
 def walk_ground(plan: BlockPlan) -> WalkGround:

@@ -14,7 +14,7 @@ from scenewright.building.drawn.paper import Paper
 from scenewright.building.drawn.paper_plan import plan_page, written_scales
 from scenewright.building.drawn.plan import STOREY
 from scenewright.core.errors import InputError
-from scenewright.ground.map_levels import ATTIC, level_number
+from scenewright.ground.maps.levels import ATTIC, level_number
 from scenewright.text import fold_letters
 
 SHARE, ALIKE = 0.3, 0.005

@@ -13,7 +13,7 @@ from functools import lru_cache
 from types import MappingProxyType
 from typing import Any
 
-from scenewright.ground.map_kinds import ELSE, stands, words_of
+from scenewright.ground.maps.kinds import ELSE, stands, words_of
 
 Tags = dict[str, Any]
 COLUMNS = {

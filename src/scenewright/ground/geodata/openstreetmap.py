@@ -13,7 +13,7 @@ from typing import Any
 
 from scenewright.core.errors import InputError
 from scenewright.ground.geodata.limits import CUT, CUT_OFF, MOST_FEATURES, PARTLY
-from scenewright.ground.map_kinds import words_of
+from scenewright.ground.maps.kinds import words_of
 
 Row = dict[str, Any]
 LONGEST_TAG, MOST_TAGS = 250, 500

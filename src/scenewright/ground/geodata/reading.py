@@ -16,7 +16,7 @@ from scenewright.ground.geodata.extract import OSM_FILES
 from scenewright.ground.geodata.kinds import kind_by_suffix
 from scenewright.ground.geodata.layer_tags import tags_of_row
 from scenewright.ground.geodata.unpacking import unpack
-from scenewright.ground.map_features import Collection, collection
+from scenewright.ground.maps.features import Collection, collection
 
 ALLOWANCE = Allowance(1024, 0, 60, "export it again, or cut the place out of it")
 SHAPES = {"Polygon": "polygon", "LineString": "line", "Point": "point"}

@@ -18,7 +18,13 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from scenewright.ground.built import BuiltFrames, BuiltRoad, BuiltScene, frames_of, to_frames
+from scenewright.ground.buildings.built import (
+    BuiltFrames,
+    BuiltRoad,
+    BuiltScene,
+    frames_of,
+    to_frames,
+)
 
 Floats = NDArray[np.float64]
 FAR = 60.0

@@ -13,7 +13,7 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from scenewright.ground.built import BuiltBuilding, BuiltScene, frames_of, to_frames
+from scenewright.ground.buildings.built import BuiltBuilding, BuiltScene, frames_of, to_frames
 from scenewright.ground.likeness.excess import Excess, find_excess
 from scenewright.ground.likeness.features import FAR, ROWS, measure_scene
 

@@ -9,7 +9,7 @@ from scenewright.catalog.models.files import MEBIBYTE, json_of, whole
 from scenewright.core.atomic_file import note_read
 from scenewright.core.errors import InputError
 from scenewright.core.workspace import check_inside
-from scenewright.ground.built import BuiltScene
+from scenewright.ground.buildings.built import BuiltScene
 from scenewright.ground.geodata.kinds import is_map
 
 MOST_BYTES = 128 * MEBIBYTE

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from scenewright.ground.built import BuiltBuilding, BuiltRoad, BuiltScene
+from scenewright.ground.buildings.built import BuiltBuilding, BuiltRoad, BuiltScene
 from scenewright.ground.reading.cleaning import clean_outline, drop_overlaps
 
 DRAWN = (("sources", "buildings"), ("sites", "landmarks"))

@@ -15,7 +15,7 @@ from scenewright.catalog.models.gltf_scene import plan_of_parts
 from scenewright.catalog.models.model import clean
 from scenewright.core.catalog import OWN, Part
 from scenewright.core.errors import InputError
-from scenewright.ground.built import BuiltBuilding, BuiltRoad, BuiltScene
+from scenewright.ground.buildings.built import BuiltBuilding, BuiltRoad, BuiltScene
 from scenewright.ground.outlines import GRID
 from scenewright.ground.reading.cleaning import clean_outline, drop_overlaps
 from scenewright.ground.reading.road_areas import NARROW, pieces

@@ -9,7 +9,7 @@ import shapely
 
 from scenewright.building.outlines import ring, signed_area
 from scenewright.core.space import Points
-from scenewright.ground.built import BuiltBuilding
+from scenewright.ground.buildings.built import BuiltBuilding
 
 LEAST, LARGEST = 4.0, 300.0
 """Square metres of the least building, and metres of the longest."""

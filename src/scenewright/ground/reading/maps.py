@@ -10,11 +10,11 @@ import numpy as np
 from scenewright.core.errors import InputError
 from scenewright.core.projection import Projection, metres, projection
 from scenewright.core.space import Points
-from scenewright.ground.built import BuiltBuilding, BuiltRoad, BuiltScene
-from scenewright.ground.map_features import Collection, Feature, collection, in_degrees
-from scenewright.ground.map_footprints import find_footprints
-from scenewright.ground.map_kinds import stands
-from scenewright.ground.map_place import projection_of
+from scenewright.ground.buildings.built import BuiltBuilding, BuiltRoad, BuiltScene
+from scenewright.ground.maps.features import Collection, Feature, collection, in_degrees
+from scenewright.ground.maps.footprints import find_footprints
+from scenewright.ground.maps.kinds import stands
+from scenewright.ground.maps.place import projection_of
 from scenewright.ground.reading.cleaning import MOST_BUILDINGS, clean_outline, drop_overlaps
 
 STOREY, HEIGHT = 3.0, 7.5

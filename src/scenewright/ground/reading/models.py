@@ -13,7 +13,7 @@ from scenewright.catalog.models.model import clean
 from scenewright.core.atomic_file import note_read
 from scenewright.core.catalog import OWN
 from scenewright.core.errors import InputError
-from scenewright.ground.built import BuiltBuilding, BuiltScene
+from scenewright.ground.buildings.built import BuiltBuilding, BuiltScene
 from scenewright.ground.reading.city import building_of_parts
 from scenewright.ground.reading.cleaning import drop_overlaps
 

@@ -10,7 +10,7 @@ import numpy as np
 from scenewright.core.errors import InputError
 from scenewright.core.footprint import place_outline
 from scenewright.core.layout import corners
-from scenewright.ground.built import BuiltBuilding, BuiltRoad, BuiltScene
+from scenewright.ground.buildings.built import BuiltBuilding, BuiltRoad, BuiltScene
 from scenewright.ground.reading.cleaning import clean_outline, drop_overlaps
 
 OLD = "source"

@@ -10,7 +10,7 @@ import shapely
 from numpy.typing import NDArray
 
 from scenewright.core.heights import HeightGrid, facet_heights_at
-from scenewright.ground.city_objects import free_key
+from scenewright.ground.buildings.city_objects import free_key
 from scenewright.ground.terrain.shaping import ShapedGround
 
 Floats = NDArray[np.float64]

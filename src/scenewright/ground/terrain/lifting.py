@@ -13,10 +13,10 @@ from scenewright.core.heights import facet_heights_at, heights_at
 from scenewright.core.piece_outlines import outline_of
 from scenewright.core.scene import Piece, Prism, Scene, Terrain
 from scenewright.core.space import Points, Space
-from scenewright.ground.built import BuiltRoad
+from scenewright.ground.buildings.built import BuiltRoad
 from scenewright.ground.terrain.reading import natural_ground, waters_of
 from scenewright.ground.terrain.shaping import GroundBuilding, ShapedGround, shape_ground
-from scenewright.ground.walks import find_doors
+from scenewright.ground.ways.walks import find_doors
 
 AROUND = 14.0
 """Metres of ground that is shaped beyond the spaces and ways."""

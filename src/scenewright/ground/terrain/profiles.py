@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 
 from scenewright.core.heights import HeightGrid, heights_at
 from scenewright.core.space import Points
-from scenewright.ground.built import BuiltRoad
+from scenewright.ground.buildings.built import BuiltRoad
 
 Floats = NDArray[np.float64]
 STEEPEST = 0.10

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from scenewright.core.heights import HeightGrid, heights_at
 from scenewright.core.space import Points
 from scenewright.geometry.batters import bank
-from scenewright.ground.built import BuiltRoad
+from scenewright.ground.buildings.built import BuiltRoad
 from scenewright.ground.terrain.profiles import AREA, WayStations, grade_ways
 
 Floats = NDArray[np.float64]

@@ -28,9 +28,9 @@ from scenewright.drawing.legend import LegendRow, arrange, legend_mark
 from scenewright.drawing.marks import PaperView, clean
 from scenewright.drawing.plots import plots_mark
 from scenewright.geometry.folding import fold, show
-from scenewright.ground.built import BuiltFrames
-from scenewright.ground.plots import Plot
-from scenewright.ground.rows import find_rows, string_of
+from scenewright.ground.buildings.built import BuiltFrames
+from scenewright.ground.buildings.rows import find_rows, string_of
+from scenewright.ground.streetside.plots import Plot
 
 MARGIN, LARGE, LISTED, ROWS = 6.0, 1000, 20, 4
 """Millimetres around the drawing; the scale from which papers above A3 are used; most kinds

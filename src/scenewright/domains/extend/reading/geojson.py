@@ -13,13 +13,13 @@ import numpy as np
 from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
 from scenewright.core.projection import Projection, metres
-from scenewright.ground.built import BuiltRoad
-from scenewright.ground.fates import Note
-from scenewright.ground.map_features import Collection, Feature, in_degrees
-from scenewright.ground.map_footprints import PARCEL, UNTAGGED, find_footprints, note_plots
-from scenewright.ground.map_kinds import stands
-from scenewright.ground.map_place import projection_of
-from scenewright.ground.map_report import report_map
+from scenewright.ground.buildings.built import BuiltRoad
+from scenewright.ground.maps.fates import Note
+from scenewright.ground.maps.features import Collection, Feature, in_degrees
+from scenewright.ground.maps.footprints import PARCEL, UNTAGGED, find_footprints, note_plots
+from scenewright.ground.maps.kinds import stands
+from scenewright.ground.maps.place import projection_of
+from scenewright.ground.maps.report import report_map
 from scenewright.ground.reading.maps import buildings_of, number_of, roads_of
 
 UNREAD = "is no area to fill, building or street"

@@ -17,8 +17,8 @@ from scenewright.domains.extend.problem import Floats, GrownLayout
 from scenewright.domains.extend.rating import measure_grown, measure_sources, misfit_of
 from scenewright.domains.extend.solvers.canvas import Canvas
 from scenewright.domains.extend.solvers.neighbours import proposals_of, worth_of
-from scenewright.ground.built import BuiltFrames, from_frames
-from scenewright.ground.rows import find_rows
+from scenewright.ground.buildings.built import BuiltFrames, from_frames
+from scenewright.ground.buildings.rows import find_rows
 
 LARGEST = 160
 """Buildings up to which a layout is annealed: each move measures all of them."""

@@ -15,8 +15,8 @@ import shapely
 
 from scenewright.domains.extend.problem import Floats
 from scenewright.domains.extend.solvers.canvas import Canvas
-from scenewright.ground.built import BuiltFrames, BuiltRoad, from_frames, to_frames
-from scenewright.ground.rows import WIDE, BuildingRow, find_rows
+from scenewright.ground.buildings.built import BuiltFrames, BuiltRoad, from_frames, to_frames
+from scenewright.ground.buildings.rows import WIDE, BuildingRow, find_rows
 
 NEAR, STEP, MOST = 30.0, 1.0, 400
 """Metres between the end of a row and the area within which it goes on, metres a building moves on

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from scenewright.domains.extend.problem import ExtendProblem, Floats
 from scenewright.domains.extend.solvers.canvas import Canvas
-from scenewright.ground.built import BuiltRoad
+from scenewright.ground.buildings.built import BuiltRoad
 
 NEAR, PARALLEL = 14.0, float(np.deg2rad(12.0))
 """Metres from an edge within which a building stands along it, and by how much it may turn."""

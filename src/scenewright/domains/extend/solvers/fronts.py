@@ -11,7 +11,7 @@ import numpy as np
 import shapely
 
 from scenewright.domains.extend.problem import ExtendProblem, GrownLayout, shapes_at
-from scenewright.ground.built import wrap_angles
+from scenewright.ground.buildings.built import wrap_angles
 
 BY, SAME = 16.0, 0.001
 """Metres from a street within which a front looks at it, and the share of a footprint that may

@@ -13,7 +13,7 @@ from scenewright.domains.extend.pattern import GapRules, SourcePattern
 from scenewright.domains.extend.problem import Floats
 from scenewright.domains.extend.solvers.canvas import Canvas
 from scenewright.geometry.folding import parse, unfold
-from scenewright.ground.rows import PASSAGE
+from scenewright.ground.buildings.rows import PASSAGE
 
 TOUCHING = GapRules(0.0, 0.0, 0.0)
 """The gap rules of drawn rows: they may stand as near as drawn."""

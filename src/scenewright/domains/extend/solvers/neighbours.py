@@ -15,7 +15,7 @@ import numpy as np
 
 from scenewright.domains.extend.problem import Floats, Indices
 from scenewright.domains.extend.solvers.canvas import Canvas
-from scenewright.ground.built import from_frames, to_frames
+from scenewright.ground.buildings.built import from_frames, to_frames
 
 Proposal = tuple[float, int, int, tuple[float, float, float]]
 """Its worth (negative), a ticket, the building of the sources, and the pose."""

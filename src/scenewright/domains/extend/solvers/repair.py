@@ -8,7 +8,7 @@ import shapely
 from scenewright.domains.extend.problem import Floats
 from scenewright.domains.extend.solvers.canvas import Canvas
 from scenewright.domains.extend.solvers.neighbours import worth_of
-from scenewright.ground.built import from_frames, to_frames
+from scenewright.ground.buildings.built import from_frames, to_frames
 
 STEP, MOST = 3.0, 240
 """Metres between the places tried, and how many at most."""

@@ -12,9 +12,9 @@ import shapely
 from scenewright.domains.extend.problem import ExtendProblem, Floats, Indices
 from scenewright.domains.extend.solvers.continued_rows import setback_of, union_streets
 from scenewright.geometry.folding import Folded, fold
-from scenewright.ground.built import BuiltFrames, from_frames, to_frames
-from scenewright.ground.grammar import find_features
-from scenewright.ground.rows import BuildingRow, string_of
+from scenewright.ground.buildings.built import BuiltFrames, from_frames, to_frames
+from scenewright.ground.buildings.grammar import find_features
+from scenewright.ground.buildings.rows import BuildingRow, string_of
 
 ALONG = float(np.deg2rad(20.0))
 """How far a row may turn from the longer rows and still run along them."""

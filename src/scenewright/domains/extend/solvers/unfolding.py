@@ -27,8 +27,8 @@ from scenewright.domains.extend.solvers.single_layout import grow_once
 from scenewright.engine.growing import OnGrowth
 from scenewright.engine.solve import Budget, Cancel, Progress
 from scenewright.geometry.folding import stretch, unfold
-from scenewright.ground.built import from_frames, to_frames
-from scenewright.ground.rows import PASSAGE
+from scenewright.ground.buildings.built import from_frames, to_frames
+from scenewright.ground.buildings.rows import PASSAGE
 
 BESIDE, STEP = 30.0, 1.0
 """Metres between a row and the ground on which it goes on from its own end; metres an element moves

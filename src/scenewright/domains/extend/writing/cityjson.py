@@ -26,15 +26,15 @@ from scenewright.domains.extend.pattern import STOREY
 from scenewright.domains.extend.plan import plan_extend
 from scenewright.domains.extend.works import plots_of_extension
 from scenewright.domains.terrain import lay_city_on_terrain
-from scenewright.ground.city_objects import (
+from scenewright.ground.buildings.city_objects import (
     Vertices,
     city_document,
     flat_object,
     free_key,
     prism_object,
 )
-from scenewright.ground.city_roofs import add_roof
-from scenewright.ground.plot_writing import add_plots
+from scenewright.ground.buildings.city_roofs import add_roof
+from scenewright.ground.streetside.plot_writing import add_plots
 
 
 def write(solution: Solution, path: str | os.PathLike[str], plan: Plan | None = None) -> None:

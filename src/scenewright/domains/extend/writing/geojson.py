@@ -24,7 +24,7 @@ from scenewright.domains.extend.areas import OLD, ExtendPlan
 from scenewright.domains.extend.pattern import STOREY
 from scenewright.domains.extend.plan import plan_extend
 from scenewright.domains.extend.works import plots_of_extension
-from scenewright.ground.map_writing import (
+from scenewright.ground.maps.writing import (
     bearing_of,
     projection_about,
     write_collection,
@@ -32,7 +32,7 @@ from scenewright.ground.map_writing import (
     write_points,
     write_ring,
 )
-from scenewright.ground.plot_writing import plot_features
+from scenewright.ground.streetside.plot_writing import plot_features
 
 
 def write(solution: Solution, path: str | os.PathLike[str], plan: Plan | None = None) -> None:

@@ -19,7 +19,7 @@ from scenewright.core.brief.zones import Demand
 from scenewright.core.errors import InputError
 from scenewright.core.projection import FARTHEST, Projection, metres
 from scenewright.domains.hall.demands.programme import shop_kind, shop_programme
-from scenewright.ground.map_features import Feature, SkippedFeature, levels_of
+from scenewright.ground.maps.features import Feature, SkippedFeature, levels_of
 
 Role = Literal["unit", "room", "way", "solid"]
 

@@ -40,9 +40,9 @@ from scenewright.domains.hall.indoor.floors import (
     with_points,
 )
 from scenewright.domains.hall.indoor.report import report_indoor
-from scenewright.ground.map_features import Collection, Feature, SkippedFeature, load
-from scenewright.ground.map_levels import number_levels
-from scenewright.ground.map_place import projection_of
+from scenewright.ground.maps.features import Collection, Feature, SkippedFeature, load
+from scenewright.ground.maps.levels import number_levels
+from scenewright.ground.maps.place import projection_of
 
 STOREY = 4.0
 CEILING = 3.2

@@ -8,9 +8,9 @@ from scenewright.core.brief.input_report import InputReport, report_input
 from scenewright.core.projection import Projection
 from scenewright.domains.hall.demands.programme import shop_kind
 from scenewright.domains.hall.indoor.floors import IndoorFloor, role
-from scenewright.ground.fates import Note, settle
-from scenewright.ground.map_features import Collection, Feature, SkippedFeature
-from scenewright.ground.map_kinds import kind_of
+from scenewright.ground.maps.fates import Note, settle
+from scenewright.ground.maps.features import Collection, Feature, SkippedFeature
+from scenewright.ground.maps.kinds import kind_of
 
 COVERED = "others cover all of it"
 UNREAD = "is no room, corridor, open area, door or shop of a level"

@@ -32,9 +32,9 @@ from scenewright.drawing.marks import (
     to_paper,
 )
 from scenewright.drawing.meanings import PieceMeaning
-from scenewright.ground.bays import list_bay_lines
-from scenewright.ground.border import cover_beside
 from scenewright.ground.plan import SitePlan, Way
+from scenewright.ground.streetside.bays import list_bay_lines
+from scenewright.ground.streetside.border import cover_beside
 from scenewright.ground.works import GroundWorks
 
 ASPHALT, PAVING = "#d9d9d6", "#ece3d0"

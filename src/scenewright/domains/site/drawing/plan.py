@@ -30,8 +30,8 @@ from scenewright.drawing.houses import FAULT, LEAF, trees_mark
 from scenewright.drawing.layers import PlanDrawing, PlanLayer, merge_layers
 from scenewright.drawing.legend import LegendRow, arrange, legend_mark
 from scenewright.drawing.marks import NOTHING, PaperView, clean, text
-from scenewright.ground.border import cover_beside
 from scenewright.ground.plan import SitePlan
+from scenewright.ground.streetside.border import cover_beside
 from scenewright.ground.works import GroundWorks
 
 MARGIN, CAPTION = 6.0, 7.0

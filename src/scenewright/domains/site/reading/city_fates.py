@@ -5,7 +5,7 @@ from __future__ import annotations
 from scenewright.catalog.models.cityjson import City, parts_within, roots_of
 from scenewright.core.brief.input_report import InputReport, report_input
 from scenewright.core.errors import InputError
-from scenewright.ground.fates import Note, settle
+from scenewright.ground.maps.fates import Note, settle
 
 UNREAD = {
     "TINRelief": "all ground is level",

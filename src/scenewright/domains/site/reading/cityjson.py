@@ -28,7 +28,7 @@ from scenewright.core.catalog import OWN, Part
 from scenewright.core.errors import InputError
 from scenewright.domains.site.brief import VERGE
 from scenewright.domains.site.reading.city_fates import report_objects
-from scenewright.ground.fates import Note
+from scenewright.ground.maps.fates import Note
 from scenewright.ground.outlines import GRID, LEAST_AREA, polygons
 from scenewright.ground.reading.road_areas import NARROW, pieces
 

@@ -28,11 +28,11 @@ from scenewright.domains.site.reading.standing import (
     note_points,
 )
 from scenewright.domains.site.reading.tags import OWN, is_water, number_of, width_of
-from scenewright.ground.chosen_ground import MOST_NAMED, name_places, order_grounds
-from scenewright.ground.fates import Note
-from scenewright.ground.map_features import Collection, Feature, SkippedFeature, load
-from scenewright.ground.map_place import corners_of, projection_of
-from scenewright.ground.map_report import report_map
+from scenewright.ground.maps.chosen_ground import MOST_NAMED, name_places, order_grounds
+from scenewright.ground.maps.fates import Note
+from scenewright.ground.maps.features import Collection, Feature, SkippedFeature, load
+from scenewright.ground.maps.place import corners_of, projection_of
+from scenewright.ground.maps.report import report_map
 from scenewright.ground.outlines import GRID, grow
 from scenewright.ground.reading.road_areas import pieces
 

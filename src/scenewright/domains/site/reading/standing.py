@@ -15,10 +15,10 @@ import shapely
 from scenewright.building.outlines import rings
 from scenewright.core.projection import Projection, metres
 from scenewright.domains.site.reading.tags import appearance_of
-from scenewright.ground.fates import Note
-from scenewright.ground.map_features import Feature
-from scenewright.ground.map_footprints import UNTAGGED
-from scenewright.ground.map_kinds import PUBLIC, is_footprint, stands
+from scenewright.ground.maps.fates import Note
+from scenewright.ground.maps.features import Feature
+from scenewright.ground.maps.footprints import UNTAGGED
+from scenewright.ground.maps.kinds import PUBLIC, is_footprint, stands
 from scenewright.ground.outlines import GRID
 
 LEAST_BUILDING = 1.0

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from typing import Any
 
-from scenewright.ground.map_kinds import use_of
+from scenewright.ground.maps.kinds import use_of
 
 ROADS = {
     "motorway": 22.0,

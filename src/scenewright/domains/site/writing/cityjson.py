@@ -32,16 +32,16 @@ from scenewright.core.space import Points
 from scenewright.domains.site.plan import plans_of
 from scenewright.domains.site.shapes import StandingBuilding, standing
 from scenewright.domains.terrain import lay_city_on_terrain
-from scenewright.ground.city_objects import (
+from scenewright.ground.buildings.city_objects import (
     Vertices,
     city_document,
     flat_object,
     free_key,
     prism_object,
 )
-from scenewright.ground.city_roofs import add_flat_roof, add_roof
+from scenewright.ground.buildings.city_roofs import add_flat_roof, add_roof
 from scenewright.ground.plan import SitePlan
-from scenewright.ground.surfaces import pave
+from scenewright.ground.ways.surfaces import pave
 from scenewright.ground.works import GroundWorks
 
 

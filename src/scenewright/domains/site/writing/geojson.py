@@ -26,7 +26,7 @@ from scenewright.core.solution import Solution
 from scenewright.domains.site.brief import Site
 from scenewright.domains.site.plan import plans_of
 from scenewright.domains.site.shapes import StandingBuilding, standing
-from scenewright.ground.map_writing import bearing_of, write_feature, write_points, write_ring
+from scenewright.ground.maps.writing import bearing_of, write_feature, write_points, write_ring
 from scenewright.ground.plan import SitePlan, Way
 from scenewright.ground.works import Pathway, PavedArea
 

@@ -21,13 +21,13 @@ from scenewright.core.errors import InputError
 from scenewright.core.projection import Projection, metres
 from scenewright.core.space import Points
 from scenewright.domains.village.house import rectangle_about
-from scenewright.ground.fates import Note
-from scenewright.ground.map_features import Collection, Feature, in_degrees
-from scenewright.ground.map_footprints import PARCEL, UNTAGGED, find_footprints, note_plots
-from scenewright.ground.map_kinds import stands, use_of
-from scenewright.ground.map_place import projection_of
-from scenewright.ground.map_report import report_map
-from scenewright.ground.plain_buildings import fits_footprint, plain_building
+from scenewright.ground.buildings.plain_buildings import fits_footprint, plain_building
+from scenewright.ground.maps.fates import Note
+from scenewright.ground.maps.features import Collection, Feature, in_degrees
+from scenewright.ground.maps.footprints import PARCEL, UNTAGGED, find_footprints, note_plots
+from scenewright.ground.maps.kinds import stands, use_of
+from scenewright.ground.maps.place import projection_of
+from scenewright.ground.maps.report import report_map
 
 WIDTHS = {"primary": 8.0, "secondary": 7.0, "tertiary": 6.5, "residential": 5.5, "service": 4.0}
 PATHS = ("footway", "path", "steps", "track", "pedestrian", "cycleway")

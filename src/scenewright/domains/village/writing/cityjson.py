@@ -22,15 +22,15 @@ from scenewright.domains.village.blocks import VillagePlan
 from scenewright.domains.village.lanes import opened
 from scenewright.domains.village.plan import plan_village
 from scenewright.domains.village.plots import plots_of_village
-from scenewright.ground.city_objects import (
+from scenewright.ground.buildings.city_objects import (
     Vertices,
     city_document,
     flat_object,
     free_key,
     prism_object,
 )
-from scenewright.ground.city_roofs import add_roof
-from scenewright.ground.plot_writing import add_plots
+from scenewright.ground.buildings.city_roofs import add_roof
+from scenewright.ground.streetside.plot_writing import add_plots
 
 
 def write(solution: Solution, path: str | os.PathLike[str], plan: Plan | None = None) -> None:

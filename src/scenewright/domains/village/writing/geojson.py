@@ -24,7 +24,7 @@ from scenewright.domains.village.blocks import VillagePlan
 from scenewright.domains.village.lanes import opened
 from scenewright.domains.village.plan import plan_village
 from scenewright.domains.village.plots import plots_of_village
-from scenewright.ground.map_writing import (
+from scenewright.ground.maps.writing import (
     bearing_of,
     projection_about,
     write_collection,
@@ -32,7 +32,7 @@ from scenewright.ground.map_writing import (
     write_points,
     write_ring,
 )
-from scenewright.ground.plot_writing import plot_features
+from scenewright.ground.streetside.plot_writing import plot_features
 
 STOREY = 2.7
 

@@ -16,8 +16,10 @@ from numpy.typing import NDArray
 
 from scenewright.core.space import Points
 from scenewright.geometry.wavefront import find_quickest
-from scenewright.ground.border import Exits, find_mouths, lead_out
-from scenewright.ground.lane_ends import (
+from scenewright.ground.outlines import way as cover
+from scenewright.ground.plan import SitePlan
+from scenewright.ground.streetside.border import Exits, find_mouths, lead_out
+from scenewright.ground.ways.lane_ends import (
     LONG,
     TURN,
     find_dead_ends,
@@ -25,10 +27,8 @@ from scenewright.ground.lane_ends import (
     link_ends,
     list_streets,
 )
-from scenewright.ground.outlines import way as cover
-from scenewright.ground.path_raster import PathRaster, is_drivable
-from scenewright.ground.path_tree import square_off, straighten, trace
-from scenewright.ground.plan import SitePlan
+from scenewright.ground.ways.path_raster import PathRaster, is_drivable
+from scenewright.ground.ways.path_tree import square_off, straighten, trace
 from scenewright.ground.works import Pathway
 
 Floats = NDArray[np.float64]

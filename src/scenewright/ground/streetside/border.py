@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 
 from scenewright.core.space import Points
 from scenewright.ground.outlines import grow, lines, way
-from scenewright.ground.path_raster import is_drivable
 from scenewright.ground.plan import SitePlan, Way
+from scenewright.ground.ways.path_raster import is_drivable
 
 Floats = NDArray[np.float64]
 

@@ -21,7 +21,7 @@ import shapely
 from numpy.typing import NDArray
 
 from scenewright.core.layout import corners
-from scenewright.ground.built import to_frames
+from scenewright.ground.buildings.built import to_frames
 
 Floats = NDArray[np.float64]
 Members = tuple[int, ...]

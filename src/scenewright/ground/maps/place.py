@@ -9,8 +9,8 @@ from scenewright.core.map_options import MapOptions, place_in
 from scenewright.core.projection import Projection, metres, projection, spreads_as_degrees
 from scenewright.core.reference_system import from_degrees, system_of
 from scenewright.core.space import Points
-from scenewright.ground.chosen_ground import choose_around, choose_by_id
-from scenewright.ground.map_features import Collection
+from scenewright.ground.maps.chosen_ground import choose_around, choose_by_id
+from scenewright.ground.maps.features import Collection
 
 FARTHEST = 100_000.0
 """Metres from the middle of a map beyond which no origin of it lies."""

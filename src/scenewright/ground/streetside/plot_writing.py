@@ -6,9 +6,9 @@ from collections.abc import Iterable
 from typing import Any
 
 from scenewright.core.projection import Projection
-from scenewright.ground.city_objects import Vertices, flat_object, free_key
-from scenewright.ground.map_writing import write_feature, write_ring
-from scenewright.ground.plots import Plot
+from scenewright.ground.buildings.city_objects import Vertices, flat_object, free_key
+from scenewright.ground.maps.writing import write_feature, write_ring
+from scenewright.ground.streetside.plots import Plot
 
 
 def plot_features(plots: Iterable[Plot], map_: Projection) -> list[dict[str, Any]]:

@@ -11,11 +11,11 @@ from numpy.typing import NDArray
 
 from scenewright.core.space import Points
 from scenewright.geometry.wavefront import find_quickest
-from scenewright.ground.border import Exits, find_exits, lead_out
-from scenewright.ground.lanes import corners_of, measure_ground
-from scenewright.ground.path_raster import PathRaster
-from scenewright.ground.path_tree import grow_paths, square_off, straighten
 from scenewright.ground.plan import SitePlan
+from scenewright.ground.streetside.border import Exits, find_exits, lead_out
+from scenewright.ground.ways.lanes import corners_of, measure_ground
+from scenewright.ground.ways.path_raster import PathRaster
+from scenewright.ground.ways.path_tree import grow_paths, square_off, straighten
 from scenewright.ground.works import Pathway, middle_lines
 
 Floats = NDArray[np.float64]

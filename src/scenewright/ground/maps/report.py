@@ -7,11 +7,11 @@ from collections.abc import Callable, Sequence
 from scenewright.core.brief.input_report import InputReport, report_input
 from scenewright.core.projection import Projection
 from scenewright.core.reference_system import system_of
-from scenewright.ground.chosen_ground import MADE
-from scenewright.ground.fates import Note, settle
 from scenewright.ground.geodata.limits import CUT_OFF
-from scenewright.ground.map_features import Collection, SkippedFeature
-from scenewright.ground.map_kinds import kind_of, stands
+from scenewright.ground.maps.chosen_ground import MADE
+from scenewright.ground.maps.fates import Note, settle
+from scenewright.ground.maps.features import Collection, SkippedFeature
+from scenewright.ground.maps.kinds import kind_of, stands
 
 
 def report_map(

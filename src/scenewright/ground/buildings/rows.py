@@ -14,7 +14,7 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from scenewright.ground.built import BuiltFrames, to_frames
+from scenewright.ground.buildings.built import BuiltFrames, to_frames
 
 Floats = NDArray[np.float64]
 TURN, STEP, FARTHEST = float(np.deg2rad(12.0)), 4.0, 40.0
@@ -40,7 +40,7 @@ class BuildingRow(NamedTuple):
 def find_rows(frames: BuiltFrames) -> tuple[BuildingRow, ...]:
     """The rows of some buildings, the longest first.
 
-    >>> from scenewright.ground.built import BuiltBuilding, frames_of
+    >>> from scenewright.ground.buildings.built import BuiltBuilding, frames_of
     >>> def hut(x, y):
     ...     ring = np.array([[x, y], [x + 8, y], [x + 8, y + 6], [x, y + 6.0]])
     ...     return BuiltBuilding("", "", ring, 6.0)

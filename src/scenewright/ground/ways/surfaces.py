@@ -13,9 +13,9 @@ import shapely
 from scenewright.building.outlines import rings
 from scenewright.core.scene import GroundSurface
 from scenewright.core.space import Points
-from scenewright.ground.bays import list_bay_lines
 from scenewright.ground.outlines import GRID, MITRE
 from scenewright.ground.plan import SitePlan, Way
+from scenewright.ground.streetside.bays import list_bay_lines
 from scenewright.ground.works import GroundWorks, Pathway
 
 HEIGHTS = {

@@ -17,7 +17,7 @@ from scenewright.building.outlines import signed_area
 from scenewright.catalog.assets.buildings.roof_planes import RoofPlane, roof_planes
 from scenewright.core.footprint import Footprint, place_outline
 from scenewright.core.scene import Piece
-from scenewright.ground.city_objects import (
+from scenewright.ground.buildings.city_objects import (
     GROUND,
     ROOF,
     SCALE,

@@ -14,7 +14,7 @@ from scenewright.core.piece_outlines import outline_of, polygons_of
 from scenewright.core.scene import Piece
 from scenewright.core.space import Points
 from scenewright.geometry.wavefront import find_quickest
-from scenewright.ground.path_tree import straighten, trace
+from scenewright.ground.ways.path_tree import straighten, trace
 
 Walk: TypeAlias = shapely.LineString
 

@@ -16,7 +16,7 @@ from scenewright.core.piece_edits import Edited
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece, Pose
 from scenewright.core.solution import Solution
-from scenewright.ground.adjusting import GroundRules, build_around
+from scenewright.ground.edits.adjusting import GroundRules, build_around
 
 BUILDING = "building"
 TIMES = 5.0

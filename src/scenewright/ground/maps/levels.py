@@ -12,7 +12,7 @@ from collections import Counter
 from collections.abc import Iterable
 from typing import NamedTuple
 
-from scenewright.ground.map_features import LEVEL, RANGE, Feature
+from scenewright.ground.maps.features import LEVEL, RANGE, Feature
 
 KEYS = ("level", "repeat_on")
 ATTIC = math.inf

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from scenewright.ground.outlines import way as cover
 from scenewright.ground.plan import SitePlan
-from scenewright.ground.walks import Doors
+from scenewright.ground.ways.walks import Doors
 from scenewright.ground.works import Pathway, middle_lines
 
 Flags = NDArray[np.bool_]

@@ -6,9 +6,9 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from scenewright.ground.border import is_entered_anywhere
 from scenewright.ground.plan import SitePlan
-from scenewright.ground.walks import Doors
+from scenewright.ground.streetside.border import is_entered_anywhere
+from scenewright.ground.ways.walks import Doors
 
 SLACK = 0.005
 

@@ -6,9 +6,9 @@ from collections.abc import Iterator, Sequence
 
 import shapely
 
-from scenewright.ground.fates import Note
-from scenewright.ground.map_features import Feature
-from scenewright.ground.map_kinds import is_footprint, kind_of, stands
+from scenewright.ground.maps.fates import Note
+from scenewright.ground.maps.features import Feature
+from scenewright.ground.maps.kinds import is_footprint, kind_of, stands
 
 UNTAGGED = 'has no tag that says what it is: taken as a building (else tag it "building": "no")'
 PARCEL = "has no tags and is ground: other footprints lie in it"

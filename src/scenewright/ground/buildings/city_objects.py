@@ -1,7 +1,7 @@
 """Objects of a CityJSON 2.0 document: prisms over footprints, flat areas, vertices listed once.
 
 Vertices are whole millimetres; prisms are of level of detail 1.2, every surface marked as ground,
-wall or roof. Real roofs are added by :mod:`scenewright.ground.city_roofs`.
+wall or roof. Real roofs are added by :mod:`scenewright.ground.buildings.city_roofs`.
 """
 
 from __future__ import annotations

@@ -24,9 +24,9 @@ from numpy.typing import NDArray
 
 from scenewright.core.layout import corners
 from scenewright.geometry.folding import Folded, fold, show, stretch, unfold
-from scenewright.ground.abstraction import abstract_boxes, leaves_of, total_value
-from scenewright.ground.built import BuiltFrames, from_frames, to_frames
-from scenewright.ground.rows import PASSAGE, BuildingRow, find_rows, string_of
+from scenewright.ground.buildings.abstraction import abstract_boxes, leaves_of, total_value
+from scenewright.ground.buildings.built import BuiltFrames, from_frames, to_frames
+from scenewright.ground.buildings.rows import PASSAGE, BuildingRow, find_rows, string_of
 
 Floats = NDArray[np.float64]
 OUTER = 0.15
@@ -65,7 +65,7 @@ class LayoutConstruction(NamedTuple):
 def parse_scene(frames: BuiltFrames, letters: Sequence[str]) -> LayoutConstruction:
     """The layout of buildings (n,) with the letters of their kinds.
 
-    >>> from scenewright.ground.built import BuiltBuilding, frames_of
+    >>> from scenewright.ground.buildings.built import BuiltBuilding, frames_of
     >>> ring = np.array([[0, 0], [8, 0], [8, 6], [0, 6.0]])
     >>> row = [BuiltBuilding("", "", ring + (11.0 * k, 0), 6.0) for k in range(4)]
     >>> show_layout(parse_scene(frames_of(row), "AABA"))[-1]

@@ -21,10 +21,10 @@ from scenewright.core.errors import InputError
 from scenewright.core.projection import projection
 from scenewright.core.reference_system import to_degrees
 from scenewright.core.space import Points
-from scenewright.ground.imdf import is_imdf, to_indoor_tags
-from scenewright.ground.map_geometry import GEOMETRIES, Shapes, gather, is_closed
-from scenewright.ground.map_kinds import kind_of
-from scenewright.ground.map_tags import LONGEST_TEXT, plain, tags_of
+from scenewright.ground.maps.geometry import GEOMETRIES, Shapes, gather, is_closed
+from scenewright.ground.maps.imdf import is_imdf, to_indoor_tags
+from scenewright.ground.maps.kinds import kind_of
+from scenewright.ground.maps.tags import LONGEST_TEXT, plain, tags_of
 
 GREATEST_FILE = 64 * 2**20
 MOST_FEATURES = 100_000

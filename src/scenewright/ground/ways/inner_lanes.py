@@ -15,7 +15,7 @@ import shapely
 from numpy.typing import NDArray
 
 from scenewright.core.space import Points
-from scenewright.ground.lanes import round_bends
+from scenewright.ground.ways.lanes import round_bends
 
 Floats = NDArray[np.float64]
 Shapes = NDArray[np.object_]

@@ -14,8 +14,8 @@ import shapely
 
 from scenewright.core.errors import InputError
 from scenewright.core.projection import Projection, coordinates_of, metres
-from scenewright.ground.map_features import Collection, Feature
-from scenewright.ground.map_kinds import is_footprint, stands, words_of
+from scenewright.ground.maps.features import Collection, Feature
+from scenewright.ground.maps.kinds import is_footprint, stands, words_of
 
 MADE = "between the streets"
 """The layer of a site that no feature of the file draws."""

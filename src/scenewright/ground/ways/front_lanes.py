@@ -14,9 +14,9 @@ import shapely
 from numpy.typing import NDArray
 
 from scenewright.core.space import Points
-from scenewright.ground.fronts import find_fronting
-from scenewright.ground.lanes import LaneGround, Laying, begin_laying, lay_lane
-from scenewright.ground.walks import Doors, find_doors
+from scenewright.ground.streetside.fronts import find_fronting
+from scenewright.ground.ways.lanes import LaneGround, Laying, begin_laying, lay_lane
+from scenewright.ground.ways.walks import Doors, find_doors
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int32]

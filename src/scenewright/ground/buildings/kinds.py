@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 import shapely
 
-from scenewright.ground.built import BuiltBuilding, BuiltFrames, to_frames
+from scenewright.ground.buildings.built import BuiltBuilding, BuiltFrames, to_frames
 
 UNALIKE, ALIKE = 0.6, 0.3
 """The share of buildings of their own kind from which classes of size stand for kinds, and the
@@ -33,7 +33,7 @@ def letter_of(number: int) -> str:
 def group_kinds(buildings: Sequence[BuiltBuilding], frames: BuiltFrames) -> list[int]:
     """The number of the kind of each building, in the order in which kinds occur.
 
-    >>> from scenewright.ground.built import frames_of
+    >>> from scenewright.ground.buildings.built import frames_of
     >>> ring = np.array([[0, 0], [8, 0], [8, 5], [0, 5.0]])
     >>> rows = [BuiltBuilding(str(k), "", ring * (1 + k % 2) + 20 * k, 6.0) for k in range(4)]
     >>> group_kinds(rows, frames_of(rows))

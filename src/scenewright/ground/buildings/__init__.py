@@ -1,0 +1,1 @@
+"""Buildings on open ground as values: rows and kinds of them, their grammar, city models."""

@@ -1,0 +1,1 @@
+"""Open ground changed by hand, and what of it stays where it stands."""

@@ -1,0 +1,1 @@
+"""Features of maps: geometry, tags, levels, place, and what became of each."""

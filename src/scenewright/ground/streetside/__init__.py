@@ -1,0 +1,1 @@
+"""What lies between a street and a house: borders, fronts, plots, parking."""

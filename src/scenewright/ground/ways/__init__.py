@@ -1,0 +1,1 @@
+"""Ways on open ground: lanes, walks to doors, and what they are paved with."""
