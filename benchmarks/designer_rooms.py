@@ -28,10 +28,10 @@ from scenewright.core.scene import Piece
 from scenewright.core.solution import Patch, Solution
 from scenewright.core.space import Space
 from scenewright.domains import check
-from scenewright.domains.home.attempt import floor_of
+from scenewright.domains.home.attempts.attempt import floor_of
 from scenewright.domains.home.build_problem import build_problem
 from scenewright.domains.home.energy import explain
-from scenewright.domains.home.ground import ground_of
+from scenewright.domains.home.grounds.ground import ground_of
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.learned.learning import FurnishedSpace, GroupOccurrence, found_in
 from scenewright.domains.home.presets import PRESETS

@@ -21,15 +21,15 @@ from benchmarks.home_peers import Ended, peers
 from benchmarks.home_rooms import Case, rooms
 from benchmarks.instances import read_instance
 from benchmarks.shapely_home import INSTANCES
-from scenewright.domains.home.attempt import (
+from scenewright.domains.home.attempts.attempt import (
     RoomAnswer,
     build_task_problem,
     furnish_layout,
     score_answer,
 )
+from scenewright.domains.home.attempts.piecewise import lay_out_parts
 from scenewright.domains.home.energy import evaluate
 from scenewright.domains.home.furnishing.pieces import as_laid
-from scenewright.domains.home.piecewise import lay_out_parts
 from scenewright.domains.home.problem import Problem
 from scenewright.domains.home.solvers import SOLVERS
 from scenewright.engine.solve import Budget

@@ -17,9 +17,9 @@ from benchmarks.plans_r2v import adapt, raw_plans
 from scenewright.building.plan import spaces
 from scenewright.catalog.assets import shipped
 from scenewright.core.brief import Brief
-from scenewright.domains.home.attempt import RoomTask, build_task_problem, floor_of
+from scenewright.domains.home.attempts.attempt import RoomTask, build_task_problem, floor_of
 from scenewright.domains.home.furnishing.pieces import Parts, parts_of, posed_pieces
-from scenewright.domains.home.ground import ground_of
+from scenewright.domains.home.grounds.ground import ground_of
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.problem import Problem
 from scenewright.domains.home.programme import Wish, part_of, programme, resolve_bedrooms

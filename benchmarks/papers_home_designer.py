@@ -27,7 +27,7 @@ from scenewright.building.standing import fixed_pieces
 from scenewright.catalog.assets import shipped
 from scenewright.domains.home.build_problem import build_problem
 from scenewright.domains.home.energy import evaluate
-from scenewright.domains.home.ground import ground_of
+from scenewright.domains.home.grounds.ground import ground_of
 from scenewright.domains.home.learned.learning import FurnishedSpace, found_in
 from scenewright.domains.home.paper_problem import as_in_paper
 from scenewright.domains.home.presets import PAPER

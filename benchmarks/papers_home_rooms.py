@@ -18,7 +18,7 @@ from scenewright.catalog.assets import shipped
 from scenewright.core.brief import Brief
 from scenewright.domains.home.build_problem import build_problem
 from scenewright.domains.home.furnishing.pieces import parts_of, posed_pieces
-from scenewright.domains.home.ground import ground_of
+from scenewright.domains.home.grounds.ground import ground_of
 from scenewright.domains.home.paper_problem import as_in_paper
 from scenewright.domains.home.presets import PAPER
 from scenewright.domains.home.programme import Wish

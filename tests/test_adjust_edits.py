@@ -18,7 +18,7 @@ from scenewright.core.errors import InputError
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.solution import Solution
 from scenewright.domains import adjust, check
-from scenewright.domains.home.attempt import FurnishedGroup, Missing, RoomAnswer, RoomTask
+from scenewright.domains.home.attempts.attempt import FurnishedGroup, Missing, RoomAnswer, RoomTask
 from scenewright.domains.home.cases.own_library import libraries_of, taste_of
 from scenewright.domains.home.changes.belonging import consistent
 from scenewright.domains.home.changes.least_change import Rest

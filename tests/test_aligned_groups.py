@@ -15,7 +15,7 @@ from scenewright.core.brief import Brief, Room
 from scenewright.core.catalog import Group
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains import check
-from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask
+from scenewright.domains.home.attempts.attempt import FurnishedGroup, RoomAnswer, RoomTask
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.alignment.align import align_groups
 from scenewright.domains.home.composing.filling.bare_floor import furnish_bare_floor

@@ -15,7 +15,7 @@ from scenewright.core.catalog import Group
 from scenewright.core.piece_outlines import polygons_of
 from scenewright.domains import check
 from scenewright.domains.home import solving
-from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask
+from scenewright.domains.home.attempts.attempt import FurnishedGroup, RoomAnswer, RoomTask
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.alignment.align import align_groups
 from scenewright.domains.home.composing.alignment.homes import align_rooms

@@ -18,17 +18,17 @@ from scenewright.core.layout import corners
 from scenewright.core.piece_outlines import polygons_of
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains import check
-from scenewright.domains.home.attempt import FurnishedGroup
+from scenewright.domains.home.attempts.attempt import FurnishedGroup
 from scenewright.domains.home.composing.filling.bare_floor import PAIRS_APART, list_other
 from scenewright.domains.home.composing.placed_faults import cost_of_group
 from scenewright.domains.home.furnishing.furnish import FurnishedPatch
 from scenewright.domains.home.furnishing.obstacles import standing_of
-from scenewright.domains.home.ground import ground_of
+from scenewright.domains.home.grounds.ground import ground_of
+from scenewright.domains.home.grounds.wall_places import free_boxes, stand_free
 from scenewright.domains.home.groups.living import hung_screens, talking
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.solving import solve
-from scenewright.domains.home.wall_places import free_boxes, stand_free
 
 LONG = {
     "id": "living",

@@ -11,8 +11,7 @@ from scenewright.building.plan import spaces
 from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief, Room
 from scenewright.domains import check
-from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, find_blocked
-from scenewright.domains.home.barred import find_barred
+from scenewright.domains.home.attempts.attempt import FurnishedGroup, RoomAnswer, find_blocked
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.bed_places import cost_of_bed_places
 from scenewright.domains.home.composing.bed_ways import cost_of_bed_ways, list_closing
@@ -25,10 +24,11 @@ from scenewright.domains.home.composing.mend_rooms import mend_rooms
 from scenewright.domains.home.composing.placed_faults import cost_of_group
 from scenewright.domains.home.composing.places.forms import cost_of_case, list_further
 from scenewright.domains.home.furnishing.furnish import FurnishedPatch, pieces_of
-from scenewright.domains.home.home_floor import join_floors
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.solving import prepare_rooms, solve
+from scenewright.domains.home.walking.barred import find_barred
+from scenewright.domains.home.walking.home_floor import join_floors
 
 RULE = PRESETS["default"].settings.composing
 BAY = {"id": "bay", "function": "double_bedroom"}

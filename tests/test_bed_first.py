@@ -9,15 +9,15 @@ from scenewright.building.plan import spaces
 from scenewright.catalog.assets import shipped
 from scenewright.core.brief import Brief
 from scenewright.domains import check
-from scenewright.domains.home.attempt import Missing, RoomAnswer, RoomTask, find_blocked
-from scenewright.domains.home.bed_first import list_beds_first
+from scenewright.domains.home.attempts.attempt import Missing, RoomAnswer, RoomTask, find_blocked
+from scenewright.domains.home.attempts.bed_first import list_beds_first
 from scenewright.domains.home.composing.places.wall_ends import list_wall_ends
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
+from scenewright.domains.home.grounds.wall_places import free_boxes
 from scenewright.domains.home.groups.least import LEAST
 from scenewright.domains.home.measures import NARROWER
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.solving import PRESETS, prepare_rooms, solve
-from scenewright.domains.home.wall_places import free_boxes
 
 BED, WARDROBE = Wish("single", 0, core=True), Wish("wardrobe", 0)
 SMALL = (2.34, 2.0, ((1.37, 2.0, 0.95), (2.34, 1.18, 1.1), (1.62, 0.0, 0.95)))

@@ -14,8 +14,8 @@ from scenewright.core.brief import Brief, Room
 from scenewright.core.catalog import Group, Member
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains import check
-from scenewright.domains.home import drafts
-from scenewright.domains.home.attempt import FurnishedGroup
+from scenewright.domains.home.attempts import drafts
+from scenewright.domains.home.attempts.attempt import FurnishedGroup
 from scenewright.domains.home.composing.case_faults import find_case_faults
 from scenewright.domains.home.composing.modest import find_shortage
 from scenewright.domains.home.composing.places.forms import cost_of_case

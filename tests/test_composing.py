@@ -23,7 +23,7 @@ from scenewright.domains.home.composing.places.moving import make_unplaced, with
 from scenewright.domains.home.energy import evaluate
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.groups.sleeping import along_wall
-from scenewright.domains.home.household import decide_household, share_out
+from scenewright.domains.home.needs.household import decide_household, share_out
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.solving import prepare_rooms, solve
@@ -284,7 +284,7 @@ def test_places_to_start_from_leave_a_built_in_cupboard_open():
     """The cheapest places of a bed bar the cupboard; those a step beside them are not lost."""
     from scenewright.building.plan import spaces
     from scenewright.catalog.loading import catalog_of
-    from scenewright.domains.home.attempt import find_blocked
+    from scenewright.domains.home.attempts.attempt import find_blocked
 
     cupboard = {"category": "wardrobe", "at": [1.0, 0.66], "heading": np.pi / 2}
     room = {

@@ -12,16 +12,16 @@ from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief, Room
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains import check
-from scenewright.domains.home.attempt import FurnishedGroup
+from scenewright.domains.home.attempts.attempt import FurnishedGroup
 from scenewright.domains.home.cases.library import cases
-from scenewright.domains.home.closets import has_closet
 from scenewright.domains.home.composing.bed_places import are_adrift
 from scenewright.domains.home.composing.case_faults import find_case_faults
 from scenewright.domains.home.composing.placed_faults import cost_of_group
 from scenewright.domains.home.composing.places.forms import cost_of_case, list_further
 from scenewright.domains.home.furnishing.furnish import FurnishedPatch
 from scenewright.domains.home.furnishing.window_dressing import dress_windows
-from scenewright.domains.home.ground import ground_of
+from scenewright.domains.home.grounds.closets import has_closet
+from scenewright.domains.home.grounds.ground import ground_of
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.rules.weigh_home import sum_rows

@@ -14,7 +14,12 @@ from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief, Room
 from scenewright.core.piece_outlines import outline_of
 from scenewright.core.scene import Piece, Pose
-from scenewright.domains.home.attempt import FurnishedGroup, Missing, RoomAnswer, find_blocked
+from scenewright.domains.home.attempts.attempt import (
+    FurnishedGroup,
+    Missing,
+    RoomAnswer,
+    find_blocked,
+)
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.case_faults import find_case_faults
 from scenewright.domains.home.composing.judging import judge_of, sum_faults

@@ -13,8 +13,8 @@ from scenewright.building.standing import fixed_pieces
 from scenewright.catalog.assets import shipped
 from scenewright.core.brief import Brief
 from scenewright.core.scene import Piece, Pose, Size
-from scenewright.domains.home.cupboards import list_cupboards
-from scenewright.domains.home.ground import ground_of
+from scenewright.domains.home.grounds.cupboards import list_cupboards
+from scenewright.domains.home.grounds.ground import ground_of
 from scenewright.domains.home.solving import solve
 
 

@@ -12,10 +12,10 @@ from scenewright.building.plan import plan_rooms
 from scenewright.core.brief import Brief
 from scenewright.core.layout import corners
 from scenewright.core.space import Space
-from scenewright.domains.home.door_paths import WIDTH, door_paths
 from scenewright.domains.home.energy import explain
-from scenewright.domains.home.ground import ground_of
+from scenewright.domains.home.grounds.ground import ground_of
 from scenewright.domains.home.problem import Problem, empty_items
+from scenewright.domains.home.walking.door_paths import WIDTH, door_paths
 from scenewright.formats import read
 
 NONE = np.zeros((0, 5))

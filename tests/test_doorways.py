@@ -16,7 +16,8 @@ from scenewright.catalog.classes import RUN
 from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief, Room
 from scenewright.core.piece_outlines import outline_of
-from scenewright.domains.home.attempt import Missing, RoomAnswer, find_blocked
+from scenewright.domains.home.attempts.attempt import Missing, RoomAnswer, find_blocked
+from scenewright.domains.home.attempts.second_try import sum_lacks
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.case_faults import is_hung
 from scenewright.domains.home.composing.filling.widening import widen_groups
@@ -34,7 +35,6 @@ from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_o
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.rules.every import FIRMNESS
-from scenewright.domains.home.second_try import sum_lacks
 from scenewright.domains.home.settings import FaultCosts
 from scenewright.domains.home.solving import prepare_rooms
 

@@ -8,8 +8,8 @@ import scenewright as sw
 from scenewright.building.plan import spaces
 from scenewright.catalog.loading import catalog_of
 from scenewright.domains import check
-from scenewright.domains.home import drafts
-from scenewright.domains.home.attempt import Missing, RoomAnswer
+from scenewright.domains.home.attempts import drafts
+from scenewright.domains.home.attempts.attempt import Missing, RoomAnswer
 from scenewright.domains.home.needs.stated import AskedRooms
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.programme import Wish

@@ -14,7 +14,7 @@ from scenewright.core.brief import Brief, Room
 from scenewright.core.catalog import OWN
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains.home.furnishing.enlarge import enlarge_pieces, find_widest_screen
-from scenewright.domains.home.ground import ground_of
+from scenewright.domains.home.grounds.ground import ground_of
 
 WIDE, DEEP = 9.0, 8.0
 OUTLINE = [

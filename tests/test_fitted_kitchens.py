@@ -12,7 +12,7 @@ from benchmarks import composition_kitchen
 from scenewright.core.brief import Brief, Room
 from scenewright.core.scene import Piece, Pose
 from scenewright.domains import check
-from scenewright.domains.home.attempt import Missing
+from scenewright.domains.home.attempts.attempt import Missing
 from scenewright.domains.home.composing.case_faults import find_case_faults
 from scenewright.domains.home.composing.kitchens.corners import list_us
 from scenewright.domains.home.composing.kitchens.fitted import FreeWalls, list_steps

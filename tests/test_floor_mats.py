@@ -18,7 +18,7 @@ from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.space import Space
 from scenewright.domains import check
 from scenewright.domains.home.furnishing.floor_mats import lay_mats
-from scenewright.domains.home.ground import ground_of
+from scenewright.domains.home.grounds.ground import ground_of
 from scenewright.domains.home.problem import Ground
 from scenewright.domains.home.solving import solve
 from scenewright.formats import read

@@ -9,7 +9,7 @@ from scenewright.building.plan import spaces
 from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief, Room
 from scenewright.domains import check
-from scenewright.domains.home.attempt import find_blocked
+from scenewright.domains.home.attempts.attempt import find_blocked
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.freeing import free_ways
 from scenewright.domains.home.composing.places.moving import dress_group, make_unplaced

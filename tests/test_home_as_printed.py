@@ -11,7 +11,7 @@ import shapely
 from scenewright.building.plan import plan_rooms, spaces
 from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief
-from scenewright.domains.home.attempt import build_task_problem
+from scenewright.domains.home.attempts.attempt import build_task_problem
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.encodings.boxes import gene_bounds
 from scenewright.domains.home.energy import evaluate, explain

@@ -14,24 +14,24 @@ from scenewright.core.catalog import Member
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.solution import Solution
 from scenewright.domains import check
-from scenewright.domains.home import remove_blockers as yielding
 from scenewright.domains.home import shortfall
 from scenewright.domains.home import solving as home
-from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer
+from scenewright.domains.home.attempts.attempt import FurnishedGroup, RoomAnswer
 from scenewright.domains.home.cases.library import cases
-from scenewright.domains.home.entrances import entered_by
 from scenewright.domains.home.furnishing.furnish import FurnishedPatch, dress_case, pieces_of
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles, standing_of
 from scenewright.domains.home.furnishing.whole import below, is_whole, without
-from scenewright.domains.home.ground import ground_of
+from scenewright.domains.home.grounds.ground import ground_of
+from scenewright.domains.home.grounds.wall_places import free_places
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.groups.least import LEAST
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.settings import FaultCosts
 from scenewright.domains.home.shortfall import groups_serving
-from scenewright.domains.home.wall_places import free_places
-from scenewright.domains.home.ways import find_unreached
+from scenewright.domains.home.walking import remove_blockers as yielding
+from scenewright.domains.home.walking.entrances import entered_by
+from scenewright.domains.home.walking.ways import find_unreached
 
 Opening = tuple[float, ...]
 

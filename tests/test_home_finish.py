@@ -17,7 +17,7 @@ from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains import check
 from scenewright.domains.home.furnishing.enlarge import enlarge_pieces
 from scenewright.domains.home.furnishing.wall_art import fill_walls
-from scenewright.domains.home.ground import ground_of
+from scenewright.domains.home.grounds.ground import ground_of
 from scenewright.domains.home.groups.kitchen import kitchen
 from scenewright.domains.home.problem import Ground
 from scenewright.domains.home.solving import solve

@@ -23,7 +23,7 @@ from scenewright.domains.home.cases.library import (
     nearest_first,
 )
 from scenewright.domains.home.groups import GROUPS
-from scenewright.domains.home.household import FURTHER
+from scenewright.domains.home.needs.household import FURTHER
 from scenewright.domains.home.programme import ALSO, FALLBACK, PROGRAMME, programme
 
 

@@ -20,7 +20,7 @@ from scenewright.domains.home.cases.library import cases, find_preferred_case
 from scenewright.domains.home.furnishing.facing import face_screen
 from scenewright.domains.home.furnishing.furnish import Refused, furnish_patch
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles
-from scenewright.domains.home.ground import ground_of
+from scenewright.domains.home.grounds.ground import ground_of
 from thoroughness import THOROUGH
 
 EMPTY = StandingObstacles(np.zeros((0, 5)), np.zeros((0, 2)), ())

@@ -17,7 +17,12 @@ from scenewright.core.explanation import find_remedy
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains import check
 from scenewright.domains.home.advice import REMEDIES
-from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask, find_blocked
+from scenewright.domains.home.attempts.attempt import (
+    FurnishedGroup,
+    RoomAnswer,
+    RoomTask,
+    find_blocked,
+)
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.homewide.settling import (
     HomeState,
@@ -28,8 +33,8 @@ from scenewright.domains.home.composing.homewide.settling import (
 from scenewright.domains.home.composing.homewide.used_floor import measure_taken
 from scenewright.domains.home.composing.places.moving import dress_group, make_unplaced
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
-from scenewright.domains.home.household import decide_household
 from scenewright.domains.home.needs.forms import list_seats, list_tables, measure_places
+from scenewright.domains.home.needs.household import decide_household
 from scenewright.domains.home.needs.jointly import list_jointly
 from scenewright.domains.home.needs.proof import name_way, tell_proof
 from scenewright.domains.home.needs.settle import add_kitchen_tables, add_soft_seat, set_table

@@ -11,8 +11,8 @@ from scenewright.building.plan import plan_rooms
 from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief
 from scenewright.core.scene import Piece, Pose, Size
-from scenewright.domains.home.home_floor import join_floors
-from scenewright.domains.home.kept_ways import find_barring_screens
+from scenewright.domains.home.walking.home_floor import join_floors
+from scenewright.domains.home.walking.kept_ways import find_barring_screens
 
 HOME = Brief.model_validate(
     {

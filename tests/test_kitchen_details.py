@@ -9,7 +9,7 @@ import pytest
 
 from scenewright.core.scene import Pose
 from scenewright.domains import check
-from scenewright.domains.home.attempt import FurnishedGroup
+from scenewright.domains.home.attempts.attempt import FurnishedGroup
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.case_faults import find_case_faults
 from scenewright.domains.home.composing.filling.wet_rooms import _list_forms, _pick_forms

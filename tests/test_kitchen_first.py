@@ -8,10 +8,10 @@ from scenewright.building.plan import spaces
 from scenewright.catalog.assets import shipped
 from scenewright.core.brief import Brief
 from scenewright.domains import check
-from scenewright.domains.home.attempt import Missing, RoomAnswer, RoomTask, find_blocked
-from scenewright.domains.home.bed_first import with_narrow_ways
+from scenewright.domains.home.attempts.attempt import Missing, RoomAnswer, RoomTask, find_blocked
+from scenewright.domains.home.attempts.bed_first import with_narrow_ways
+from scenewright.domains.home.attempts.kitchen_first import list_kitchens_first
 from scenewright.domains.home.groups.mini_kitchens import WIDTHS, mini_kitchens
-from scenewright.domains.home.kitchen_first import list_kitchens_first
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.solving import PRESETS, prepare_rooms, solve
 

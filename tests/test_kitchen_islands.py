@@ -12,7 +12,7 @@ from scenewright.core.layout import corners
 from scenewright.core.piece_outlines import polygons_of
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains import check
-from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer
+from scenewright.domains.home.attempts.attempt import FurnishedGroup, RoomAnswer
 from scenewright.domains.home.composing.kitchens.islands import add_island
 from scenewright.domains.home.furnishing.furnish import FurnishedPatch
 from scenewright.domains.home.programme import Wish

@@ -17,11 +17,11 @@ from scenewright.domains.home.composing.kitchens.free_walls import list_stretche
 from scenewright.domains.home.composing.kitchens.ways import is_walked, ways_of
 from scenewright.domains.home.composing.places.flush import list_flush
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles, standing_of
+from scenewright.domains.home.grounds.wall_places import read_walls
 from scenewright.domains.home.groups.kitchen import sequence
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.rules.weigh_home import sum_rows
 from scenewright.domains.home.solving import prepare_rooms, solve
-from scenewright.domains.home.wall_places import read_walls
 
 UNITS = ("drawer_cabinet", "base_cabinet", "corner_cabinet", "dishwasher", "sink_cabinet")
 LOW = 0.3  # what begins lower stands on the floor, metres

@@ -9,8 +9,8 @@ from scenewright.arranging.verdict import better
 from scenewright.building.plan import spaces
 from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief, Room
-from scenewright.domains.home.attempt import RoomAnswer, find_blocked
-from scenewright.domains.home.bed_first import with_narrow_ways
+from scenewright.domains.home.attempts.attempt import RoomAnswer, find_blocked
+from scenewright.domains.home.attempts.bed_first import with_narrow_ways
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.kitchens.far_fridges import has_far_fridge
 from scenewright.domains.home.composing.kitchens.fridge_places import list_ends, list_fridge_moves

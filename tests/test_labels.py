@@ -9,7 +9,7 @@ import pytest
 from scenewright.building.labels import tell_labels
 from scenewright.building.plan import spaces
 from scenewright.core.brief import Brief
-from scenewright.domains.home.household import decide_household
+from scenewright.domains.home.needs.household import decide_household
 
 
 def room(

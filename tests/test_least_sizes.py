@@ -17,8 +17,8 @@ from scenewright.domains.home.groups.kitchen import FILLER, Unit, fill, sequence
 from scenewright.domains.home.groups.least import LEAST
 from scenewright.domains.home.groups.low_fridges import SHORTEST, pantry, take_in
 from scenewright.domains.home.groups.mini_kitchens import bare, mini_kitchens
-from scenewright.domains.home.household import FURTHER as FOR_MANY
 from scenewright.domains.home.least_sizes import CABINET, LEAST_SIZES, is_useful
+from scenewright.domains.home.needs.household import FURTHER as FOR_MANY
 
 
 def list_all_cases() -> Iterator[Group]:

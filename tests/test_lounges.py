@@ -14,7 +14,7 @@ from scenewright.domains import check
 from scenewright.domains.home.composing.case_faults import count_seats
 from scenewright.domains.home.composing.places.forms import list_further
 from scenewright.domains.home.furnishing.enlarge import find_widest_screen
-from scenewright.domains.home.ground import ground_of
+from scenewright.domains.home.grounds.ground import ground_of
 from scenewright.domains.home.solving import solve
 
 NICHE = {

@@ -18,8 +18,8 @@ from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.solution import LeftOut
 from scenewright.core.space import Space
 from scenewright.domains import plan_of
-from scenewright.domains.home.household import is_dwelling
 from scenewright.domains.home.needs.counting import count_eaters, count_sleepers
+from scenewright.domains.home.needs.household import is_dwelling
 from scenewright.domains.home.needs.ledger import make_ledger
 from scenewright.domains.home.needs.table import NEEDS, Residence
 

@@ -17,11 +17,11 @@ from scenewright.domains.home.build_problem import RELATIONS, holds, items_of, s
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.furnishing.furnish import FurnishedPatch, pieces_of
 from scenewright.domains.home.furnishing.high_walls import free_stretch
-from scenewright.domains.home.ground import ground_of
+from scenewright.domains.home.grounds.ground import ground_of
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.presets import HOME
 from scenewright.domains.home.programme import Wish
-from scenewright.domains.home.ways import find_unreached
+from scenewright.domains.home.walking.ways import find_unreached
 
 
 def room(**more: object) -> Brief:

@@ -9,7 +9,7 @@ import pytest
 
 from scenewright.core.catalog import Group
 from scenewright.core.scene import Piece, Pose, Size
-from scenewright.domains.home.attempt import FurnishedGroup
+from scenewright.domains.home.attempts.attempt import FurnishedGroup
 from scenewright.domains.home.furnishing.furnish import FurnishedPatch
 from scenewright.domains.home.problem import Ground
 from scenewright.domains.home.programme import Wish

@@ -17,7 +17,7 @@ from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.space import Space
 from scenewright.domains import check, plan_of, solve
 from scenewright.domains.home.cases.library import SHIPPED, cases
-from scenewright.domains.home.household import (
+from scenewright.domains.home.needs.household import (
     BED_PLACES,
     SEATED,
     count_places,

@@ -15,7 +15,7 @@ from scenewright.core.errors import InputError
 from scenewright.core.space import Opening
 from scenewright.domains import scene_of
 from scenewright.domains.home import solving as home
-from scenewright.domains.home.ground import ground_of
+from scenewright.domains.home.grounds.ground import ground_of
 from scenewright.drawing import rooms
 from scenewright.drawing.svg import write_svg
 

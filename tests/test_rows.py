@@ -26,8 +26,8 @@ from scenewright.arranging.verdict import Verdict, better
 from scenewright.building.plan import spaces
 from scenewright.core.brief import Brief
 from scenewright.core.scene import Piece, Pose, Size
-from scenewright.domains.home.attempt import FurnishedGroup
-from scenewright.domains.home.ground import ground_of
+from scenewright.domains.home.attempts.attempt import FurnishedGroup
+from scenewright.domains.home.grounds.ground import ground_of
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.rules.weigh_home import ROWS, compile_table, list_faults
 

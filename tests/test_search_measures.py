@@ -26,11 +26,11 @@ from scenewright.core.layout import corners
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.space import Space
 from scenewright.domains import plan_of
-from scenewright.domains.home.barred import find_barred
 from scenewright.domains.home.check.complete import find_incomplete
 from scenewright.domains.home.check.wishes import wishes_told
-from scenewright.domains.home.home_floor import join_floors
 from scenewright.domains.home.shortfall import list_lacking
+from scenewright.domains.home.walking.barred import find_barred
+from scenewright.domains.home.walking.home_floor import join_floors
 from scenewright.domains.home.wished.gaps import (
     distance_between,
     distance_to_segments,

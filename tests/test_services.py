@@ -26,7 +26,7 @@ from scenewright.domains.home import solving as home
 from scenewright.domains.home.energy import evaluate
 from scenewright.domains.home.furnishing.furnish import Refused, furnish_patch
 from scenewright.domains.home.furnishing.obstacles import standing_of
-from scenewright.domains.home.ground import ground_of
+from scenewright.domains.home.grounds.ground import ground_of
 from scenewright.domains.home.problem import Problem, empty_items
 from scenewright.domains.home.wished.plugged import out_of_reach
 from scenewright.drawing import rooms

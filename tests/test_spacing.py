@@ -17,7 +17,7 @@ from scenewright.core.brief import Brief
 from scenewright.core.passes import PassOptions
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains import check
-from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer
+from scenewright.domains.home.attempts.attempt import FurnishedGroup, RoomAnswer
 from scenewright.domains.home.cases.library import SHIPPED, cases
 from scenewright.domains.home.composing.spacing import rules, shifts
 from scenewright.domains.home.composing.spacing.askew import square_up

@@ -19,7 +19,7 @@ from scenewright.core.errors import InputError
 from scenewright.domains import plan_of
 from scenewright.domains.hall.zoning.zones import check_halls
 from scenewright.domains.home.furnishing.style_words import note_colours
-from scenewright.domains.home.requests import check_asks
+from scenewright.domains.home.wished.requests import check_asks
 from scenewright.domains.home.wished.wishes import check_wishes
 from scenewright.formats import brief_json
 

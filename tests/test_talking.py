@@ -7,7 +7,7 @@ from math import pi
 import pytest
 
 from scenewright.core.scene import Piece, Pose, Size
-from scenewright.domains.home.attempt import FurnishedGroup
+from scenewright.domains.home.attempts.attempt import FurnishedGroup
 from scenewright.domains.home.composing.filling.talking import is_left_alone, joins_sofa
 from scenewright.domains.home.programme import Wish
 

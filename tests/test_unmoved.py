@@ -8,15 +8,15 @@ import shapely
 from scenewright.building.plan import plan_rooms
 from scenewright.catalog.loading import catalog_of
 from scenewright.domains.home.energy import energies_of, prepare, route_grid
-from scenewright.domains.home.home_floor import (
+from scenewright.domains.home.solvers.anneal import scatter_boxes
+from scenewright.domains.home.solving import problems, solve
+from scenewright.domains.home.walking.home_floor import (
     SLACK,
     join_floors,
     list_obstacles,
     reach_without,
     walk,
 )
-from scenewright.domains.home.solvers.anneal import scatter_boxes
-from scenewright.domains.home.solving import problems, solve
 from scenewright.formats import read
 
 

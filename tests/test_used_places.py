@@ -13,12 +13,12 @@ import scenewright as sw
 from scenewright.building.plan import spaces
 from scenewright.core.brief import Brief, Room
 from scenewright.core.scene import Piece, Pose, Size
-from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer
+from scenewright.domains.home.attempts.attempt import FurnishedGroup, RoomAnswer
 from scenewright.domains.home.cases.library import SHIPPED
 from scenewright.domains.home.composing.spacing import cut_off, rules
 from scenewright.domains.home.composing.spacing.leave_out import leave_out_near
-from scenewright.domains.home.ground import ground_of
-from scenewright.domains.home.household import decide_household, share_out
+from scenewright.domains.home.grounds.ground import ground_of
+from scenewright.domains.home.needs.household import decide_household, share_out
 from scenewright.domains.home.problem import Ground
 from scenewright.domains.home.programme import Wish, programme
 from scenewright.domains.home.wished.places import spots_of

@@ -11,10 +11,10 @@ from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.places.stretches import longest_stretch, reach_of
 from scenewright.domains.home.furnishing.furnish import SLACK, world
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
+from scenewright.domains.home.grounds.wall_places import along_walls, free_boxes
 from scenewright.domains.home.measures import RAISED
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.solving import prepare_rooms, solve
-from scenewright.domains.home.wall_places import along_walls, free_boxes
 from scenewright.formats import read
 from scenewright.geometry.fit import faults
 

@@ -10,7 +10,7 @@ import pytest
 from scenewright.building.plan import spaces
 from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief, Room
-from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer
+from scenewright.domains.home.attempts.attempt import FurnishedGroup, RoomAnswer
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.filling.wet_rooms import can_stand_before, fill_wet_room
 from scenewright.domains.home.composing.filling.widening import widen_groups

@@ -14,8 +14,8 @@ from scenewright.building.plan import spaces
 from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief, Room
 from scenewright.core.piece_outlines import outline_of
-from scenewright.domains.home.attempt import Missing, RoomAnswer, find_blocked
-from scenewright.domains.home.bed_first import with_narrow_ways
+from scenewright.domains.home.attempts.attempt import Missing, RoomAnswer, find_blocked
+from scenewright.domains.home.attempts.bed_first import with_narrow_ways
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.bed_sides import count_closed_beds
 from scenewright.domains.home.composing.kitchens.hob_places import find_line, lay_out, list_orders

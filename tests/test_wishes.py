@@ -19,7 +19,7 @@ from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.solution import Solution
 from scenewright.domains import check, resolve
 from scenewright.domains.home import solving as home
-from scenewright.domains.home.attempt import build_task_problem, score_answer
+from scenewright.domains.home.attempts.attempt import build_task_problem, score_answer
 from scenewright.domains.home.build_problem import items_of
 from scenewright.domains.home.cases.library import SHIPPED
 from scenewright.domains.home.presets import PRESETS

@@ -11,11 +11,11 @@ from scenewright.catalog.assets import shipped
 from scenewright.core.brief import Brief
 from scenewright.domains import check
 from scenewright.domains.home import solving as home
-from scenewright.domains.home.attempt import Missing, RoomAnswer, RoomTask
+from scenewright.domains.home.attempts.attempt import Missing, RoomAnswer, RoomTask
+from scenewright.domains.home.attempts.second_try import tried_again
 from scenewright.domains.home.cases.library import SHIPPED
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.programme import Wish
-from scenewright.domains.home.second_try import tried_again
 from scenewright.domains.home.tasks import task_of, wishes_of
 from scenewright.domains.home.wheelchair import furnish_by_use
 from scenewright.engine.solve import Budget

@@ -22,7 +22,7 @@ from scenewright.domains.hall.demands.checked import floor_needed, ids_of, sizes
 from scenewright.domains.hall.hall_layout import Zone
 from scenewright.domains.hall.zoning.borders import border_lengths
 from scenewright.domains.hall.zoning.zones import HallPlan, borders_of, wall_stretches, zones_of
-from scenewright.domains.home.requests import check_plain
+from scenewright.domains.home.wished.requests import check_plain
 
 
 def box(x0: float, y0: float, x1: float, y1: float) -> list[list[float]]:

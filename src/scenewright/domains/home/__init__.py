@@ -11,7 +11,7 @@ DOMAIN = Domain(
     rooms_lack=("people", "theme", "fill", "like"),
     verbs={
         "plan": "scenewright.building.plan:plan_rooms",
-        "validate": ".requests:check_plain",
+        "validate": ".wished.requests:check_plain",
         "problems": ".solving:problems",
         "solve": ".solving:solve",
         "solution": ".solution:solution_of",
@@ -32,7 +32,7 @@ DOMAIN = Domain(
         "refuse_style": ".furnishing.look:refuse_style",
         "learn": ".learned.from_homes:learn_from_homes",
         "drawn_scale": "scenewright.check.drawn_scale:estimate_scale",
-        "programme": ".household:tell_programme",
+        "programme": ".needs.household:tell_programme",
         "ledger": ".needs.ledger:make_ledger",
         "faults": ".rules.told:tell_faults",
         "appearance": ".furnishing.look:tell_palette",

@@ -6,7 +6,7 @@ import numpy as np
 
 from scenewright.core.brief import Room
 from scenewright.core.catalog import Group
-from scenewright.domains.home.attempt import RoomTask
+from scenewright.domains.home.attempts.attempt import RoomTask
 from scenewright.domains.home.cases.library import Library, cases, subset
 from scenewright.domains.home.furnishing.furnish import SLACK
 from scenewright.domains.home.programme import Wish

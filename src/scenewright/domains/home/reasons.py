@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from scenewright.core.solution import LeftOut, Patch, TermValue
-from scenewright.domains.home.attempt import RoomAnswer, RoomTask, build_task_problem
+from scenewright.domains.home.attempts.attempt import RoomAnswer, RoomTask, build_task_problem
 from scenewright.domains.home.energy import explain
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from scenewright.domains.home.attempt import (
+from scenewright.domains.home.attempts.attempt import (
     Missing,
     RoomAnswer,
     RoomTask,
@@ -14,7 +14,7 @@ from scenewright.domains.home.attempt import (
     hear_groups,
     penalty,
 )
-from scenewright.domains.home.piecewise import piecewise
+from scenewright.domains.home.attempts.piecewise import piecewise
 from scenewright.domains.home.programme import FALLBACK, Wish, instead_of
 from scenewright.domains.home.settings import FaultCosts, TrySettings
 from scenewright.domains.home.solvers import SOLVERS

@@ -22,10 +22,10 @@ from scenewright.core.catalog import Catalog
 from scenewright.core.scene import Piece
 from scenewright.core.solution import LeftOut
 from scenewright.core.space import Space
-from scenewright.domains.home.attempt import RoomAnswer, RoomTask
+from scenewright.domains.home.attempts.attempt import RoomAnswer, RoomTask
 from scenewright.domains.home.furnishing.whole import TOGETHER
 from scenewright.domains.home.groups import GROUPS
-from scenewright.domains.home.household import BED_PLACES
+from scenewright.domains.home.needs.household import BED_PLACES
 from scenewright.domains.home.wished.wishes import list_barred_groups
 
 

@@ -14,7 +14,7 @@ from scenewright.core.errors import InputError
 from scenewright.core.layout import Layouts, NamedBox, check_layouts
 from scenewright.core.plan import Plan
 from scenewright.core.solution import Solution
-from scenewright.domains.home.attempt import (
+from scenewright.domains.home.attempts.attempt import (
     Missing,
     RoomAnswer,
     RoomTask,
@@ -24,11 +24,11 @@ from scenewright.domains.home.attempt import (
 from scenewright.domains.home.composing.kitchens.relaid import refit_kitchen
 from scenewright.domains.home.energy import evaluate
 from scenewright.domains.home.groups import GROUPS
-from scenewright.domains.home.home_floor import join_floors
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.programme import Wish
-from scenewright.domains.home.requests import check_asks
 from scenewright.domains.home.solving import assemble_solution, prepare_rooms
+from scenewright.domains.home.walking.home_floor import join_floors
+from scenewright.domains.home.wished.requests import check_asks
 from scenewright.domains.home.wished.wishes import check_wishes
 from scenewright.engine.rows import preset_named
 

@@ -26,34 +26,38 @@ from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
 from scenewright.core.solution import LeftOut, Solution
 from scenewright.core.space import Space
-from scenewright.domains.home.attempt import RoomAnswer, RoomTask, build_task_problem
+from scenewright.domains.home.attempts.attempt import RoomAnswer, RoomTask, build_task_problem
+from scenewright.domains.home.attempts.drafts import choose_open, furnish_best
+from scenewright.domains.home.attempts.second_try import tried_again
+from scenewright.domains.home.attempts.variants import other_groups, vary_task
 from scenewright.domains.home.cases.own_library import libraries_of, taste_of
-from scenewright.domains.home.closets import has_closet, list_wet_walls
 from scenewright.domains.home.composing.compose import compose
 from scenewright.domains.home.composing.home_passes import ALIGNING, MENDING, SETTLING, finish_home
 from scenewright.domains.home.composing.homewide.settling import HomeState
-from scenewright.domains.home.drafts import choose_open, furnish_best
-from scenewright.domains.home.entrances import entered_by
 from scenewright.domains.home.furnishing.look import apply_style
-from scenewright.domains.home.home_floor import HomeFloor, join_floors
-from scenewright.domains.home.household import decide_household, explain_no_kitchen, seat_residents
-from scenewright.domains.home.kept_ways import find_barring_screens
+from scenewright.domains.home.grounds.closets import has_closet, list_wet_walls
+from scenewright.domains.home.grounds.open_plan import share_open_plans
 from scenewright.domains.home.learned.density import match_learned_density
+from scenewright.domains.home.needs.household import (
+    decide_household,
+    explain_no_kitchen,
+    seat_residents,
+)
 from scenewright.domains.home.needs.stated import AskedRooms, measure_shortage, meet_stated_needs
-from scenewright.domains.home.open_plan import share_open_plans
 from scenewright.domains.home.presets import PRESETS, HomePreset
 from scenewright.domains.home.problem import Problem
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.reasons import left_out, patches, terms
-from scenewright.domains.home.remove_blockers import remove_blockers
-from scenewright.domains.home.requests import check_asks, check_possible
 from scenewright.domains.home.room import count_steps
-from scenewright.domains.home.second_try import tried_again
-from scenewright.domains.home.shared_wishes import share_wishes
 from scenewright.domains.home.shortfall import complete_account, list_short_beds
 from scenewright.domains.home.tasks import add_lamps_and_curtains, task_of, wishes_of
-from scenewright.domains.home.variants import other_groups, vary_task
+from scenewright.domains.home.walking.entrances import entered_by
+from scenewright.domains.home.walking.home_floor import HomeFloor, join_floors
+from scenewright.domains.home.walking.kept_ways import find_barring_screens
+from scenewright.domains.home.walking.remove_blockers import remove_blockers
 from scenewright.domains.home.wheelchair import furnish_by_use, widen_library
+from scenewright.domains.home.wished.requests import check_asks, check_possible
+from scenewright.domains.home.wished.shared_wishes import share_wishes
 from scenewright.domains.home.wished.wishes import check_wishes, list_substitutes, restrict_library
 from scenewright.engine.rows import preset_named
 from scenewright.engine.shared_progress import SharedProgress

@@ -17,11 +17,11 @@ from scenewright.core.catalog import Catalog
 from scenewright.core.piece_outlines import polygons_of
 from scenewright.core.scene import Piece
 from scenewright.core.space import Space
-from scenewright.domains.home.attempt import RoomTask, floor_of, out_of_reach
+from scenewright.domains.home.attempts.attempt import RoomTask, floor_of, out_of_reach
 from scenewright.domains.home.cases.library import Library
 from scenewright.domains.home.furnishing.enlarge import enlarge_pieces
 from scenewright.domains.home.furnishing.extras import extras
-from scenewright.domains.home.ground import ground_of
+from scenewright.domains.home.grounds.ground import ground_of
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.presets import HomePreset
 from scenewright.domains.home.programme import (
@@ -35,9 +35,9 @@ from scenewright.domains.home.programme import (
     standing_groups,
     standing_kinds,
 )
-from scenewright.domains.home.requests import limit_sizes
 from scenewright.domains.home.settings import fit_settings
 from scenewright.domains.home.wished.beds import take_wished_bed
+from scenewright.domains.home.wished.requests import limit_sizes
 from scenewright.domains.home.wished.wishes import apply_wishes
 
 Cancel = Callable[[], bool]

@@ -18,7 +18,14 @@ from scenewright.core.catalog import Group, Member
 from scenewright.core.layout import corners
 from scenewright.core.piece_edits import frame_of, transfer_frame
 from scenewright.core.scene import Piece
-from scenewright.domains.home.attempt import FurnishedGroup, Missing, RoomAnswer, RoomTask, penalty
+from scenewright.domains.home.attempts.attempt import (
+    FurnishedGroup,
+    Missing,
+    RoomAnswer,
+    RoomTask,
+    penalty,
+)
+from scenewright.domains.home.attempts.systematic import essential_layouts
 from scenewright.domains.home.cases.library import Library, cases, index_cases
 from scenewright.domains.home.easy_forms import keep_roomy, prefer_easy
 from scenewright.domains.home.furnishing.furnish import SLACK
@@ -26,7 +33,6 @@ from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_o
 from scenewright.domains.home.groups.classes import UNLIVED
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.room import fill_rest, furnish, share_of
-from scenewright.domains.home.systematic import essential_layouts
 from scenewright.engine.solve import Budget
 from scenewright.geometry.fit import COLLIDES, faults
 

@@ -10,9 +10,9 @@ from scenewright.building.plan import spaces
 from scenewright.core.brief import Brief, Door, Room
 from scenewright.core.catalog import Catalog, Group
 from scenewright.domains.home.furnishing.furnish import FurnishedPatch, pieces_of
-from scenewright.domains.home.ground import ground_of
+from scenewright.domains.home.grounds.ground import ground_of
 from scenewright.domains.home.groups import GROUPS
-from scenewright.domains.home.ways import find_unreached
+from scenewright.domains.home.walking.ways import find_unreached
 
 BACKED = 0.5
 """How much a group belongs to a wall (its row's ``back``) from which it is tried at one."""

@@ -15,9 +15,9 @@ from scenewright.domains.home.changes.lacking import moved_out, still_missing
 from scenewright.domains.home.changes.lights import completed_as_before
 from scenewright.domains.home.changes.revised import Revised, list_placed
 from scenewright.domains.home.furnishing.look import apply_style
-from scenewright.domains.home.home_floor import HomeFloor
-from scenewright.domains.home.kept_ways import find_barring_screens
 from scenewright.domains.home.reasons import left_out, patches, terms
+from scenewright.domains.home.walking.home_floor import HomeFloor
+from scenewright.domains.home.walking.kept_ways import find_barring_screens
 
 
 def assemble_home(

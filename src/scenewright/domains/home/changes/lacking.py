@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from scenewright.core.scene import Piece
 from scenewright.core.solution import LeftOut, Solution
 from scenewright.core.space import Space
-from scenewright.domains.home.attempt import RoomAnswer, RoomTask
+from scenewright.domains.home.attempts.attempt import RoomAnswer, RoomTask
 from scenewright.domains.home.changes.edits import EditedHome, leads
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.tasks import wishes_of

@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from scenewright.core.scene import Piece
-from scenewright.domains.home.attempt import (
+from scenewright.domains.home.attempts.attempt import (
     FurnishedGroup,
     RoomAnswer,
     RoomTask,

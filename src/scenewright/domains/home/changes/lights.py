@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from scenewright.core.scene import Piece
-from scenewright.domains.home.attempt import RoomTask
+from scenewright.domains.home.attempts.attempt import RoomTask
 from scenewright.domains.home.changes.edits import LIGHT
 from scenewright.domains.home.tasks import grow_pieces, list_extras
 

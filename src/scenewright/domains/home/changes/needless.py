@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from scenewright.domains.home.attempt import (
+from scenewright.domains.home.attempts.attempt import (
     DOOR,
     FurnishedGroup,
     Missing,
@@ -74,7 +74,7 @@ def take_back(
 
 def cost(task: RoomTask, groups: Sequence[FurnishedGroup], missing: Sequence[Missing]) -> float:
     """What a furnished room costs: what is missing or out of reach, wishes that are not met, and
-    the energy; as :func:`scenewright.domains.home.attempt.score_answer` has it."""
+    the energy; as :func:`scenewright.domains.home.attempts.attempt.score_answer` has it."""
     pieces = tuple(p for g in groups for p in g.pieces)
     far = out_of_reach(task, pieces) - task.tight
     doors = sum(name.startswith(DOOR) for name in far)

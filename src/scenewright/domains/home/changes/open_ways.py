@@ -11,7 +11,8 @@ from scenewright.core.passes import Pass
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
 from scenewright.core.space import Space
-from scenewright.domains.home.attempt import RoomAnswer
+from scenewright.domains.home.attempts.attempt import RoomAnswer
+from scenewright.domains.home.attempts.second_try import tried_again
 from scenewright.domains.home.changes.least_change import Rest
 from scenewright.domains.home.changes.revised import NOTHING, Revised
 from scenewright.domains.home.composing.home_passes import (
@@ -22,12 +23,11 @@ from scenewright.domains.home.composing.home_passes import (
     finish_home,
 )
 from scenewright.domains.home.composing.homewide.settling import HomeState
-from scenewright.domains.home.home_floor import HomeFloor
-from scenewright.domains.home.household import Household, decide_household
 from scenewright.domains.home.needs.counting import count_eaters
+from scenewright.domains.home.needs.household import Household, decide_household
 from scenewright.domains.home.presets import PRESETS
-from scenewright.domains.home.remove_blockers import Opened, remove_blockers
-from scenewright.domains.home.second_try import tried_again
+from scenewright.domains.home.walking.home_floor import HomeFloor
+from scenewright.domains.home.walking.remove_blockers import Opened, remove_blockers
 from scenewright.engine.rows import preset_named
 
 Answers = Sequence[RoomAnswer]

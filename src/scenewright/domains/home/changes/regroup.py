@@ -13,7 +13,7 @@ from scenewright.core.catalog import Catalog, Group, Member
 from scenewright.core.layout import corners
 from scenewright.core.piece_edits import carry_pieces
 from scenewright.core.scene import Piece
-from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
+from scenewright.domains.home.attempts.attempt import FurnishedGroup, RoomTask
 from scenewright.domains.home.changes.edits import leads, near_poses
 from scenewright.domains.home.furnishing.furnish import (
     BACKED,
@@ -23,8 +23,8 @@ from scenewright.domains.home.furnishing.furnish import (
     why_not,
 )
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles, flat_kinds, standing_of
+from scenewright.domains.home.grounds.hanging_walls import hanging_walls
 from scenewright.domains.home.groups import GROUPS
-from scenewright.domains.home.hanging_walls import hanging_walls
 from scenewright.domains.home.programme import FALLBACK, Wish
 from scenewright.geometry.fit import OUTSIDE, faults, is_backed
 

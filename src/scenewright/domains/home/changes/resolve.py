@@ -20,7 +20,7 @@ from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
 from scenewright.core.solution import LeftOut, Solution
 from scenewright.core.space import Space
-from scenewright.domains.home.attempt import RoomTask
+from scenewright.domains.home.attempts.attempt import RoomTask
 from scenewright.domains.home.cases.library import Library
 from scenewright.domains.home.cases.own_library import libraries_of, taste_of
 from scenewright.domains.home.changes.assembling import assemble_home
@@ -36,22 +36,22 @@ from scenewright.domains.home.changes.regroup import (
     settle_group,
 )
 from scenewright.domains.home.changes.revised import NOTHING, Revised
-from scenewright.domains.home.closets import has_closet, list_wet_walls
 from scenewright.domains.home.composing.compose import compose
-from scenewright.domains.home.entrances import entered_by
 from scenewright.domains.home.furnishing.look import keep_palette
+from scenewright.domains.home.grounds.closets import has_closet, list_wet_walls
+from scenewright.domains.home.grounds.open_plan import held_elsewhere
 from scenewright.domains.home.groups import GROUPS
-from scenewright.domains.home.home_floor import join_floors
-from scenewright.domains.home.household import Household, decide_household, seat_residents
 from scenewright.domains.home.learned.density import match_learned_density
-from scenewright.domains.home.open_plan import held_elsewhere
+from scenewright.domains.home.needs.household import Household, decide_household, seat_residents
 from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.programme import Wish, standing_groups
 from scenewright.domains.home.room import count_steps
-from scenewright.domains.home.shared_wishes import share_with_home
 from scenewright.domains.home.solvers import SOLVERS
 from scenewright.domains.home.tasks import task_of, wishes_of
+from scenewright.domains.home.walking.entrances import entered_by
+from scenewright.domains.home.walking.home_floor import join_floors
 from scenewright.domains.home.wheelchair import furnish_by_use, widen_library
+from scenewright.domains.home.wished.shared_wishes import share_with_home
 from scenewright.domains.home.wished.wishes import restrict_library
 from scenewright.engine.rows import preset_named, solver_again
 from scenewright.engine.solve import Budget

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from scenewright.core.scene import Piece
 from scenewright.core.solution import LeftOut
-from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask
+from scenewright.domains.home.attempts.attempt import FurnishedGroup, RoomAnswer, RoomTask
 from scenewright.domains.home.changes.least_change import Rest
 from scenewright.domains.home.programme import Wish
 from scenewright.engine.solve import Budget

@@ -21,7 +21,7 @@ from scenewright.check.spaces import inscribed_width, under_ceiling
 from scenewright.core.brief import Room
 from scenewright.core.report import Finding, Note
 from scenewright.core.solution import LeftOut
-from scenewright.domains.home.household import BED_PLACES
+from scenewright.domains.home.needs.household import BED_PLACES
 
 SHARED = frozenset(("living", "dining", "kitchen", "hall"))
 """Functions whose essentials may stand in any room of an open space."""

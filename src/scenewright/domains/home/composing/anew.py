@@ -13,7 +13,7 @@ from functools import cache
 from itertools import islice
 from math import hypot, inf
 
-from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, bars_no_more
+from scenewright.domains.home.attempts.attempt import FurnishedGroup, RoomTask, bars_no_more
 from scenewright.domains.home.composing.case_faults import find_case_faults
 from scenewright.domains.home.composing.improve import list_worst_first
 from scenewright.domains.home.composing.judging import (

@@ -6,11 +6,11 @@ from collections.abc import Iterator, Sequence
 from math import cos, hypot, sin
 
 from scenewright.core.scene import Piece
-from scenewright.domains.home.attempt import FurnishedGroup
-from scenewright.domains.home.bed_aisles import DOUBLE, Box
+from scenewright.domains.home.attempts.attempt import FurnishedGroup
 from scenewright.domains.home.measures import ON_FLOOR
 from scenewright.domains.home.problem import Ground
 from scenewright.domains.home.rules.classes import MOVED
+from scenewright.domains.home.walking.bed_aisles import DOUBLE, Box
 from scenewright.geometry.boxes import area_in_polygon, common_area, make_frame
 
 OFF_BED, GOT_IN_FROM = 0.01, 0.45

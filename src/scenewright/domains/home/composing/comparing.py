@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from scenewright.core.passes import PassChange
-from scenewright.domains.home.attempt import Missing, RoomAnswer, RoomTask, penalty
+from scenewright.domains.home.attempts.attempt import Missing, RoomAnswer, RoomTask, penalty
 from scenewright.domains.home.composing.judging import JudgedRoom, Placed, judge_of, sum_faults
 
 

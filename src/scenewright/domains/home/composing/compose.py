@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scenewright.domains.home.attempt import Missing, RoomAnswer, RoomTask, find_blocked
+from scenewright.domains.home.attempts.attempt import Missing, RoomAnswer, RoomTask, find_blocked
 from scenewright.domains.home.composing.habitual import keep_habits
 from scenewright.domains.home.composing.improve import list_worst_first
 from scenewright.domains.home.composing.judging import JudgedRoom, Placed, count_unmet, judge_of

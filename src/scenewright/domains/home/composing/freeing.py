@@ -9,7 +9,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from scenewright.core.catalog import Group
-from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, bars_no_more, find_blocked
+from scenewright.domains.home.attempts.attempt import (
+    FurnishedGroup,
+    RoomTask,
+    bars_no_more,
+    find_blocked,
+)
 from scenewright.domains.home.composing.judging import Placed, judge_of
 from scenewright.domains.home.composing.places.forms import list_forms
 from scenewright.domains.home.composing.places.moving import with_margin

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from functools import partial
 
 from scenewright.core.passes import ALL_PASSES, Pass, run_passes
-from scenewright.domains.home.attempt import RoomAnswer, RoomTask
+from scenewright.domains.home.attempts.attempt import RoomAnswer, RoomTask
 from scenewright.domains.home.composing.alignment.homes import align_rooms
 from scenewright.domains.home.composing.comparing import compare_homes
 from scenewright.domains.home.composing.filling.widening import widen_storage
@@ -23,7 +23,7 @@ from scenewright.domains.home.needs.settle import (
     hang_clothes,
     set_table,
 )
-from scenewright.domains.home.remove_blockers import Opened
+from scenewright.domains.home.walking.remove_blockers import Opened
 
 Answers = list[RoomAnswer]
 

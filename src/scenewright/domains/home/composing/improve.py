@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterator
 
-from scenewright.domains.home.attempt import RoomTask
+from scenewright.domains.home.attempts.attempt import RoomTask
 from scenewright.domains.home.composing.bed_ways import list_closing
 from scenewright.domains.home.composing.judging import (
     JudgedRoom,

@@ -12,7 +12,12 @@ from shapely import Polygon
 
 from scenewright.catalog.classes import BEDS
 from scenewright.core.same import Same, once
-from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, build_task_problem, floor_of
+from scenewright.domains.home.attempts.attempt import (
+    FurnishedGroup,
+    RoomTask,
+    build_task_problem,
+    floor_of,
+)
 from scenewright.domains.home.composing.bed_ways import cost_of_bed_ways
 from scenewright.domains.home.composing.kitchen_faults import cost_of_places
 from scenewright.domains.home.composing.placed_faults import (

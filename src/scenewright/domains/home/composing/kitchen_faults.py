@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from scenewright.domains.home.attempt import FurnishedGroup
+from scenewright.domains.home.attempts.attempt import FurnishedGroup
 from scenewright.domains.home.composing.modest import find_few_places
 from scenewright.domains.home.composing.placed_faults import list_standing
 from scenewright.domains.home.groups.classes import TABLES

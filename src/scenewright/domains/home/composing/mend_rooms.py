@@ -11,14 +11,19 @@ from collections.abc import Hashable, Sequence
 from functools import partial
 
 from scenewright.arranging.repair import Repair, repair
-from scenewright.domains.home.attempt import RoomAnswer, RoomTask, bars_no_more, find_blocked
-from scenewright.domains.home.bed_first import with_narrow_ways
+from scenewright.domains.home.attempts.attempt import (
+    RoomAnswer,
+    RoomTask,
+    bars_no_more,
+    find_blocked,
+)
+from scenewright.domains.home.attempts.bed_first import with_narrow_ways
 from scenewright.domains.home.composing.homewide.settling import try_in_home
 from scenewright.domains.home.composing.room_moves import MOVES
 from scenewright.domains.home.composing.seats.unseen import leave_out_unseen_screen
 from scenewright.domains.home.composing.spacing.leave_out import leave_out_near
 from scenewright.domains.home.composing.verdict import finds_more, judge_room
-from scenewright.domains.home.remove_blockers import Opened
+from scenewright.domains.home.walking.remove_blockers import Opened
 
 LEAST = 3.0  # by how much a room is to cost less, where nothing is found less
 BUDGET = 150  # rooms that are weighed

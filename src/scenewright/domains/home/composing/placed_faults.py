@@ -12,7 +12,7 @@ from scenewright.catalog.classes import SOFAS
 from scenewright.core.catalog import Group
 from scenewright.core.same import once
 from scenewright.core.scene import Piece
-from scenewright.domains.home.attempt import FurnishedGroup
+from scenewright.domains.home.attempts.attempt import FurnishedGroup
 from scenewright.domains.home.composing.bed_places import place_member
 from scenewright.domains.home.composing.places.forms import cost_of_case
 from scenewright.domains.home.furnishing.enlarge import find_widest_screen

@@ -8,14 +8,14 @@ from itertools import islice
 import numpy as np
 
 from scenewright.core.catalog import Group
-from scenewright.domains.home.attempt import (
+from scenewright.domains.home.attempts.attempt import (
     FurnishedGroup,
     Missing,
     RoomAnswer,
     RoomTask,
     find_blocked,
 )
-from scenewright.domains.home.bed_first import with_narrow_ways
+from scenewright.domains.home.attempts.bed_first import with_narrow_ways
 from scenewright.domains.home.composing.bedrooms.clothes import (
     CHEST,
     WARDROBE,

@@ -7,7 +7,7 @@ from functools import partial
 from typing import Any
 
 from scenewright.core.passes import Pass, run_passes
-from scenewright.domains.home.attempt import RoomAnswer, RoomTask
+from scenewright.domains.home.attempts.attempt import RoomAnswer, RoomTask
 from scenewright.domains.home.composing.anew import compose_anew
 from scenewright.domains.home.composing.bedrooms.beds import restore_double_bed
 from scenewright.domains.home.composing.comparing import compare_answers, compare_judged

@@ -12,7 +12,7 @@ from scenewright.catalog.assets.furniture.cooking import has_worktop
 from scenewright.catalog.classes import BEDS, TABLE_SEATS
 from scenewright.core.same import once
 from scenewright.core.scene import Piece
-from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask, penalty
+from scenewright.domains.home.attempts.attempt import FurnishedGroup, RoomAnswer, RoomTask, penalty
 from scenewright.domains.home.composing.bed_sides import count_closed_beds
 from scenewright.domains.home.composing.case_faults import count_seats, find_case_faults
 from scenewright.domains.home.composing.judging import Placed, cost_by_row, count_unmet, judge_of
@@ -29,9 +29,9 @@ from scenewright.domains.home.composing.placed_faults import (
 from scenewright.domains.home.composing.seats.unseen import hangs_in_doorway, is_screen_unseen
 from scenewright.domains.home.composing.spacing.rules import list_close
 from scenewright.domains.home.composing.views import is_off_axis
-from scenewright.domains.home.household import STORING
 from scenewright.domains.home.least_sizes import LEAST_SIZES
 from scenewright.domains.home.measures import RAISED
+from scenewright.domains.home.needs.household import STORING
 from scenewright.domains.home.programme import WELCOME
 
 STUCK = 2.5

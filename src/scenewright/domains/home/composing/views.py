@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from scenewright.catalog.classes import SOFAS
 from scenewright.core.scene import Piece, Pose
-from scenewright.domains.home.attempt import FurnishedGroup
+from scenewright.domains.home.attempts.attempt import FurnishedGroup
 from scenewright.domains.home.groups.classes import SITTING
 from scenewright.domains.home.measures import RAISED
 from scenewright.domains.home.settings import CompositionCosts

@@ -88,7 +88,7 @@ def lay_mats(
 
     >>> from scenewright.building.plan import spaces
     >>> from scenewright.catalog.assets import shipped
-    >>> from scenewright.domains.home.ground import ground_of
+    >>> from scenewright.domains.home.grounds.ground import ground_of
     >>> from scenewright.formats import read
     >>> (hall,) = (s for s in spaces(read("sample:home-flat")) if "hall" in s.functions)
     >>> [mat.category for mat in lay_mats(hall, ground_of(hall, (), 6.0), (), shipped())]

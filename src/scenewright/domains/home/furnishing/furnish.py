@@ -25,8 +25,8 @@ from scenewright.core.space import Outlet
 from scenewright.domains.home.cases.library import SHIPPED, Library, cases, each_fitting, nearest
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles
 from scenewright.domains.home.furnishing.whole import below
+from scenewright.domains.home.grounds.hanging_walls import hanging_walls
 from scenewright.domains.home.groups import GROUPS
-from scenewright.domains.home.hanging_walls import hanging_walls
 from scenewright.domains.home.problem import Ground
 from scenewright.domains.home.wished.plugged import out_of_reach
 from scenewright.geometry.compiled import compiled

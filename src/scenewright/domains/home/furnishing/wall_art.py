@@ -28,8 +28,8 @@ from scenewright.domains.home.furnishing.obstacles import (
     flat_kinds,
     standing_of,
 )
+from scenewright.domains.home.grounds.hanging_walls import hanging_walls
 from scenewright.domains.home.groups.classes import LIVED_IN
-from scenewright.domains.home.hanging_walls import hanging_walls
 from scenewright.domains.home.problem import Ground
 from scenewright.geometry.fit import faults, is_backed
 

@@ -16,7 +16,7 @@ from scenewright.core.brief import Room
 from scenewright.core.catalog import Group
 from scenewright.core.scene import Piece, Pose
 from scenewright.core.space import Space
-from scenewright.domains.home.attempt import RoomTask, floor_of, furnished_as
+from scenewright.domains.home.attempts.attempt import RoomTask, floor_of, furnished_as
 from scenewright.domains.home.cases.library import find_preferred_case
 from scenewright.domains.home.learned import habits
 from scenewright.domains.home.learned.space import measure_coverage

@@ -7,7 +7,7 @@ from math import cos, pi, sin
 
 from scenewright.catalog.classes import EATING_TABLES, SOFT_SEATS, TABLE_SEATS
 from scenewright.core.scene import Piece
-from scenewright.domains.home.household import BED_PLACES, count_places
+from scenewright.domains.home.needs.household import BED_PLACES, count_places
 
 EDGE = 0.6
 """Metres of a table's edge, or of a bench, for each who eats."""

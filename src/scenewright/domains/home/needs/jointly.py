@@ -19,8 +19,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.core.catalog import Group, Member
-from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, bars_no_more
-from scenewright.domains.home.bed_first import with_narrow_ways
+from scenewright.domains.home.attempts.attempt import FurnishedGroup, RoomTask, bars_no_more
+from scenewright.domains.home.attempts.bed_first import with_narrow_ways
 from scenewright.domains.home.composing.bed_places import place_member
 from scenewright.domains.home.composing.filling.bare_floor import pieces_of
 from scenewright.domains.home.composing.homewide.settling import (

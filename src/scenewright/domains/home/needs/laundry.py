@@ -10,7 +10,7 @@ from collections.abc import Iterator
 
 from scenewright.catalog.classes import PLAIN_CABINETS
 from scenewright.core.catalog import Group, Member
-from scenewright.domains.home.attempt import FurnishedGroup, Missing, RoomAnswer
+from scenewright.domains.home.attempts.attempt import FurnishedGroup, Missing, RoomAnswer
 from scenewright.domains.home.composing.filling.beside_others import list_others
 from scenewright.domains.home.composing.homewide.settling import HomeState
 from scenewright.domains.home.composing.places.moving import dress_group

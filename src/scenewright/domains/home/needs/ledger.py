@@ -14,7 +14,7 @@ from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
 from scenewright.core.solution import LeftOut, Solution
 from scenewright.core.space import Space
-from scenewright.domains.home.household import count_residents, is_dwelling
+from scenewright.domains.home.needs.household import count_residents, is_dwelling
 from scenewright.domains.home.needs.table import NEEDS, Need, Residence
 
 NEARLY = 0.05

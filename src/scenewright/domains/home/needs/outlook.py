@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from scenewright.catalog.classes import SOFAS
 from scenewright.core.scene import Piece
-from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask
+from scenewright.domains.home.attempts.attempt import FurnishedGroup, RoomAnswer, RoomTask
 from scenewright.domains.home.composing.filling.bare_floor import pieces_of
 from scenewright.domains.home.composing.homewide.settling import (
     HomeState,

@@ -6,8 +6,8 @@ from collections.abc import Iterator, Sequence
 from itertools import islice
 
 from scenewright.core.catalog import Group
-from scenewright.domains.home.attempt import DOOR, FurnishedGroup, RoomTask, find_blocked
-from scenewright.domains.home.bed_first import with_narrow_ways
+from scenewright.domains.home.attempts.attempt import DOOR, FurnishedGroup, RoomTask, find_blocked
+from scenewright.domains.home.attempts.bed_first import with_narrow_ways
 from scenewright.domains.home.composing.homewide.settling import (
     find_barred,
     list_placed,

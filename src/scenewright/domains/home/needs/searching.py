@@ -12,7 +12,7 @@ from itertools import chain, islice
 from typing import NamedTuple
 
 from scenewright.core.catalog import Group
-from scenewright.domains.home.attempt import Missing, RoomAnswer, RoomTask
+from scenewright.domains.home.attempts.attempt import Missing, RoomAnswer, RoomTask
 from scenewright.domains.home.composing.filling.bare_floor import pieces_of
 from scenewright.domains.home.composing.filling.voids import may_stand_free
 from scenewright.domains.home.composing.homewide.settling import (
@@ -28,7 +28,7 @@ from scenewright.domains.home.composing.homewide.settling import (
 from scenewright.domains.home.composing.judging import Placed
 from scenewright.domains.home.composing.places.moving import AMID_FROM
 from scenewright.domains.home.groups.classes import COOKING, TABLES
-from scenewright.domains.home.household import STORING
+from scenewright.domains.home.needs.household import STORING
 from scenewright.domains.home.needs.jointly import list_jointly
 from scenewright.domains.home.needs.solve_for import solve_for
 from scenewright.domains.home.needs.table import RAIL, SHELF

@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterator, Sequence
 from scenewright.catalog.classes import SOFT_SEATS
 from scenewright.core.catalog import Group
 from scenewright.core.scene import Piece
-from scenewright.domains.home.attempt import Missing, RoomAnswer, RoomTask
+from scenewright.domains.home.attempts.attempt import Missing, RoomAnswer, RoomTask
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.filling.bare_floor import SECOND_ZONE_FROM, pieces_of
 from scenewright.domains.home.composing.filling.voids import find_void

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from operator import ge
 
 from scenewright.core.catalog import Group
-from scenewright.domains.home.attempt import Missing, RoomAnswer, RoomTask
+from scenewright.domains.home.attempts.attempt import Missing, RoomAnswer, RoomTask
 from scenewright.domains.home.cases.library import index_cases
 from scenewright.domains.home.composing.compose import compose
 from scenewright.domains.home.composing.homewide.settling import measure_case

@@ -12,14 +12,14 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from typing import NamedTuple
 
-from scenewright.domains.home.attempt import Missing, RoomAnswer, RoomTask
+from scenewright.domains.home.attempts.attempt import Missing, RoomAnswer, RoomTask
+from scenewright.domains.home.attempts.second_try import lacks_essentials, try_otherwise
 from scenewright.domains.home.composing.compose import compose
 from scenewright.domains.home.groups.classes import BED_GROUPS
-from scenewright.domains.home.household import LEAST_BUNK, SEATED, Household, count_places
 from scenewright.domains.home.needs.counting import count_sleepers
+from scenewright.domains.home.needs.household import LEAST_BUNK, SEATED, Household, count_places
 from scenewright.domains.home.programme import FALLBACK, WELCOME, Wish
-from scenewright.domains.home.remove_blockers import Opened
-from scenewright.domains.home.second_try import lacks_essentials, try_otherwise
+from scenewright.domains.home.walking.remove_blockers import Opened
 from scenewright.domains.home.wheelchair import count_shut, furnish_by_use
 from scenewright.engine.solve import Budget
 

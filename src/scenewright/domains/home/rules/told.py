@@ -14,9 +14,9 @@ from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
 from scenewright.core.space import Space
-from scenewright.domains.home.attempt import FurnishedGroup
+from scenewright.domains.home.attempts.attempt import FurnishedGroup
 from scenewright.domains.home.furnishing.furnish import FurnishedPatch
-from scenewright.domains.home.ground import ground_of
+from scenewright.domains.home.grounds.ground import ground_of
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.rules.weigh_home import (
     ROWS,

@@ -27,7 +27,7 @@ from scenewright.arranging.rows import (
 from scenewright.arranging.weighing import Broken, weigh
 from scenewright.core.same import once
 from scenewright.core.scene import Piece
-from scenewright.domains.home.attempt import FurnishedGroup
+from scenewright.domains.home.attempts.attempt import FurnishedGroup
 from scenewright.domains.home.groups import GROUPS, LABELS
 from scenewright.domains.home.problem import Ground
 from scenewright.domains.home.rules.bedroom import BEDROOM

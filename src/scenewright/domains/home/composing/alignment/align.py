@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.core.catalog import Group
-from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
+from scenewright.domains.home.attempts.attempt import FurnishedGroup, RoomTask
 from scenewright.domains.home.composing.alignment.axes import Axis, find_aside, list_axes
 from scenewright.domains.home.composing.alignment.clearance import is_crowded
 from scenewright.domains.home.composing.alignment.spans import Span, find_span

@@ -9,7 +9,7 @@ from typing import NamedTuple
 from scenewright.catalog.classes import BEDS, SOFAS
 from scenewright.core.catalog import Group
 from scenewright.core.scene import Piece
-from scenewright.domains.home.attempt import FurnishedGroup
+from scenewright.domains.home.attempts.attempt import FurnishedGroup
 from scenewright.domains.home.measures import ALIKE
 from scenewright.domains.home.problem import Ground
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from math import cos, sin
 
 from scenewright.core.scene import Piece
-from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
+from scenewright.domains.home.attempts.attempt import FurnishedGroup, RoomTask
 from scenewright.domains.home.composing.places.wall_stretch import measure_front
 from scenewright.domains.home.furnishing.obstacles import flat_kinds
 from scenewright.domains.home.groups import GROUPS

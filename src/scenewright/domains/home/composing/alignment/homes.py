@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from scenewright.domains.home.attempt import RoomAnswer, RoomTask
+from scenewright.domains.home.attempts.attempt import RoomAnswer, RoomTask
 from scenewright.domains.home.composing.alignment.align import align_groups
 from scenewright.domains.home.composing.judging import Placed
-from scenewright.domains.home.remove_blockers import Opened
+from scenewright.domains.home.walking.remove_blockers import Opened
 
 
 def align_rooms(

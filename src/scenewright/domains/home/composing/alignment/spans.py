@@ -12,9 +12,9 @@ from scenewright.core.catalog import Group
 from scenewright.domains.home.composing.places.flush import AT, FLUSH_GAP, boxes_along, seen_from
 from scenewright.domains.home.composing.places.wall_stretch import INSIDE, STOOD_OVER
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles
+from scenewright.domains.home.grounds.wall_places import read_walls
 from scenewright.domains.home.measures import ALIKE
 from scenewright.domains.home.problem import Ground
-from scenewright.domains.home.wall_places import read_walls
 
 Floats = NDArray[np.float64]
 

@@ -6,7 +6,7 @@ from heapq import merge
 from itertools import islice
 from math import inf
 
-from scenewright.domains.home.attempt import RoomTask, floor_of
+from scenewright.domains.home.attempts.attempt import RoomTask, floor_of
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.anew import (
     follow,

@@ -7,7 +7,12 @@ takes the rest.
 
 from __future__ import annotations
 
-from scenewright.domains.home.attempt import FurnishedGroup, Missing, RoomTask, bars_no_more
+from scenewright.domains.home.attempts.attempt import (
+    FurnishedGroup,
+    Missing,
+    RoomTask,
+    bars_no_more,
+)
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.judging import JudgedRoom, Placed, judge_of
 from scenewright.domains.home.composing.places.moving import make_unplaced, with_margin

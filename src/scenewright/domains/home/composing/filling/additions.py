@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from scenewright.core.catalog import Group
-from scenewright.domains.home.attempt import FurnishedGroup, Missing, RoomTask
+from scenewright.domains.home.attempts.attempt import FurnishedGroup, Missing, RoomTask
 from scenewright.domains.home.cases.library import cases, shipped_cases
 from scenewright.domains.home.composing.case_faults import find_case_faults
 from scenewright.domains.home.composing.judging import Placed

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
+from scenewright.domains.home.attempts.attempt import FurnishedGroup, RoomTask
 from scenewright.domains.home.composing.filling.bare_floor import pieces_of
 from scenewright.domains.home.composing.filling.widths import Growth, bound_width, list_depths
 from scenewright.domains.home.composing.judging import Placed

@@ -14,7 +14,12 @@ from numpy.typing import NDArray
 
 from scenewright.core.catalog import Group
 from scenewright.core.scene import Piece
-from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask, bars_no_more
+from scenewright.domains.home.attempts.attempt import (
+    FurnishedGroup,
+    RoomAnswer,
+    RoomTask,
+    bars_no_more,
+)
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.filling.talking import is_left_alone
 from scenewright.domains.home.composing.filling.voids import (
@@ -35,9 +40,9 @@ from scenewright.domains.home.composing.places.moving import (
     with_margin,
 )
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles, flat_kinds, standing_of
+from scenewright.domains.home.grounds.wall_places import along_walls
 from scenewright.domains.home.groups.living import talking
 from scenewright.domains.home.programme import WELCOME, Wish
-from scenewright.domains.home.wall_places import along_walls
 from scenewright.geometry.fit import is_backed
 
 Floats = NDArray[np.float64]

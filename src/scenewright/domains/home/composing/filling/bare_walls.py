@@ -10,7 +10,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask, bars_no_more
+from scenewright.domains.home.attempts.attempt import (
+    FurnishedGroup,
+    RoomAnswer,
+    RoomTask,
+    bars_no_more,
+)
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.filling.bare_floor import (
     NOWHERE,

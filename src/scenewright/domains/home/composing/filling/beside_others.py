@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.core.catalog import Group
-from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, bars_no_more
+from scenewright.domains.home.attempts.attempt import FurnishedGroup, RoomTask, bars_no_more
 from scenewright.domains.home.composing.judging import Placed, RoomJudge, judge_of
 from scenewright.domains.home.composing.placed_faults import cost_of_group
 from scenewright.domains.home.composing.places.moving import dress_group, with_margin

@@ -6,7 +6,7 @@ from math import cos, hypot, sin
 
 from scenewright.catalog.classes import SOFAS
 from scenewright.core.scene import Piece
-from scenewright.domains.home.attempt import FurnishedGroup
+from scenewright.domains.home.attempts.attempt import FurnishedGroup
 from scenewright.domains.home.composing.judging import Placed
 
 TALK = 2.5

@@ -13,7 +13,7 @@ from scenewright.catalog.classes import RUN, SOFAS
 from scenewright.core.layout import corners
 from scenewright.core.piece_outlines import polygons_of
 from scenewright.core.scene import Piece
-from scenewright.domains.home.attempt import RoomTask
+from scenewright.domains.home.attempts.attempt import RoomTask
 from scenewright.domains.home.furnishing.obstacles import flat_kinds
 from scenewright.domains.home.measures import RAISED
 

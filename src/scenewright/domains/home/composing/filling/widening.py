@@ -14,7 +14,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.core.catalog import Group
-from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask, find_blocked
+from scenewright.domains.home.attempts.attempt import (
+    FurnishedGroup,
+    RoomAnswer,
+    RoomTask,
+    find_blocked,
+)
 from scenewright.domains.home.composing.filling.beside_others import (
     list_others,
     list_taken_beside,
@@ -37,8 +42,8 @@ from scenewright.domains.home.composing.places.wall_stretch import (
 from scenewright.domains.home.composing.spacing.rules import measure_closeness
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles
 from scenewright.domains.home.measures import HAIR
-from scenewright.domains.home.remove_blockers import Opened
 from scenewright.domains.home.rules.every import ROOMY
+from scenewright.domains.home.walking.remove_blockers import Opened
 
 Floats = NDArray[np.float64]
 

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from scenewright.core.catalog import Group, Member
 from scenewright.core.scene import Piece, Size
-from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask
+from scenewright.domains.home.attempts.attempt import FurnishedGroup, RoomAnswer, RoomTask
 from scenewright.domains.home.composing.homewide.settling import try_in_home
 from scenewright.domains.home.composing.judging import Placed
 from scenewright.domains.home.composing.placed_faults import measure_before_doors
@@ -24,8 +24,8 @@ from scenewright.domains.home.composing.places.moving import dress_group
 from scenewright.domains.home.furnishing.furnish import world
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.domains.home.furnishing.whole import Gone
-from scenewright.domains.home.remove_blockers import Opened
 from scenewright.domains.home.rules.weigh_home import sum_rows
+from scenewright.domains.home.walking.remove_blockers import Opened
 from scenewright.geometry.fit import is_backed
 
 Floats = NDArray[np.float64]

@@ -18,14 +18,14 @@ from numpy.typing import NDArray
 from scenewright.catalog.classes import DESKS, SOFT_SEATS
 from scenewright.core.catalog import Group
 from scenewright.core.same import once
-from scenewright.domains.home.attempt import (
+from scenewright.domains.home.attempts.attempt import (
     FurnishedGroup,
     RoomAnswer,
     RoomTask,
     bars_no_more,
     find_blocked,
 )
-from scenewright.domains.home.bed_first import with_narrow_ways
+from scenewright.domains.home.attempts.bed_first import with_narrow_ways
 from scenewright.domains.home.composing.filling.bare_floor import (
     is_left_to_us,
     order_boxes,
@@ -50,17 +50,17 @@ from scenewright.domains.home.composing.spacing.leave_out import find_left_out
 from scenewright.domains.home.composing.spacing.rules import measure_closeness
 from scenewright.domains.home.composing.views import cost_of_view
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
-from scenewright.domains.home.household import (
+from scenewright.domains.home.measures import ROUNDING
+from scenewright.domains.home.needs.household import (
     BED_PLACES,
     STORING,
     Household,
     count_places,
     is_dwelling,
 )
-from scenewright.domains.home.measures import ROUNDING
 from scenewright.domains.home.programme import WELCOME, Wish
-from scenewright.domains.home.remove_blockers import Opened
 from scenewright.domains.home.rules.weigh_home import sum_rows
+from scenewright.domains.home.walking.remove_blockers import Opened
 from scenewright.domains.home.wished.wishes import list_barred_groups
 from scenewright.engine.solve import Budget
 

@@ -7,7 +7,7 @@ from itertools import product
 from math import cos, sin
 
 from scenewright.core.catalog import Group, Member
-from scenewright.domains.home.attempt import RoomTask
+from scenewright.domains.home.attempts.attempt import RoomTask
 from scenewright.domains.home.composing.bed_places import place_member
 from scenewright.domains.home.composing.case_faults import find_neighbour
 from scenewright.domains.home.composing.judging import Placed, find_run

@@ -12,7 +12,7 @@ from math import cos, sin
 
 from scenewright.core.catalog import Group, Member
 from scenewright.core.scene import Size
-from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask
+from scenewright.domains.home.attempts.attempt import FurnishedGroup, RoomAnswer, RoomTask
 from scenewright.domains.home.composing.case_faults import find_neighbour
 from scenewright.domains.home.composing.filling.beside_others import list_others
 from scenewright.domains.home.composing.homewide.settling import list_sound, try_in_home
@@ -33,7 +33,7 @@ from scenewright.domains.home.groups.classes import RUNS
 from scenewright.domains.home.groups.kitchen import fill, hang_above
 from scenewright.domains.home.least_sizes import CABINET
 from scenewright.domains.home.measures import HAIR
-from scenewright.domains.home.remove_blockers import Opened
+from scenewright.domains.home.walking.remove_blockers import Opened
 
 LANDING = {"sink_cabinet": 0.6, "hob_cabinet": 0.4, "fridge": 0.4}
 """Metres of worktop beside what a run ends with, at least (NKBA 11: 24, 17: 15, 16: 15 inches)."""

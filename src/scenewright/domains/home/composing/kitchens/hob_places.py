@@ -15,7 +15,7 @@ from typing import NamedTuple
 from scenewright.catalog.assets.furniture.cooking import UNDER_WORKTOP
 from scenewright.catalog.classes import PLAIN_CABINETS
 from scenewright.core.catalog import Group, Member
-from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
+from scenewright.domains.home.attempts.attempt import FurnishedGroup, RoomTask
 from scenewright.domains.home.composing.case_faults import find_neighbour
 from scenewright.domains.home.composing.judging import Placed
 from scenewright.domains.home.composing.kitchens.slits import belongs, is_unit

@@ -17,7 +17,7 @@ from scenewright.core.catalog import Group
 from scenewright.core.layout import corners
 from scenewright.core.piece_outlines import polygons_of
 from scenewright.core.scene import Piece
-from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
+from scenewright.domains.home.attempts.attempt import FurnishedGroup, RoomTask
 from scenewright.domains.home.composing.judging import Placed
 from scenewright.domains.home.furnishing.obstacles import flat_kinds
 from scenewright.domains.home.measures import RAISED

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from scenewright.domains.home.attempt import (
+from scenewright.domains.home.attempts.attempt import (
     FurnishedGroup,
     Missing,
     RoomAnswer,

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from scenewright.core.catalog import Group
-from scenewright.domains.home.attempt import FurnishedGroup, Missing, RoomAnswer, RoomTask
+from scenewright.domains.home.attempts.attempt import FurnishedGroup, Missing, RoomAnswer, RoomTask
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.case_faults import find_case_faults
 from scenewright.domains.home.composing.judging import Placed, find_run, judge_of

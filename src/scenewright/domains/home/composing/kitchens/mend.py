@@ -14,7 +14,7 @@ from math import inf
 from typing import NamedTuple
 
 from scenewright.catalog.classes import RUN
-from scenewright.domains.home.attempt import (
+from scenewright.domains.home.attempts.attempt import (
     FurnishedGroup,
     Missing,
     RoomAnswer,
@@ -36,7 +36,7 @@ from scenewright.domains.home.furnishing.furnish import pieces_of
 from scenewright.domains.home.groups.classes import RUNS
 from scenewright.domains.home.groups.fitted_kitchen import FittedKitchen, width_of
 from scenewright.domains.home.programme import WELCOME, is_essential
-from scenewright.domains.home.remove_blockers import Opened
+from scenewright.domains.home.walking.remove_blockers import Opened
 
 BESIDE = 8
 """Kitchens beside the rest that are walked to through the whole home."""

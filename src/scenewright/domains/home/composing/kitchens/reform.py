@@ -10,7 +10,7 @@ from math import inf
 
 import numpy as np
 
-from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
+from scenewright.domains.home.attempts.attempt import FurnishedGroup, RoomTask
 from scenewright.domains.home.composing.judging import JudgedRoom, Placed, RoomJudge, judge_of
 from scenewright.domains.home.composing.kitchens.fitted import (
     LIVED_IN_TOP,

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from math import hypot, inf
 
 from scenewright.core.layout import NamedBox
-from scenewright.domains.home.attempt import RoomAnswer, RoomTask, find_blocked
+from scenewright.domains.home.attempts.attempt import RoomAnswer, RoomTask, find_blocked
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.judging import find_run
 from scenewright.domains.home.composing.kitchens.reform import list_fitted, may_reform

@@ -15,7 +15,7 @@ from itertools import chain, islice
 from math import inf
 
 from scenewright.catalog.classes import RUN
-from scenewright.domains.home.attempt import Missing, RoomAnswer, RoomTask, find_blocked
+from scenewright.domains.home.attempts.attempt import Missing, RoomAnswer, RoomTask, find_blocked
 from scenewright.domains.home.composing.case_faults import find_case_faults
 from scenewright.domains.home.composing.judging import Placed, judge_of
 from scenewright.domains.home.composing.kitchens.far_fridges import has_far_fridge, has_low_fridge

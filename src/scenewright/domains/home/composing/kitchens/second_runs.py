@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scenewright.domains.home.attempt import FurnishedGroup, Missing
+from scenewright.domains.home.attempts.attempt import FurnishedGroup, Missing
 from scenewright.domains.home.composing.judging import Placed
 from scenewright.domains.home.settings import ComposingSettings
 

@@ -16,7 +16,12 @@ import numpy as np
 from scenewright.catalog.classes import PLAIN_CABINETS, RUN
 from scenewright.core.catalog import Group, Member
 from scenewright.core.scene import Piece
-from scenewright.domains.home.attempt import FurnishedGroup, RoomAnswer, RoomTask, bars_no_more
+from scenewright.domains.home.attempts.attempt import (
+    FurnishedGroup,
+    RoomAnswer,
+    RoomTask,
+    bars_no_more,
+)
 from scenewright.domains.home.composing.case_faults import find_neighbour
 from scenewright.domains.home.composing.places.moving import dress_group, with_margin
 from scenewright.domains.home.composing.places.wall_stretch import find_stretch, list_taken

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
+from scenewright.domains.home.attempts.attempt import FurnishedGroup, RoomTask
 from scenewright.domains.home.composing.placed_faults import cost_of_group
 from scenewright.domains.home.composing.places.forms import is_mere_kitchen
 from scenewright.domains.home.rules.weigh_home import sum_rows

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from scenewright.catalog.classes import RUN
 from scenewright.core.catalog import Group
 from scenewright.core.scene import Piece
-from scenewright.domains.home.attempt import FurnishedGroup, Missing, RoomTask
+from scenewright.domains.home.attempts.attempt import FurnishedGroup, Missing, RoomTask
 from scenewright.domains.home.composing.case_faults import IN_LINE
 from scenewright.domains.home.composing.judging import Placed, find_run, judge_of
 from scenewright.domains.home.composing.kitchens.mend import may_go
@@ -21,8 +21,8 @@ from scenewright.domains.home.composing.places.forms import list_forms
 from scenewright.domains.home.composing.places.moving import dress_group, stand_at
 from scenewright.domains.home.composing.places.walked_places import try_places
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
+from scenewright.domains.home.grounds.wall_places import read_walls
 from scenewright.domains.home.measures import ALIKE
-from scenewright.domains.home.wall_places import read_walls
 from scenewright.geometry.boxes import Frame, common_area, make_frame
 
 Floats = NDArray[np.float64]

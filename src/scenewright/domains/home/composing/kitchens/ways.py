@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.domains.home.attempt import DOOR, RoomTask
+from scenewright.domains.home.attempts.attempt import DOOR, RoomTask
 from scenewright.domains.home.composing.judging import Placed
 from scenewright.domains.home.composing.kitchens.free_walls import KitchenStretch
 from scenewright.domains.home.groups.fitted_kitchen import (
@@ -18,7 +18,7 @@ from scenewright.domains.home.groups.fitted_kitchen import (
     place,
 )
 from scenewright.domains.home.groups.kitchen import UNIT_DEPTH
-from scenewright.domains.home.ways import REACH, Walked, list_walked, walk
+from scenewright.domains.home.walking.ways import REACH, Walked, list_walked, walk
 
 UNIT = "unit "
 SAMPLE = 0.1  # between places along a wall, metres

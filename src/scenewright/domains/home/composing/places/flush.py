@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from scenewright.core.catalog import Group
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles
-from scenewright.domains.home.wall_places import WallRows
+from scenewright.domains.home.grounds.wall_places import WallRows
 
 Floats = NDArray[np.float64]
 

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from scenewright.catalog.classes import RUN
 from scenewright.core.catalog import Group
 from scenewright.core.scene import Piece
-from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
+from scenewright.domains.home.attempts.attempt import FurnishedGroup, RoomTask
 from scenewright.domains.home.composing.judging import Placed
 from scenewright.domains.home.composing.places.flush import list_flush
 from scenewright.domains.home.composing.places.forms import is_mere_kitchen
@@ -20,9 +20,14 @@ from scenewright.domains.home.composing.places.stretches import Reach, longest_s
 from scenewright.domains.home.furnishing.furnish import FurnishedPatch, dress_case, pieces_of
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles
 from scenewright.domains.home.furnishing.whole import list_grounded
+from scenewright.domains.home.grounds.wall_places import (
+    WallRows,
+    free_boxes,
+    read_walls,
+    stand_free,
+)
 from scenewright.domains.home.groups.classes import RUNS
 from scenewright.domains.home.programme import Wish
-from scenewright.domains.home.wall_places import WallRows, free_boxes, read_walls, stand_free
 from scenewright.geometry.fit import is_backed, side_gaps
 
 Floats = NDArray[np.float64]

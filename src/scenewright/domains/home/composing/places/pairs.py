@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.core.catalog import Group
-from scenewright.domains.home.attempt import FurnishedGroup, RoomTask, bars_no_more
+from scenewright.domains.home.attempts.attempt import FurnishedGroup, RoomTask, bars_no_more
 from scenewright.domains.home.composing.bed_places import cost_of_bed_places
 from scenewright.domains.home.composing.case_faults import find_case_faults
 from scenewright.domains.home.composing.judging import JudgedRoom, RoomJudge

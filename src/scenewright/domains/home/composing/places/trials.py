@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.core.catalog import Group
-from scenewright.domains.home.attempt import RoomTask, bars_no_more
+from scenewright.domains.home.attempts.attempt import RoomTask, bars_no_more
 from scenewright.domains.home.composing.bed_places import are_adrift
 from scenewright.domains.home.composing.judging import JudgedRoom, Placed, RoomJudge
 from scenewright.domains.home.composing.placed_faults import cost_of_group

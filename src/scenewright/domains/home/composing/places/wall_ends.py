@@ -11,11 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.core.catalog import Group
-from scenewright.domains.home.attempt import RoomTask
+from scenewright.domains.home.attempts.attempt import RoomTask
 from scenewright.domains.home.composing.places.wall_stretch import list_free_stretches, list_taken
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles
 from scenewright.domains.home.furnishing.whole import list_grounded
-from scenewright.domains.home.wall_places import stand_free
+from scenewright.domains.home.grounds.wall_places import stand_free
 
 Floats = NDArray[np.float64]
 

@@ -19,9 +19,9 @@ from scenewright.domains.home.composing.places.flush import (
     seen_from,
 )
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles
+from scenewright.domains.home.grounds.wall_places import read_walls
 from scenewright.domains.home.measures import ALIKE
 from scenewright.domains.home.problem import Ground
-from scenewright.domains.home.wall_places import read_walls
 
 Floats = NDArray[np.float64]
 

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from scenewright.catalog.classes import SOFAS
 from scenewright.core.catalog import Group, Member
-from scenewright.domains.home.attempt import FurnishedGroup, RoomTask
+from scenewright.domains.home.attempts.attempt import FurnishedGroup, RoomTask
 from scenewright.domains.home.composing.case_faults import MANY, count_seats, is_hung
 from scenewright.domains.home.composing.judging import JudgedRoom, Placed, RoomJudge
 from scenewright.domains.home.composing.places.forms import list_forms
@@ -21,8 +21,8 @@ from scenewright.domains.home.composing.places.moving import dress_group, find_p
 from scenewright.domains.home.composing.views import cost_of_view
 from scenewright.domains.home.furnishing.obstacles import StandingObstacles, flat_kinds, standing_of
 from scenewright.domains.home.furnishing.whole import list_grounded
+from scenewright.domains.home.grounds.wall_places import stand_free
 from scenewright.domains.home.measures import ROUNDING
-from scenewright.domains.home.wall_places import stand_free
 
 Floats = NDArray[np.float64]
 

@@ -15,7 +15,12 @@ from math import hypot
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.domains.home.attempt import FurnishedGroup, Missing, RoomTask, bars_no_more
+from scenewright.domains.home.attempts.attempt import (
+    FurnishedGroup,
+    Missing,
+    RoomTask,
+    bars_no_more,
+)
 from scenewright.domains.home.composing.anew import follow, judge_in_order
 from scenewright.domains.home.composing.judging import JudgedRoom, Placed, judge_of, sum_faults
 from scenewright.domains.home.composing.places.moving import with_margin

@@ -4,7 +4,7 @@ there is neither sofa, armchair nor bed to watch one from; and those that hang i
 from __future__ import annotations
 
 from scenewright.catalog.classes import SOFAS
-from scenewright.domains.home.attempt import (
+from scenewright.domains.home.attempts.attempt import (
     FurnishedGroup,
     Missing,
     RoomAnswer,

@@ -13,7 +13,7 @@ from scenewright.core.piece_outlines import boxes_of
 from scenewright.core.same import once
 from scenewright.core.scene import Piece
 from scenewright.domains.home.problem import Ground
-from scenewright.domains.home.ways import find_shut_off, walk_floor
+from scenewright.domains.home.walking.ways import find_shut_off, walk_floor
 from scenewright.geometry.boxes import Floats
 
 CUT_FROM = 10.0

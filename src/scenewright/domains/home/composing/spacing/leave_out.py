@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from scenewright.core.same import once
-from scenewright.domains.home.attempt import FurnishedGroup, Missing, RoomAnswer, RoomTask
+from scenewright.domains.home.attempts.attempt import FurnishedGroup, Missing, RoomAnswer, RoomTask
 from scenewright.domains.home.composing.case_faults import find_case_faults
 from scenewright.domains.home.composing.judging import Placed, count_unmet
 from scenewright.domains.home.composing.placed_faults import list_standing

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from scenewright.core.same import once
 from scenewright.core.scene import Piece
-from scenewright.domains.home.attempt import FurnishedGroup
+from scenewright.domains.home.attempts.attempt import FurnishedGroup
 from scenewright.domains.home.composing.spacing.cut_off import cost_of_cut_off, cost_of_shut_off
 from scenewright.domains.home.composing.spacing.shut_in import list_shut_in
 from scenewright.domains.home.measures import ON_FLOOR

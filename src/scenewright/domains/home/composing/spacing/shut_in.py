@@ -8,9 +8,9 @@ from math import hypot
 from scenewright.core.piece_outlines import boxes_of
 from scenewright.core.same import once
 from scenewright.core.scene import Piece
-from scenewright.domains.home.bed_aisles import AISLE, DOUBLE, Box, is_free, list_aisles
 from scenewright.domains.home.problem import Ground
 from scenewright.domains.home.rules.classes import MOVED
+from scenewright.domains.home.walking.bed_aisles import AISLE, DOUBLE, Box, is_free, list_aisles
 
 COST = 4.0
 """What each such aisle costs."""

@@ -23,10 +23,10 @@ from scenewright.building.standing import RADIATED, is_radiator
 from scenewright.core.piece_outlines import boxes_of
 from scenewright.core.scene import Piece
 from scenewright.core.space import Space
-from scenewright.domains.home.cupboards import list_cupboards
-from scenewright.domains.home.door_paths import door_paths
+from scenewright.domains.home.grounds.cupboards import list_cupboards
 from scenewright.domains.home.measures import HEAD_HEIGHT
 from scenewright.domains.home.problem import Ground
+from scenewright.domains.home.walking.door_paths import door_paths
 from scenewright.geometry.arcs import chords_of
 
 Floats = NDArray[np.float64]

@@ -17,8 +17,8 @@ from scenewright.core.layout import corners
 from scenewright.core.same import Same
 from scenewright.core.scene import Piece
 from scenewright.core.space import Space
-from scenewright.domains.home.bed_aisles import DOUBLE, PASSED, list_aisles, list_mouths
-from scenewright.domains.home.home_floor import (
+from scenewright.domains.home.walking.bed_aisles import DOUBLE, PASSED, list_aisles, list_mouths
+from scenewright.domains.home.walking.home_floor import (
     SLACK,
     FloorWalk,
     HomeFloor,
@@ -29,7 +29,7 @@ from scenewright.domains.home.home_floor import (
     reach_without,
     walk,
 )
-from scenewright.domains.home.ways import REACH, used_from
+from scenewright.domains.home.walking.ways import REACH, used_from
 
 Shape = Any  # a shapely geometry
 Shapes = NDArray[np.object_]

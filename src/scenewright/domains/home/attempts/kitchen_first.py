@@ -13,7 +13,7 @@ from itertools import chain, islice, pairwise
 from math import cos, sin
 
 from scenewright.catalog.classes import RUN
-from scenewright.domains.home.attempt import (
+from scenewright.domains.home.attempts.attempt import (
     FurnishedGroup,
     Missing,
     RoomAnswer,
@@ -21,14 +21,14 @@ from scenewright.domains.home.attempt import (
     bars_no_more,
     find_blocked,
 )
-from scenewright.domains.home.bed_first import list_placed, with_narrow_ways
+from scenewright.domains.home.attempts.bed_first import list_placed, with_narrow_ways
+from scenewright.domains.home.attempts.systematic import answer_of, place_rest
 from scenewright.domains.home.composing.case_faults import ONE_LINE
 from scenewright.domains.home.composing.judging import Placed
 from scenewright.domains.home.groups.classes import RUNS
 from scenewright.domains.home.groups.mini_kitchens import mini_kitchens
 from scenewright.domains.home.measures import RAISED
 from scenewright.domains.home.programme import Wish
-from scenewright.domains.home.systematic import answer_of, place_rest
 
 FRIDGE = "fridge"
 KITCHEN = (*RUNS, FRIDGE)

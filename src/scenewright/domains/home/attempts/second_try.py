@@ -12,15 +12,15 @@ from collections.abc import Sequence
 from functools import partial
 from itertools import chain, islice
 
-from scenewright.domains.home.attempt import RoomAnswer, RoomTask, penalty
-from scenewright.domains.home.bed_first import list_beds_first
+from scenewright.domains.home.attempts.attempt import RoomAnswer, RoomTask, penalty
+from scenewright.domains.home.attempts.bed_first import list_beds_first
+from scenewright.domains.home.attempts.kitchen_first import has_gap, list_kitchens_first
+from scenewright.domains.home.attempts.systematic import essential_layouts
 from scenewright.domains.home.composing.compose import compose
-from scenewright.domains.home.kitchen_first import has_gap, list_kitchens_first
 from scenewright.domains.home.programme import Wish, is_essential
-from scenewright.domains.home.remove_blockers import Opened
 from scenewright.domains.home.room import fill_rest, share_of
 from scenewright.domains.home.settings import FaultCosts
-from scenewright.domains.home.systematic import essential_layouts
+from scenewright.domains.home.walking.remove_blockers import Opened
 from scenewright.domains.home.wheelchair import furnish_by_use
 from scenewright.engine.solve import Budget
 

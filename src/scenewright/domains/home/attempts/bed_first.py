@@ -14,22 +14,22 @@ from itertools import islice
 import numpy as np
 
 from scenewright.core.catalog import Group
-from scenewright.domains.home.attempt import (
+from scenewright.domains.home.attempts.attempt import (
     FurnishedGroup,
     RoomAnswer,
     RoomTask,
     bars_no_more,
     find_blocked,
 )
+from scenewright.domains.home.attempts.systematic import answer_of
 from scenewright.domains.home.composing.places.moving import dress_group, make_unplaced
 from scenewright.domains.home.composing.places.wall_ends import list_wall_ends
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
+from scenewright.domains.home.grounds.wall_places import free_boxes, free_places
 from scenewright.domains.home.groups.classes import BED_GROUPS
 from scenewright.domains.home.groups.least import LEAST
 from scenewright.domains.home.measures import NARROWER
 from scenewright.domains.home.programme import Wish
-from scenewright.domains.home.systematic import answer_of
-from scenewright.domains.home.wall_places import free_boxes, free_places
 
 SINGLE = "single"
 LEAST_FLOOR = 1.8

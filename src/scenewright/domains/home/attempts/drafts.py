@@ -11,16 +11,22 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from scenewright.domains.home.attempt import DOOR, RoomAnswer, RoomTask, find_blocked, penalty
-from scenewright.domains.home.bed_first import with_narrow_ways
+from scenewright.domains.home.attempts.attempt import (
+    DOOR,
+    RoomAnswer,
+    RoomTask,
+    find_blocked,
+    penalty,
+)
+from scenewright.domains.home.attempts.bed_first import with_narrow_ways
+from scenewright.domains.home.attempts.second_try import try_otherwise
 from scenewright.domains.home.composing.judging import sum_faults
 from scenewright.domains.home.composing.spacing.rules import measure_closeness
 from scenewright.domains.home.composing.views import is_unseen
 from scenewright.domains.home.groups.classes import BED_GROUPS, RUNS
 from scenewright.domains.home.needs.stated import AskedRooms
 from scenewright.domains.home.programme import Wish
-from scenewright.domains.home.remove_blockers import Opened
-from scenewright.domains.home.second_try import try_otherwise
+from scenewright.domains.home.walking.remove_blockers import Opened
 
 DRAFTS, GOOD = 8, 60.0
 """How often a studio is furnished at most, and from which cost on once more."""

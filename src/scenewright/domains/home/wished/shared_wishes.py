@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from scenewright.domains.home.attempt import RoomTask
-from scenewright.domains.home.household import Household, share_out
+from scenewright.domains.home.attempts.attempt import RoomTask
+from scenewright.domains.home.needs.household import Household, share_out
 from scenewright.domains.home.programme import Wish, standing_groups
 from scenewright.domains.home.wished.beds import list_wished_beds
 from scenewright.domains.home.wished.wishes import list_barred_groups

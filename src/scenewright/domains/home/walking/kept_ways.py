@@ -7,8 +7,8 @@ from collections.abc import Iterable, Sequence
 from scenewright.core.catalog import Catalog
 from scenewright.core.scene import Piece
 from scenewright.core.space import Space
-from scenewright.domains.home.barred import find_barred
-from scenewright.domains.home.home_floor import HomeFloor
+from scenewright.domains.home.walking.barred import find_barred
+from scenewright.domains.home.walking.home_floor import HomeFloor
 
 SCREEN = "tv"
 

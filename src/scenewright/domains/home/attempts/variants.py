@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from scenewright.domains.home.attempt import RoomTask
-from scenewright.domains.home.ground import MAIN_WALL, main_wall
+from scenewright.domains.home.attempts.attempt import RoomTask
+from scenewright.domains.home.grounds.ground import MAIN_WALL, main_wall
 from scenewright.domains.home.programme import Wish
 
 INSTEAD = {"bath": "shower", "dining": "dining_wall", "vanity": "desk", "bunk": "single"}

@@ -14,9 +14,9 @@ from scenewright.core.catalog import Catalog
 from scenewright.core.kind import SIDES
 from scenewright.core.piece_outlines import boxes_of
 from scenewright.core.scene import Piece
-from scenewright.domains.home.bed_aisles import DOUBLE, are_open, list_mouths
 from scenewright.domains.home.measures import HEAD_HEIGHT
 from scenewright.domains.home.problem import Ground, KnownGround, known_ground
+from scenewright.domains.home.walking.bed_aisles import DOUBLE, are_open, list_mouths
 from scenewright.geometry.boxes import Frame, frames_of, make_frame
 from scenewright.geometry.compiled import compiled, inlined
 from scenewright.geometry.flood import NONE, Bits, flood

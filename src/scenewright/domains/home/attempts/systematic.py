@@ -15,7 +15,7 @@ from typing import NamedTuple
 import numpy as np
 
 from scenewright.core.catalog import Group
-from scenewright.domains.home.attempt import (
+from scenewright.domains.home.attempts.attempt import (
     FurnishedGroup,
     Missing,
     RoomAnswer,
@@ -27,9 +27,9 @@ from scenewright.domains.home.attempt import (
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.furnishing.furnish import FurnishedPatch, dress_case, pieces_of
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
+from scenewright.domains.home.grounds.wall_places import free_places
 from scenewright.domains.home.groups.least import LEAST
 from scenewright.domains.home.programme import FALLBACK, LAST, Wish, instead_of, is_essential
-from scenewright.domains.home.wall_places import free_places
 from scenewright.domains.home.wished.wishes import list_barred_groups
 
 Forms = Callable[[RoomTask, Wish], tuple[Group, ...]]

@@ -14,7 +14,7 @@ from scenewright.building.open_spaces import find_open_spaces
 from scenewright.core.brief import Room
 from scenewright.core.scene import Piece
 from scenewright.core.space import Space
-from scenewright.domains.home.attempt import RoomTask, floor_of
+from scenewright.domains.home.attempts.attempt import RoomTask, floor_of
 from scenewright.domains.home.groups import GROUPS
 from scenewright.domains.home.groups.classes import COOKING, SITTING, TABLES
 from scenewright.domains.home.programme import Wish, standing_groups

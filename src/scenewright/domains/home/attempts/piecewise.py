@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from scenewright.core.catalog import Group
 from scenewright.core.layout import Layout, NamedBox, name_rows
-from scenewright.domains.home.attempt import (
+from scenewright.domains.home.attempts.attempt import (
     FurnishedGroup,
     Missing,
     RoomAnswer,
@@ -35,8 +35,8 @@ from scenewright.domains.home.furnishing.obstacles import (
     standing_of,
 )
 from scenewright.domains.home.furnishing.pieces import Parts, as_laid, parts_of, posed_pieces
+from scenewright.domains.home.grounds.hanging_walls import hanging_walls
 from scenewright.domains.home.groups import GROUPS
-from scenewright.domains.home.hanging_walls import hanging_walls
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.solvers import SOLVERS
 from scenewright.engine.solve import Budget

@@ -37,7 +37,7 @@ from scenewright.domains.home.problem import Ground, Problem
 from scenewright.domains.home.programme import Wish, part_of
 from scenewright.domains.home.settings import FaultCosts
 from scenewright.domains.home.solvers import SOLVERS
-from scenewright.domains.home.ways import find_unreached
+from scenewright.domains.home.walking.ways import find_unreached
 from scenewright.domains.home.wished.places import assign_places as at_places
 from scenewright.domains.home.wished.unmet import count_unmet_wishes
 from scenewright.domains.home.wished.wishes import apply_preferences

@@ -2,9 +2,9 @@
 
 Rooms are furnished one by one on a grid that says where a person can walk. A home is only right if
 exact routes, from the front door through every room, lead everywhere. So when all rooms are done
-these are walked once (:mod:`scenewright.domains.home.barred`); what bars one, or what none leads
-to, gives way, the least important first, and is reported as left out. No other rule is looked at
-here: a fault of the search in anything else stays to be seen.
+these are walked once (:mod:`scenewright.domains.home.walking.barred`); what bars one, or what none
+leads to, gives way, the least important first, and is reported as left out. No other rule is looked
+at here: a fault of the search in anything else stays to be seen.
 """
 
 from __future__ import annotations
@@ -15,11 +15,11 @@ from typing import NamedTuple
 from scenewright.core.catalog import Catalog
 from scenewright.core.scene import Piece
 from scenewright.core.space import Space
-from scenewright.domains.home.attempt import FurnishedGroup, Missing, RoomAnswer, penalty
-from scenewright.domains.home.barred import Barred, find_barred
+from scenewright.domains.home.attempts.attempt import FurnishedGroup, Missing, RoomAnswer, penalty
 from scenewright.domains.home.furnishing.whole import Gone, is_whole, without
-from scenewright.domains.home.home_floor import HomeFloor
 from scenewright.domains.home.settings import FaultCosts, HomeSettings
+from scenewright.domains.home.walking.barred import Barred, find_barred
+from scenewright.domains.home.walking.home_floor import HomeFloor
 
 Opened = Callable[[Sequence[RoomAnswer]], list[RoomAnswer]]
 """The answers for all rooms of a home without what bars its ways."""

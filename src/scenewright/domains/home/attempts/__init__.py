@@ -1,0 +1,1 @@
+"""Attempts at a room: one whole, several drafts, piece by piece, beds or the kitchen first."""

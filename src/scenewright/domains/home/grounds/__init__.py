@@ -1,0 +1,1 @@
+"""The ground of a room before furniture: walls, cupboards, closets, open plans."""
