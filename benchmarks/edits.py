@@ -8,6 +8,7 @@ gets of a nudge.
 
 from __future__ import annotations
 
+import gzip
 import json
 import random
 import time
@@ -22,7 +23,9 @@ from scenewright.core.solution import Solution
 from scenewright.domains import adjust, check, plan_of, solve
 from scenewright.formats import read
 from scenewright.studio.delta import tell_change
-from scenewright.studio.drawable import draw
+from scenewright.studio.drawable import draw, tell_by_key
+from scenewright.studio.replies import LEVEL
+from scenewright.studio.shapes import Shapes
 from scenewright.workflow.editing import edit_pieces
 from scenewright.workflow.judging import MoveJudge
 
@@ -32,7 +35,9 @@ SCENES = ("home-flat", "hall-shop", "site-square", "village-street", "extend-vil
 TIMES, QUICK = 10, 2
 LIMITS = {"edit, p95": 250.0, "judged while dragging, p95": 100.0}
 """Milliseconds that are asked for at most."""
-FEW, BYTES = 5.0, 3000.0
+FEW, BYTES, LAYOUT = 5.0, 3000.0, 5000.0
+CLOSE: Record = {"separators": (",", ":")}
+"""JSON as it is sent, before it is packed."""
 
 
 def records(quick: bool = False, progress: Progress | None = None) -> Iterator[Record]:
@@ -48,7 +53,12 @@ def measure(name: str, times: int) -> Iterator[Record]:
     scene, rng = solve(read(f"sample:{name}")), random.Random(name)
     plan, judge, spent = plan_of(scene.brief), MoveJudge(scene), list[float]()
     movable, dragged, nudged, told = list_movable(scene), list[float](), list[int](), list[int]()
-    state = draw(scene, plan, check(scene, plan=plan, figures=False))
+    shapes = Shapes()
+
+    def tell(shown: Solution) -> Record:
+        return tell_by_key(draw(shown, plan, check(shown, plan=plan, figures=False)), shapes)
+
+    state = tell(scene)
     for _ in range(times + 1):
         one, other = rng.sample(movable, 2)
         near = (one.pose.x + 0.1, one.pose.y)
@@ -74,14 +84,15 @@ def measure(name: str, times: int) -> Iterator[Record]:
                 groups = {p.id: p.group for p in scene.pieces}
                 others = [c for c in done.changes if groups.get(c.piece) != one.group]
                 nudged.append(len(others))
-                after = done.solution
-                now = draw(after, plan, check(after, plan=plan, figures=False))
-                told.append(len(json.dumps(tell_change(state, now))))
+                told.append(len(json.dumps(tell_change(state, tell(done.solution)), **CLOSE)))
     yield _row(name, "edit, p95", 1000 * float(np.quantile(spent[5:], 0.95)), "ms")
     slow = 1000 * float(np.quantile(dragged[1:], 0.95))
     yield _row(name, "judged while dragging, p95", slow, "ms")
     yield _row(name, "changed by a nudge beside its group, most", float(max(nudged)), "pieces")
     yield _row(name, "told of a nudge, median", float(np.median(told)), "bytes")
+    text = json.dumps(state["pieces"], **CLOSE).encode()
+    yield _row(name, "poses of the layout", float(len(text)), "bytes")
+    yield _row(name, "poses of the layout, packed", float(len(gzip.compress(text, LEVEL))), "bytes")
 
 
 def list_movable(scene: Solution) -> list[Piece]:
@@ -97,7 +108,8 @@ def list_movable(scene: Solution) -> list[Piece]:
 
 
 def _row(case: str, metric: str, value: float, unit: str) -> Record:
-    aim = LIMITS.get(metric) or (FEW if unit == "pieces" else BYTES)
+    size = LAYOUT if "layout" in metric else BYTES
+    aim = LIMITS.get(metric) or (FEW if unit == "pieces" else size)
     return {
         "case": case,
         "metric": metric,

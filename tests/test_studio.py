@@ -28,6 +28,7 @@ pytest.importorskip("starlette")
 from starlette.testclient import TestClient
 
 from scenewright.studio.delta import follow_change
+from scenewright.studio.drawable import tell_by_key
 from scenewright.studio.guard import Keys, guarded
 from scenewright.studio.server import PAGES, Listeners, studio_app
 from scenewright.studio.session import Session
@@ -348,9 +349,7 @@ def test_a_page_is_told_what_changed_and_little_more(session: Session) -> None:
         assert told["since"] == first["stamp"]
         assert len(json.dumps(told)) < 3000
         now = follow_change(first, told)
-        whole = session.state() | {"stamp": now["stamp"]}
-        symbols = whole.pop("symbols")
-        assert now.pop("symbols").items() >= symbols.items()
-        assert now == whole
+        whole = tell_by_key(session.state(), session.shapes)
+        assert now == whole | {"stamp": now["stamp"]}
         first = session.state_since(0)
     assert session.state_since(10**9)["stamp"] == first["stamp"]

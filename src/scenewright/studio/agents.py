@@ -24,9 +24,9 @@ from scenewright.domains import scene_of
 from scenewright.formats import samples
 from scenewright.render.picture import Pixels
 from scenewright.render.plan_picture import draw_scene_plan
-from scenewright.studio.drawable import Json
 from scenewright.studio.people import EDIT, OWN
 from scenewright.studio.session import Session
+from scenewright.studio.shapes import Json
 from scenewright.studio.shelf import find_models
 from scenewright.studio.spoken import (
     shorten,

@@ -14,7 +14,8 @@ from scenewright.core.plan import Plan
 from scenewright.core.solution import Solution
 from scenewright.engine.preference import events as said
 from scenewright.engine.preference.features import stands_on_floor
-from scenewright.studio.drawable import Json, draw_card
+from scenewright.studio.drawable import draw_card
+from scenewright.studio.shapes import Json, Shapes
 from scenewright.workflow.evolution.candidate import Screen, ShownCandidate
 from scenewright.workflow.evolution.words import Command, parse_line
 from scenewright.workflow.evolve import Evolution, evolve
@@ -28,8 +29,8 @@ class Breeding:
     """The evolution of a project's brief, with its log beside the project. Its sheets are bred in
     a thread; what is said meanwhile is refused."""
 
-    def __init__(self, beside: Path | None, tell: Tell) -> None:
-        self.beside, self.tell = beside, tell
+    def __init__(self, beside: Path | None, tell: Tell, shapes: Shapes) -> None:
+        self.beside, self.tell, self.shapes = beside, tell, shapes
         self.lock, self.stopping = RLock(), Event()
         self.running = False
         self.worker: Thread | None = None
@@ -82,7 +83,7 @@ class Breeding:
             return
         bred = evolution.bred_so_far()[:FIRST_LOOK]
         if len(bred) > len(self.early):
-            self.early = [draw_card(one, evolution.plan) for one in bred]
+            self.early = [draw_card(one, evolution.plan, self.shapes) for one in bred]
             self.tell({"bred": True})
 
     def state(self) -> Json:
@@ -131,13 +132,13 @@ class Breeding:
         self.tell({"bred": True})
 
     def draw(self, numbers: Sequence[int]) -> Json:
-        """Layouts by number: poses with the numbers of the symbols and shells that they share."""
+        """Layouts by number: poses, and the shells that they share."""
         with self.lock:
             evolution = self._must_breed()
             for number in numbers:
                 if number not in self.cards:
                     one = self._shown(evolution, number)
-                    self.cards[number] = draw_card(one.solution, one.plan)
+                    self.cards[number] = draw_card(one.solution, one.plan, self.shapes)
             return share({number: self.cards[number] for number in numbers})
 
     def compare(self, one: int, other: int) -> list[str]:
@@ -180,26 +181,19 @@ class Breeding:
 
 
 def share(cards: Mapping[int, Json]) -> Json:
-    """Cards whose symbols and shells are told once.
+    """Cards whose shells are told once.
 
-    >>> card = {"levels": [], "symbols": {"a bed": [[[0, 0], [1, 1]]]}, "pieces": [["a bed", 0]]}
-    >>> share({4: card, 7: card})["cards"]
-    {4: {'shell': 0, 'pieces': [[0, 0]]}, 7: {'shell': 0, 'pieces': [[0, 0]]}}
+    >>> card = {"levels": [], "pieces": [["a bed", 0, 1, 1, 0]]}
+    >>> share({4: card, 7: card})["cards"][7]
+    {'shell': 0, 'pieces': [['a bed', 0, 1, 1, 0]]}
     """
-    symbols: dict[str, int] = {}
     shells: list[Json] = []
     found: dict[int, Json] = {}
-    drawn: list[Json] = []
     for number, card in cards.items():
         if card["levels"] not in shells:
             shells.append(card["levels"])
-        for key, lines in card["symbols"].items():
-            if key not in symbols:
-                symbols[key] = len(drawn)
-                drawn.append(lines)
-        poses = [[symbols[key], *pose] for key, *pose in card["pieces"]]
-        found[number] = {"shell": shells.index(card["levels"]), "pieces": poses}
-    return {"cards": found, "symbols": drawn, "shells": shells}
+        found[number] = {"shell": shells.index(card["levels"]), "pieces": card["pieces"]}
+    return {"cards": found, "shells": shells}
 
 
 def describe_card(one: ShownCandidate) -> Json:

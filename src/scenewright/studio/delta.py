@@ -1,8 +1,10 @@
-"""What changed from one state of the page to the next: an edit is a few rows, not the scene."""
+"""What changed from one state of the page to the next: an edit is a few numbers, not the scene."""
 
 from __future__ import annotations
 
+import json
 from collections import OrderedDict
+from difflib import SequenceMatcher
 from typing import Any
 
 Json = dict[str, Any]
@@ -10,67 +12,76 @@ KEPT = 8
 """States that a change can be told from."""
 
 
-def tell_change(before: Json, after: Json) -> Json:
-    """Values to ``set`` by key, keys that are ``gone``, entries to ``add`` to objects, and of lists
-    of rows with an id those ``gone`` and those ``put``, each at its index. What a page has makes
-    ``after`` by :func:`follow_change`, but for entries of objects, which it may keep.
+def tell_change(before: Any, after: Any) -> Json:
+    """What makes ``after`` of ``before`` by :func:`follow_change`: another ``value``; of an object
+    the ``keys`` that changed, each with its change, and those that are ``gone``; of a list the
+    ``items`` that changed, by their index, and what is ``cut`` at an index, with what comes there.
 
-    >>> one = {"version": 1, "pieces": [{"id": "bed", "x": 1}, {"id": "desk", "x": 2}]}
-    >>> two = {"version": 2, "pieces": [{"id": "bed", "x": 5}]}
+    >>> one = {"version": 1, "pieces": [{"id": "bed", "at": [1, 2]}, {"id": "desk", "x": 3}]}
+    >>> two = {"version": 2, "pieces": [{"id": "bed", "at": [5, 2]}]}
     >>> told = tell_change(one, two)
-    >>> told["set"], told["rows"]
-    ({'version': 2}, {'pieces': {'gone': ['desk'], 'put': [[0, {'id': 'bed', 'x': 5}]]}})
+    >>> told["keys"]["version"]
+    {'value': 2}
     >>> follow_change(one, told) == two
     True
     """
-    told: Json = {"set": {}, "gone": [key for key in before if key not in after]}
-    told |= {"add": {}, "rows": {}}
-    for key, value in after.items():
-        was = before.get(key)
-        if was == value and key in before:
-            continue
-        if isinstance(was, dict) and isinstance(value, dict):
-            told["add"][key] = {name: v for name, v in value.items() if was.get(name) != v}
-        elif (rows := _tell_rows(was, value)) is not None:
-            told["rows"][key] = rows
-        else:
-            told["set"][key] = value
-    return told
+    if isinstance(before, dict) and isinstance(after, dict):
+        gone = [key for key in before if key not in after]
+        keys = {
+            key: tell_change(before[key], value) if key in before else {"value": value}
+            for key, value in after.items()
+            if key not in before or before[key] != value
+        }
+        return {"keys": keys} | ({"gone": gone} if gone else {})
+    if _holds_more(before) and _holds_more(after):
+        return _tell_list(before, after)
+    return {"value": after}
 
 
-def follow_change(before: Json, told: Json) -> Json:
+def follow_change(before: Any, told: Json) -> Any:
     """The state after a change, as the page works it out."""
-    after = {key: value for key, value in before.items() if key not in told["gone"]} | told["set"]
-    for key, more in told["add"].items():
-        after[key] = before[key] | more
-    for key, rows in told["rows"].items():
-        after[key] = _follow_rows(before[key], rows)
-    return after
+    if "value" in told:
+        return told["value"]
+    if "keys" in told:
+        after = {key: value for key, value in before.items() if key not in told.get("gone", ())}
+        return after | {k: follow_change(before.get(k), one) for k, one in told["keys"].items()}
+    items = list(before)
+    for index, one in told.get("items", {}).items():
+        items[int(index)] = follow_change(items[int(index)], one)
+    for at, count, more in reversed(told.get("cut", ())):
+        items[at : at + count] = more
+    return items
 
 
-def _tell_rows(was: Any, now: Any) -> Json | None:
-    """How a list of rows with ids changed; nothing where it has no such rows, or they changed
-    places."""
-    if not (_has_ids(was) and _has_ids(now)):
-        return None
-    known, there = {row["id"]: row for row in was}, {row["id"] for row in now}
-    put = [[k, row] for k, row in enumerate(now) if known.get(row["id"]) != row]
-    rows = {"gone": [name for name in known if name not in there], "put": put}
-    return rows if _follow_rows(was, rows) == now else None
+def _tell_list(before: list[Any], after: list[Any]) -> Json:
+    """Items are told apart by their id, or else by their text; of those that stand for one another
+    the change is told."""
+    items, cut = dict[str, Json](), list[list[Any]]()
+    one, other = ([_name(item) for item in rows] for rows in (before, after))
+    for tag, a, b, c, d in SequenceMatcher(None, one, other, autojunk=False).get_opcodes():
+        pairs = [*zip(range(a, b), range(c, d), strict=False)]
+        if tag == "equal" or (b - a == d - c and all(_has_parts(after[n]) for _, n in pairs)):
+            changed = ((k, n) for k, n in pairs if before[k] != after[n])
+            items |= {str(k): tell_change(before[k], after[n]) for k, n in changed}
+        else:
+            cut.append([a, b - a, after[c:d]])
+    told: Json = ({"items": items} if items else {}) | ({"cut": cut} if cut else {})
+    return told if len(json.dumps(told)) < len(json.dumps(after)) else {"value": after}
 
 
-def _follow_rows(was: list[Json], rows: Json) -> list[Json]:
-    gone = {*rows["gone"], *(row["id"] for _, row in rows["put"])}
-    found = [row for row in was if row["id"] not in gone]
-    for at, row in rows["put"]:
-        found.insert(at, row)
-    return found
+def _name(item: Any) -> str:
+    named = isinstance(item, dict) and "id" in item
+    return f"id {item['id']}" if named else json.dumps(item)
 
 
-def _has_ids(rows: Any) -> bool:
-    if not isinstance(rows, list) or not all(isinstance(row, dict) and "id" in row for row in rows):
-        return False
-    return len({row["id"] for row in rows}) == len(rows)
+def _has_parts(value: Any) -> bool:
+    """Whether the change of something may be told by its parts."""
+    return isinstance(value, dict) or _holds_more(value)
+
+
+def _holds_more(value: Any) -> bool:
+    """Whether something is a list of lists or objects; points are told whole."""
+    return isinstance(value, list) and any(isinstance(one, list | dict) for one in value)
 
 
 class States:

@@ -15,7 +15,7 @@ from scenewright.core.errors import InputError
 from scenewright.core.plan import Plan
 from scenewright.domains import plan_of
 from scenewright.studio.drafting import brief_of, nearest_edge
-from scenewright.studio.drawable import Json
+from scenewright.studio.shapes import Json
 
 ON = 0.02
 """Metres from a wall within which an opening lies on it."""

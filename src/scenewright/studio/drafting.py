@@ -17,7 +17,7 @@ import numpy as np
 from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
 from scenewright.formats import brief_json
-from scenewright.studio.drawable import Json
+from scenewright.studio.shapes import Json
 
 FORMAT = "scenewright/draft"
 SAME = 1e-6

@@ -5,7 +5,8 @@ Symbols are told once each and named by a key, so that a version is little more 
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Iterable
+from dataclasses import replace
 
 import numpy as np
 import shapely
@@ -22,8 +23,10 @@ from scenewright.domains import scene_of
 from scenewright.drawing.labels import polygon_of
 from scenewright.drawing.pieces import drawing_height, hangs, is_drawn, symbol
 from scenewright.drawing.shell import CUT_HEIGHT
+from scenewright.studio.shapes import Json, Shapes
 
-Json = dict[str, Any]
+LOOKS = ("name", "category", "size", "flat", "rise")
+"""What a piece has in common with all of its model and size."""
 
 
 def draw(solution: Solution, plan: Plan, report: Report) -> Json:
@@ -45,18 +48,57 @@ def draw(solution: Solution, plan: Plan, report: Report) -> Json:
     }
 
 
-def draw_card(solution: Solution, plan: Plan) -> Json:
-    """What a small picture of a layout needs: shell, symbols, and poses (symbol, level, x, y,
-    heading), a few kB."""
+def draw_card(solution: Solution, plan: Plan, shapes: Shapes) -> Json:
+    """What a small picture of a layout needs: its shell, and poses from the floor up (key of the
+    symbol, number of the level, x, y, heading), a few kB."""
     scene, catalog = scene_of(solution, plan), catalog_of(solution.brief.catalogs)
     drawn = _pieces(scene, catalog)
+    keys = _keep_symbols(drawn, shapes)
+    numbers = {level.id: number for number, level in enumerate(scene.levels)}
     poses = [
-        [one["symbol"], one["level"], *(round(one["pose"][k], 3) for k in (0, 1, 3))]
+        [keys[one["symbol"]], numbers[one["level"]], *_shorten(one["pose"][k] for k in (0, 1, 3))]
         for one in drawn["pieces"]
         if not one["hangs"]
     ]
-    levels = [_level(scene, level) for level in scene.levels]
-    return {"levels": levels, "symbols": drawn["symbols"], "pieces": poses}
+    return {"levels": [_level(scene, level) for level in scene.levels], "pieces": poses}
+
+
+def tell_by_key(state: Json, shapes: Shapes) -> Json:
+    """A state with its symbols by key: of each piece an ``id``, what it ``is``, where it is ``at``
+    and no more, in an order that does not change when it moves.
+
+    >>> piece = {"id": "a", "name": "rug", "category": "rug", "space": "", "level": "0",
+    ...          "pose": [1.0, 2.0, 0.0, 0.0], "size": [1, 1, 1], "symbol": "s", "locked": False,
+    ...          "flat": True, "hangs": False, "rise": 0.0}
+    >>> tell_by_key({"pieces": [piece], "symbols": {"s": []}}, Shapes())["pieces"]
+    [{'id': 'a', 'is': 'xUX3QE-1', 'at': [1, 2, 0, 0]}]
+    """
+    if "symbols" not in state:
+        return state
+    keys = _keep_symbols(state, shapes)
+    rows = sorted(state["pieces"], key=lambda one: str(one["id"]))
+    told = [_tell_piece(one, keys[one["symbol"]]) for one in rows]
+    return {k: v for k, v in state.items() if k != "symbols"} | {"pieces": told}
+
+
+def _tell_piece(one: Json, key: str) -> Json:
+    row = {"id": one["id"], "is": key, "at": _shorten(one["pose"])}
+    if one["space"] != one["id"].rpartition("/")[0].partition("/")[0]:
+        row["in"] = one["space"]
+    return row | {flag: True for flag in ("locked", "hangs") if one[flag]}
+
+
+def _keep_symbols(drawn: Json, shapes: Shapes) -> dict[str, str]:
+    """The keys of the symbols of drawn pieces."""
+    looks = {one["symbol"]: {name: one[name] for name in LOOKS} for one in drawn["pieces"]}
+    lines = drawn["symbols"]
+    return {name: shapes.add_symbol(look | {"lines": lines[name]}) for name, look in looks.items()}
+
+
+def _shorten(numbers: Iterable[float]) -> list[float]:
+    """Tenths of a millimetre; whole numbers without a point."""
+    found = (round(number, 4) for number in numbers)
+    return [int(number) if number == int(number) else number for number in found]
 
 
 def _pieces(scene: Scene, catalog: Catalog) -> Json:
@@ -84,8 +126,8 @@ def describe_finding(found: Finding) -> Json:
     }
 
 
-def _points(points: ArrayLike) -> list[list[float]]:
-    found: list[list[float]] = np.round(np.asarray(points, np.float64), 3).tolist()
+def _points(points: ArrayLike, decimals: int = 3) -> list[list[float]]:
+    found: list[list[float]] = np.round(np.asarray(points, np.float64), decimals).tolist()
     return found
 
 
@@ -102,7 +144,7 @@ def _level(scene: Scene, level: Level) -> Json:
         "surfaces": [
             {
                 "kind": one.kind,
-                "rings": [_points(ring) for outer, inner in one.areas for ring in (outer, *inner)],
+                "rings": [_points(r, 2) for outer, inner in one.areas for r in (outer, *inner)],
             }
             for one in scene.surfaces
             if one.space in here or len(scene.levels) == 1
@@ -158,4 +200,11 @@ def _piece(piece: Piece, level: str, catalog: Catalog, symbols: Json) -> Json:
         "locked": piece.fixed,
         "flat": bool(kind and kind.flat),
         "hangs": bool(hangs(piece)),
+        "rise": _rise(piece, catalog),
     }
+
+
+def _rise(piece: Piece, catalog: Catalog) -> float:
+    """How far above its underside a piece counts as drawn, below the cut."""
+    low = replace(piece, pose=piece.pose._replace(z=0.0))
+    return round(drawing_height(low, catalog.kinds), 3)

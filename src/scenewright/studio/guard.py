@@ -170,7 +170,10 @@ def too_long(most: int) -> str:
 def _with_headers(send: Send) -> Send:
     async def forward(message: MutableMapping[str, Any]) -> None:
         if message["type"] == "http.response.start":
-            message = {**message, "headers": [*message.get("headers", ()), *HEADERS]}
+            own = [*message.get("headers", ())]
+            said = {name for name, _ in own}
+            more = [row for row in HEADERS if row[0] not in said]
+            message = {**message, "headers": [*own, *more]}
         await send(message)
 
     return forward

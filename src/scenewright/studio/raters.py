@@ -13,8 +13,9 @@ from scenewright.core.solution import Solution
 from scenewright.engine.preference import events as said
 from scenewright.formats import brief_json
 from scenewright.studio.breeding import describe_card, name_brief, share
-from scenewright.studio.drawable import Json, draw_card
+from scenewright.studio.drawable import draw_card
 from scenewright.studio.people import People, Person
+from scenewright.studio.shapes import Json, Shapes
 from scenewright.workflow.evolution.log import EvolutionLog
 from scenewright.workflow.evolution.raters import RaterPool
 from scenewright.workflow.evolution.words import Command, parse_line
@@ -27,8 +28,8 @@ MOST_LIKED = 12
 class Raters:
     """The pool that is rated, opened for the last brief that was given out to be rated."""
 
-    def __init__(self, people: People, beside: Path | None, tell: Tell) -> None:
-        self.people, self.beside, self.tell = people, beside, tell
+    def __init__(self, people: People, beside: Path | None, tell: Tell, shapes: Shapes) -> None:
+        self.people, self.beside, self.tell, self.shapes = people, beside, tell, shapes
         self.lock, self.stopping = RLock(), Event()  # an event of its own for each pool
         self.pool: RaterPool | None = None
         self.cards: dict[int, Json] = {}
@@ -75,7 +76,7 @@ class Raters:
         """The small picture of a layout, drawn once for all."""
         if number not in self.cards:
             one = self.must_rate().candidate(number)
-            self.cards[number] = draw_card(one.solution, one.plan)
+            self.cards[number] = draw_card(one.solution, one.plan, self.shapes)
         return self.cards[number]
 
     def results(self) -> Json:

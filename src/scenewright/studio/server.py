@@ -19,10 +19,12 @@ from scenewright.core.errors import CancelledError, InputError
 from scenewright.formats import samples
 from scenewright.formats.table import formats
 from scenewright.studio.breeding import Breeding
-from scenewright.studio.drawable import Json
 from scenewright.studio.people import EDIT, OWN, OWNER, Person, may
 from scenewright.studio.raters import RaterDesk
+from scenewright.studio.replies import reply
 from scenewright.studio.session import Session
+from scenewright.studio.shapes import Json
+from scenewright.studio.texture_files import texture_file
 from scenewright.studio.verbs import do_verb
 from scenewright.studio.wishing import wish_schema
 
@@ -40,13 +42,16 @@ PAGES = {
     "wishes.js": SCRIPT,
     "words.zh.json": "application/json",
     "walk.js": SCRIPT,
+    "mesh.js": SCRIPT,
+    "solid.js": SCRIPT,
+    "state.js": SCRIPT,
     "shelf.js": SCRIPT,
     "three.js": SCRIPT,
 }
 LANGUAGES = ("en", "zh")
 """What the page speaks, the usual one first."""
-MOST_CARDS = 500
-"""Layouts that one request may ask for."""
+MOST_CARDS, MOST_SYMBOLS = 500, 1000
+"""Layouts and symbols that one request may ask for."""
 PAUSE = 10.0
 """Seconds after which a line that says nothing keeps an event stream open."""
 
@@ -98,6 +103,10 @@ def _cards(session: Session, person: Person, query: Query) -> Any:
     return _sheets(session, person).draw(asked[:MOST_CARDS])
 
 
+def _symbols(session: Session, _person: Person, query: Query) -> Any:
+    return session.shapes.symbols(query.get("of", "").split(",")[:MOST_SYMBOLS])
+
+
 def _ratings(session: Session, person: Person, _query: Query) -> Any:
     if not may(person.right, OWN):
         raise InputError("only the owner sees who rated", "ask for a look at it")
@@ -118,6 +127,8 @@ TOLD: Mapping[str, Callable[[Session, Person, Query], Any]] = {
     "/shelf": lambda session, *_: session.shelf(),
     "/wish.schema.json": lambda *_: wish_schema(),
     "/cards": _cards,
+    "/symbols": _symbols,
+    "/solid": lambda session, *_: session.solid(),
 }
 """What is told as JSON, by address."""
 GIVEN: Mapping[str, tuple[str, Callable[[Session, Query], bytes]]] = {
@@ -127,6 +138,11 @@ GIVEN: Mapping[str, tuple[str, Callable[[Session, Query], bytes]]] = {
     "/thumb.png": ("image/png", lambda session, query: session.thumb(query.get("asset", ""))),
 }
 """What is given as a file, by address."""
+LASTING: Mapping[str, tuple[str, Callable[[Session, str], bytes]]] = {
+    "/mesh/{name}": ("application/octet-stream", lambda session, name: session.shapes.mesh(name)),
+    "/texture/{name}.webp": ("image/webp", lambda _, name: texture_file(name.replace("_", " "))),
+}
+"""What never changes at its address, which names it by its content."""
 
 
 def studio_app(session: Session, listeners: Listeners, folder: Path) -> Starlette:
@@ -136,19 +152,20 @@ def studio_app(session: Session, listeners: Listeners, folder: Path) -> Starlett
         return StreamingResponse(listeners.stream(), media_type="text/event-stream")
 
     async def do(request: Request) -> Response:
-        return await _answer(do_verb, session, await request.body(), _person(request))
+        return await _answer(request, do_verb, session, await request.body(), _person(request))
 
     async def bring(request: Request) -> Response:
         if not may(_person(request).right, EDIT):
             return JSONResponse({"fault": "your link does not let you bring files"}, 403)
         name = request.query_params.get("name", "")
-        return await _answer(_bring, session, await request.body(), folder, name)
+        return await _answer(request, _bring, session, await request.body(), folder, name)
 
     return Starlette(
         routes=[
             *(Route(f"/{name}", _page(name)) for name in PAGES),
             *(Route(path, _tell(session, row)) for path, row in TOLD.items()),
             *(Route(path, _give(session, *row)) for path, row in GIVEN.items()),
+            *(Route(path, _keep(session, *row)) for path, row in LASTING.items()),
             Route("/events", events),
             Route("/do", do, methods=["POST"]),
             Route("/bring", bring, methods=["POST"]),
@@ -158,7 +175,7 @@ def studio_app(session: Session, listeners: Listeners, folder: Path) -> Starlett
 
 def _tell(session: Session, tell: Callable[..., Any]) -> Callable[[Request], Awaitable[Response]]:
     async def told(request: Request) -> Response:
-        return await _answer(tell, session, _person(request), request.query_params)
+        return await _answer(request, tell, session, _person(request), request.query_params)
 
     return told
 
@@ -171,9 +188,21 @@ def _give(
             content = await run_in_threadpool(make, session, request.query_params)
         except InputError as error:
             return JSONResponse({"fault": str(error)}, 422)
-        return Response(content, media_type=kind)
+        return reply(request, content, kind)
 
     return given
+
+
+def _keep(
+    session: Session, kind: str, find: Callable[[Session, str], bytes]
+) -> Callable[[Request], Awaitable[Response]]:
+    async def kept(request: Request) -> Response:
+        content = await run_in_threadpool(find, session, request.path_params["name"])
+        if not content:
+            return JSONResponse({"fault": "it is not kept any more; ask for the scene"}, 404)
+        return reply(request, content, kind, forever=True)
+
+    return kept
 
 
 def _person(request: Request) -> Person:
@@ -191,7 +220,7 @@ def _page(name: str) -> Callable[[Request], Awaitable[Response]]:
             known = request.cookies.get("scenewright-language", "")
             language = choose_language(known or request.headers.get("accept-language", ""))
             content = content.replace(b'lang="en"', f'lang="{language}"'.encode(), 1)
-        return Response(content, media_type=PAGES[name])
+        return reply(request, content, PAGES[name])
 
     return page
 
@@ -211,10 +240,12 @@ def choose_language(header: str) -> str:
     return known[0] if known else LANGUAGES[0]
 
 
-async def _answer(verb: Callable[..., Any], *given: Any) -> Response:
+async def _answer(request: Request, verb: Callable[..., Any], *given: Any) -> Response:
     """What a verb answers, or its fault in one line."""
     try:
-        return JSONResponse(await run_in_threadpool(verb, *given))
+        told = await run_in_threadpool(verb, *given)
+        text = json.dumps(told, ensure_ascii=False, separators=(",", ":"), allow_nan=False)
+        return reply(request, text.encode(), "application/json")
     except (InputError, CancelledError) as error:
         return JSONResponse({"fault": str(error)}, 422)
 

@@ -15,6 +15,7 @@ from threading import Event, RLock, Thread
 from typing import Any, NamedTuple
 
 from scenewright import domains
+from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief
 from scenewright.core.edits import Adjusted
 from scenewright.core.errors import CancelledError, InputError
@@ -27,10 +28,12 @@ from scenewright.studio.breeding import Breeding
 from scenewright.studio.delta import States
 from scenewright.studio.draft_faults import DraftFault, read_draft
 from scenewright.studio.drafting import FORMAT, draw_act, new_draft
-from scenewright.studio.drawable import Json, describe_finding, draw
+from scenewright.studio.drawable import describe_finding, draw, tell_by_key
 from scenewright.studio.people import AUTHOR, RATE, People, Person
 from scenewright.studio.raters import RaterDesk, Raters
+from scenewright.studio.shapes import Json, Shapes
 from scenewright.studio.shelf import draw_shelf, list_shelf
+from scenewright.studio.solid import tell_solid
 from scenewright.studio.streaming import stream_layouts
 from scenewright.studio.wishing import list_wishes, with_wishes
 from scenewright.workflow import project
@@ -67,13 +70,14 @@ class Session:
         self.lock, self.stopping = RLock(), Event()
         self.running = False
         self.worker: Thread | None = None
-        beside = project.path_of(db)
-        self.breeding = Breeding(beside, tell)
+        beside, self.shapes = project.path_of(db), Shapes()
+        self.breeding = Breeding(beside, tell, self.shapes)
         self.people = People(db)
-        self.raters = Raters(self.people, beside, tell)
+        self.raters = Raters(self.people, beside, tell, self.shapes)
         self.shown: Shown | None = None
         self.mover: MoveJudge | None = None
         self.states = States()
+        self.sketched: tuple[Shown, Json] | None = None
         self.drawn: Drawn | None = None
         version = project.shown_version(db)
         if version is not None:
@@ -88,18 +92,30 @@ class Session:
             steps = [row._asdict() for row in project.list_versions(self.db)]
             redo = project.next_version(self.db, version.id)
         where = {"version": version.id, "history": steps, "undo": version.parent, "redo": redo}
-        scene: Json = draw(*shown[1:]) if shown else {"name": "", "levels": [], "pieces": []}
+        scene: Json = self._draw(shown) if shown else {"name": "", "levels": [], "pieces": []}
         scene["wishes"] = list_wishes(shown.solution.brief) if shown else {}
         if drawn:
             scene["name"], scene["draft"] = drawn.draft["name"], drawn.draft
             scene["faults"] = [one._asdict() for one in drawn.faults]
         return {"running": self.running, **where, **scene}
 
+    def _draw(self, shown: Shown) -> Json:
+        """What is shown, drawn once a version."""
+        if self.sketched is None or self.sketched[0] is not shown:
+            self.sketched = shown, draw(*shown[1:])
+        return {**self.sketched[1]}
+
     def state_since(self, stamp: int) -> Json:
         """How the state changed since one that was told (:mod:`.delta`); all of it if that is not
         known any more."""
         with self.lock:
-            return self.states.tell(self.state(), stamp)
+            return self.states.tell(tell_by_key(self.state(), self.shapes), stamp)
+
+    def solid(self) -> Json:
+        """The scene in 3D: poses and keys of meshes (:mod:`.solid`)."""
+        shown = self.must_show()
+        scene = domains.scene_of(shown.solution, shown.plan)
+        return tell_solid(scene, catalog_of(shown.solution.brief.catalogs), self.shapes)
 
     def open(self, source: str, root: Path | None = None) -> None:
         """Begin with a file or a sample: its plan, with what is fixed in it. All it names lies

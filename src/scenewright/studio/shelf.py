@@ -13,7 +13,7 @@ from scenewright.catalog.loading import catalog_of, find_asset
 from scenewright.core.brief import Brief
 from scenewright.core.catalog import transform_part
 from scenewright.render.thumbnail import draw_thumbnail
-from scenewright.studio.drawable import Json
+from scenewright.studio.shapes import Json
 
 TURNED = np.diag([-1.0, -1.0, 1.0])
 """Fronts look to the viewer."""

@@ -6,7 +6,7 @@ import math
 from collections import Counter
 from collections.abc import Iterator, Sequence
 
-from scenewright.studio.drawable import Json
+from scenewright.studio.shapes import Json
 
 MOST = 20
 """Lines of one kind that are told before the rest is counted."""

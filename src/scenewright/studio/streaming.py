@@ -7,7 +7,7 @@ from collections.abc import Callable
 from threading import Lock
 
 from scenewright.core.layout import BestLayout
-from scenewright.studio.drawable import Json
+from scenewright.studio.shapes import Json
 
 PAUSE = 0.2
 """Seconds between two pictures of one space; what is found between them is not told."""

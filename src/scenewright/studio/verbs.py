@@ -14,9 +14,9 @@ from typing import Any, NamedTuple
 from scenewright.core.edits import Addition
 from scenewright.core.errors import InputError
 from scenewright.formats import samples
-from scenewright.studio.drawable import Json
 from scenewright.studio.people import AUTHOR, EDIT, OWN, OWNER, RATE, Person, may
 from scenewright.studio.session import Session
+from scenewright.studio.shapes import Json
 from scenewright.workflow.editing import edit_pieces
 
 MOST = 500

@@ -9,7 +9,7 @@ from typing import Any
 from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
 from scenewright.formats import brief_json
-from scenewright.studio.drawable import Json
+from scenewright.studio.shapes import Json
 
 MOST = 50
 """Wishes of a room."""

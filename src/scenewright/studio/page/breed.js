@@ -1,11 +1,12 @@
 // Breeding: a sheet of layouts, what is said of them by key and button, and all sheets in one grid.
 import { drawCard, element } from "/draw.js";
+import { unpack } from "/state.js";
 import { t } from "/words.js";
 import { $, fill, make, read, say, send } from "/wire.js";
 
 const KEYS = ["1", "2", "3", "4", "5", "6", "7", "8", "9", "0", "-", "="];
 const CODES = ["Digit1", "Digit2", "Digit3", "Digit4", "Digit5", "Digit6", "Digit7", "Digit8", "Digit9", "Digit0", "Minus", "Equal"];
-let bred = {}, known = new Map(), all = false, pair = [], leave = null;
+let bred = {}, known = new Map(), early = [], all = false, pair = [], leave = null;
 
 export async function showBreeding(back) {
   leave = back;
@@ -36,16 +37,10 @@ export async function refreshBreeding() {
   if (fresh.brief !== bred.brief && fresh.brief) { known = new Map(); pair = []; }
   if (fresh.running && bred.shown && fresh.brief === bred.brief) bred.running = true; else bred = fresh;
   const missing = bred.shown ? [...new Set(bred.sheets.flat())].filter((number) => !known.has(number)) : [];
-  if (missing.length && !bred.running) learn(await read(`/cards?of=${missing}`));
+  if (missing.length && !bred.running) for (const [number, card] of await unpack(await read(`/cards?of=${missing}`))) known.set(number, card);
+  if (bred.early && !bred.shown) early = await unpack(bred.early);
   if (mine === turn) show();
 }
-
-function unpack(told) {
-  return Object.entries(told.cards ?? {}).map(([number, { shell, pieces }]) => [Number(number), {
-    levels: told.shells[shell], pieces: pieces.map(([symbol, ...pose]) => [told.symbols[symbol], ...pose]) }]);
-}
-
-function learn(told) { for (const [number, card] of unpack(told)) known.set(number, card); }
 
 function show() {
   const running = bred.running;
@@ -64,8 +59,7 @@ function show() {
 }
 
 function showEarly() {
-  const cards = bred.early ? unpack(bred.early) : [];
-  $("cards").replaceChildren(...cards.map(([, card]) => {
+  $("cards").replaceChildren(...early.map(([, card]) => {
     const made = make("article", { className: "card early" });
     made.append(picture(card), make("p", { className: "guess", textContent: t("one of those bred; twelve that differ are chosen when all are") }));
     return made;

@@ -51,9 +51,9 @@ export function drawCard(card, parent) {
     const [x, y, width, height] = extent(here);
     const group = element("g", { transform: `translate(${right - x} ${-y})` }, parent);
     drawFloor(here, group);
-    for (const [lines, level, px, py, heading] of card.pieces) {
-      if (level !== here.id) continue;
-      element("path", { class: "item", d: lines.map(line).join(""), transform: placed([px, py, 0, heading]) }, group);
+    for (const [look, level, px, py, heading] of card.pieces) {
+      if (card.levels[level] !== here || !look) continue;
+      element("path", { class: "item", d: look.lines.map(line).join(""), transform: placed([px, py, 0, heading]) }, group);
     }
     drawShell(here, group);
     right += width; bottom = Math.max(bottom, height);

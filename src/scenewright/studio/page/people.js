@@ -1,5 +1,6 @@
 // People: a link for each, what they may do, and what those who rate liked together.
 import { drawCard, element } from "/draw.js";
+import { unpack } from "/state.js";
 import { $, fill, make, read, say, send } from "/wire.js";
 import { t } from "/words.js";
 
@@ -19,7 +20,8 @@ export async function refreshPeople() {
   fill("people-list", told.people ?? [], row);
   if (!(told.people ?? []).length) $("people-list").replaceChildren(make("li", { textContent: t("nobody yet") }));
   $("pool").textContent = told.pool ? t("{n} layouts are there to be rated", { n: told.pool }) : t("Nothing is given out to be rated yet.");
-  fill("liked", told.liked ?? [], (one) => liked(one, told));
+  const cards = new Map(await unpack(told));
+  fill("liked", told.liked ?? [], (one) => liked(one, cards.get(one.number)));
   $("person-link").hidden = !link; $("person-link").value = link;
 }
 
@@ -30,9 +32,9 @@ function row(one) {
     make("button", { textContent: t("Remove"), onclick: () => act("drop", { person: one.id }) }));
 }
 
-function liked(one, told) {
-  const svg = element("svg", { role: "img", "aria-label": t("layout {n}", { n: one.number + 1 }) }), { shell, pieces } = told.cards[one.number];
-  drawCard({ levels: told.shells[shell], pieces: pieces.map(([symbol, ...pose]) => [told.symbols[symbol], ...pose]) }, svg);
+function liked(one, card) {
+  const svg = element("svg", { role: "img", "aria-label": t("layout {n}", { n: one.number + 1 }) });
+  drawCard(card, svg);
   const stars = one.stars === null ? "" : ` · ★ ${one.stars.toFixed(1)}`;
   return make("article", { className: "card" }, svg,
     make("div", { className: "top", textContent: t("best {best}× · worst {worst}×", one) + stars }),

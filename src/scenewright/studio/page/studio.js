@@ -2,6 +2,7 @@
 // plan's y points up, the screen's down.
 import { drawFloor, drawShell, element, extent, line, outline, placed } from "/draw.js";
 import { openShelf } from "/shelf.js";
+import { followChange, unfold } from "/state.js";
 import { $, fill, read, say, send } from "/wire.js";
 import { hideBreeding, showBreeding, refreshBreeding, noteShare } from "/breed.js";
 import { showWishes } from "/wishes.js";
@@ -22,25 +23,14 @@ async function change(verb, keys = {}) {
   return said;
 }
 
-function followChange(before, said) {
-  const after = { ...before, ...said.set };
-  for (const key of said.gone) delete after[key];
-  for (const [key, more] of Object.entries(said.add)) after[key] = { ...before[key], ...more };
-  for (const [key, { gone, put }] of Object.entries(said.rows)) {
-    const out = new Set([...gone, ...put.map(([, row]) => row.id)]);
-    after[key] = before[key].filter((row) => !out.has(row.id));
-    for (const [at, row] of put) after[key].splice(at, 0, row);
-  }
-  return after;
-}
-
 let asked = 0, told = {};
 async function refresh() {
   const turn = ++asked;
   const said = await read(`/state?since=${told.stamp ?? 0}`);
   if (turn !== asked) return;
   told = said.since ? followChange(told, said) : said;
-  const fresh = structuredClone(told);
+  const fresh = await unfold(told);
+  if (turn !== asked) return;
   if (fresh.name !== doc.name || !view !== !(fresh.levels ?? []).length) { view = null; touched = false; pick(""); }
   doc = fresh;
   if (!(doc.levels ?? []).some((one) => one.id === level)) level = doc.levels?.[0]?.id ?? "";
@@ -155,7 +145,7 @@ function drawPiece(piece, bad, plan) {
   const spoken = [piece.name, where, piece.locked ? t("locked") : "", bad.has(piece.id) ? t("at fault") : ""].filter(Boolean).join(", ");
   const group = element("g", { class: names, transform: placed(piece.pose), "data-id": piece.id, tabindex: 0, role: "button", "aria-label": spoken, "aria-pressed": piece.id === picked }, plan);
   element("title", {}, group, piece.name);
-  for (const points of doc.symbols[piece.symbol]) element("path", { d: line(points) }, group);
+  for (const points of piece.lines) element("path", { d: line(points) }, group);
 }
 
 const chosen = () => doc.pieces?.find((piece) => piece.id === picked);
@@ -390,16 +380,15 @@ async function showSpace(walking) {
   $("solid").ariaPressed = !walking; $("walk").ariaPressed = walking;
   if (!space || spaceOf !== doc.version) {
     say(t("building the scene …"));
-    const stood = space?.walking ? space.where() : null;
-    space?.close();
-    const { open3d } = await import("/walk.js");
-    space = await open3d($("space"), `/scene.glb?version=${doc.version}`);
-    spaceOf = doc.version; space.stood = stood;
+    const stood = space?.walking ? space.where() : null, version = doc.version;
+    if (!space) { const { open3d } = await import("/walk.js"); space = open3d($("space")); }
+    await space.show(await read("/solid"));
+    spaceOf = version; space.stood = stood;
     say("");
   }
   space.walking = walking;
   if (!walking) { space.turn(); return; }
-  const room = roomToStandIn(), [x, y, heading] = space.stood ?? [...room.label, facing(room.label)];
+  const room = roomToStandIn(), [x, y, heading] = space.stood ?? space.eyes[room.id] ?? [...room.label, facing(room.label)];
   space.walk(x, y, room.floor, heading);
   drawMinimap();
   $("space").focus();
@@ -411,32 +400,13 @@ function facing([x, y]) {
   return Math.atan2(-(top + height / 2) - y, left + width / 2 - x);
 }
 
-// The place of a room that is farthest from all that stands there.
-function freest(room) {
-  const ring = room.rings[0], [xs, ys] = [0, 1].map((axis) => ring.map((p) => p[axis])), standing = doc.pieces.filter((one) => one.space === room.id && !one.flat && !one.hangs);
-  const inside = (x, y) => ring.reduce((held, [ax, ay], k) => { const [bx, by] = ring[(k + 1) % ring.length]; return (ay > y) !== (by > y) && x < ax + (y - ay) / (by - ay) * (bx - ax) ? !held : held; }, false);
-  const gap = ([x, y]) => Math.min(...standing.map(({ pose, size }) => {
-    const [dx, dy] = [x - pose[0], y - pose[1]], [c, s] = [Math.cos(pose[3] - Math.PI / 2), Math.sin(pose[3] - Math.PI / 2)];
-    return Math.hypot(Math.max(Math.abs(c * dx + s * dy) - size[0] / 2, 0), Math.max(Math.abs(c * dy - s * dx) - size[1] / 2, 0));
-  }), ...ring.map(([ax, ay], k) => {
-    const [bx, by] = ring[(k + 1) % ring.length], long = (bx - ax) ** 2 + (by - ay) ** 2 || 1, share = Math.min(1, Math.max(0, ((x - ax) * (bx - ax) + (y - ay) * (by - ay)) / long));
-    return Math.hypot(ax + share * (bx - ax) - x, ay + share * (by - ay) - y);
-  }));
-  const places = [];
-  for (let i = 1; i < 24; i += 1) for (let j = 1; j < 24; j += 1) {
-    const at = [Math.min(...xs) + i / 24 * (Math.max(...xs) - Math.min(...xs)), Math.min(...ys) + j / 24 * (Math.max(...ys) - Math.min(...ys))];
-    if (inside(...at)) places.push([gap(at), at]);
-  }
-  return places.reduce((best, one) => one[0] > best[0] ? one : best, [-1, room.label])[1];
-}
-
 // Where one stands while walking, on a small plan; a click goes there.
 function drawMinimap() {
   const map = $("minimap"), here = doc.levels.find((one) => one.id === level) ?? doc.levels[0], frame = extent(here);
   map.setAttribute("viewBox", frame.join(" "));
   map.replaceChildren();
   drawFloor(here, map);
-  for (const piece of doc.pieces.filter((one) => one.level === here.id && !one.hangs)) element("path", { class: "item", d: doc.symbols[piece.symbol].map(line).join(""), transform: placed(piece.pose) }, map);
+  for (const piece of doc.pieces.filter((one) => one.level === here.id && !one.hangs)) element("path", { class: "item", d: piece.lines.map(line).join(""), transform: placed(piece.pose) }, map);
   drawShell(here, map);
   const dot = element("path", { class: "here", d: `M0,${-frame[2] / 16} L${frame[2] / 28},${frame[2] / 28} L${-frame[2] / 28},${frame[2] / 28}Z` }, map);
   const follow = () => {
@@ -455,7 +425,7 @@ function drawMinimap() {
 function roomToStandIn() {
   const piece = chosen(), here = doc.levels.find((one) => one.id === level) ?? doc.levels[0];
   const room = here.spaces.find((one) => one.id === piece?.space) ?? here.spaces[0];
-  return { label: freest(room), floor: here.elevation };
+  return { id: room.id, label: room.label, floor: here.elevation };
 }
 
 function showPlan() {

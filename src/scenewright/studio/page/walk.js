@@ -1,12 +1,13 @@
 // The scene in 3D: seen from above by turning it, or walked through at eye height. Metres; glTF's
 // y points up.
-import { AmbientLight, Box3, Color, DirectionalLight, Group, GLTFLoader, HemisphereLight, OrbitControls,
+import { AmbientLight, Box3, Color, DirectionalLight, Group, HemisphereLight, OrbitControls,
   PerspectiveCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer, ACESFilmicToneMapping } from "/three.js";
+import { buildWorld, forget } from "/solid.js";
 
 const EYE = 1.6, PACE = 1.8, BODY = 0.3, OPENS = 1.9;
 const farEnd = ({ lower, upper }) => Math.abs(upper) > Math.abs(lower) ? upper : lower;
 
-export async function open3d(canvas, address) {
+export function open3d(canvas) {
   const renderer = new WebGLRenderer({ canvas, antialias: true });
   renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
   renderer.toneMapping = ACESFilmicToneMapping;
@@ -14,31 +15,11 @@ export async function open3d(canvas, address) {
   const scene = new Scene();
   scene.background = new Color(0xdfe6ea);
   const camera = new PerspectiveCamera(60, 1, 0.05, 2000);
-  const gltf = await new GLTFLoader().loadAsync(address);
-  const world = gltf.scene, movable = [], doors = [], lamps = [];
-  world.traverse((node) => {
-    if (node.isLight) lamps.push(node);
-    if (node.isMesh) { node.castShadow = true; node.receiveShadow = true; }
-    const joint = node.userData.joint;
-    if (!joint) return;
-    movable.push(node);
-    node.userData.rest = node.position.clone();
-    node.userData.now = node.userData.aim = joint.at;
-    if (joint.type === "hinge" && node.parent.userData.category === "door") doors.push(node);
-  });
-  for (const lamp of lamps) lamp.parent.remove(lamp);
-  scene.add(world);
-  const above = [];
-  world.traverse((node) => { if (node.userData.layer === "ceiling" || /^ceiling/.test(node.name)) above.push(node); });
-  const box = new Box3().setFromObject(world), middle = box.getCenter(new Vector3()), size = box.getSize(new Vector3());
-  scene.add(new HemisphereLight(0xffffff, 0xb9a88f, 1.6), new AmbientLight(0xffffff, 0.5), sun(box, middle, size));
+  let held = { world: new Group(), movable: [], doors: [], above: [], eyes: {} }, lights = new Group();
   const turning = new OrbitControls(camera, canvas);
-  turning.target.copy(middle);
-  camera.position.set(middle.x + 0.2 * size.x, middle.y + 0.75 * Math.max(size.x, size.z), middle.z + 0.55 * Math.max(size.x, size.z));
   turning.maxPolarAngle = 1.5;
   const spot = new Vector3(), ray = new Raycaster();
   const state = { keys: new Set(), walking: false, heading: 0, tilt: 0, alive: true, at: performance.now() };
-  const solid = world.children;
 
   function resize() {
     const width = canvas.clientWidth, height = canvas.clientHeight;
@@ -60,7 +41,7 @@ export async function open3d(canvas, address) {
         -Math.cos(state.heading) * ahead + Math.sin(state.heading) * aside).normalize();
       go(way, PACE * (has("shift") ? 2 : 1) * seconds);
     }
-    for (const door of doors) {
+    for (const door of held.doors) {
       if (door.getWorldPosition(spot).distanceTo(camera.position) < OPENS) door.userData.aim = farEnd(door.userData.joint);
     }
     look();
@@ -73,7 +54,7 @@ export async function open3d(canvas, address) {
       const blocked = [0.3, 0.9, 1.5].some((height) => {
         const from = camera.position.clone(); from.y += height - EYE;
         ray.set(from, unit); ray.near = 0; ray.far = BODY + far;
-        const met = ray.intersectObjects(solid, true);
+        const met = ray.intersectObjects(held.world.children, true);
         ray.far = Infinity;
         return met.some((hit) => !belongsToDoor(hit.object));
       });
@@ -81,11 +62,11 @@ export async function open3d(canvas, address) {
     }
   }
 
-  const belongsToDoor = (object) => { for (let node = object; node; node = node.parent) if (doors.includes(node)) return true; return false; };
+  const belongsToDoor = (object) => { for (let node = object; node; node = node.parent) if (held.doors.includes(node)) return true; return false; };
 
   // What moves goes to where it is meant to be, about its hinge or along its runner.
   function settle(seconds) {
-    for (const { userData: facts, position, quaternion } of movable) {
+    for (const { userData: facts, position, quaternion } of held.movable) {
       if (Math.abs(facts.aim - facts.now) < 1e-3) continue;
       facts.now += (facts.aim - facts.now) * Math.min(1, 5 * seconds);
       const axis = spot.fromArray(facts.joint.axis);
@@ -98,8 +79,8 @@ export async function open3d(canvas, address) {
   function touch(event) {
     const box = canvas.getBoundingClientRect();
     ray.setFromCamera(new Vector2(2 * (event.clientX - box.left) / box.width - 1, 1 - 2 * (event.clientY - box.top) / box.height), camera);
-    let node = ray.intersectObjects(solid, true).find((hit) => hit.object.visible)?.object;
-    while (node && !movable.includes(node)) node = node.parent;
+    let node = ray.intersectObjects(held.world.children, true).find((hit) => hit.object.visible)?.object;
+    while (node && !held.movable.includes(node)) node = node.parent;
     if (!node) return;
     const { joint, aim } = node.userData, far = farEnd(joint);
     node.userData.aim = Math.abs(aim - far) < 0.1 ? (far === joint.upper ? joint.lower : joint.upper) : far;
@@ -111,20 +92,20 @@ export async function open3d(canvas, address) {
     const seconds = Math.min((now - state.at) / 1000, 0.1); state.at = now;
     if (state.walking) step(seconds); else turning.update();
     settle(seconds);
-    for (const node of above) node.visible = state.walking;
+    for (const node of held.above) node.visible = state.walking;
     renderer.render(scene, camera);
     requestAnimationFrame(frame);
   }
 
-  let held = null, started = null;
-  const down = (event) => { held = started = [event.clientX, event.clientY]; };
+  let grasped = null, started = null;
+  const down = (event) => { grasped = started = [event.clientX, event.clientY]; };
   const move = (event) => {
-    if (!held || !state.walking) return;
-    state.heading -= (event.clientX - held[0]) * 0.005;
-    state.tilt = Math.max(-1.2, Math.min(1.2, state.tilt + (event.clientY - held[1]) * 0.005));
-    held = [event.clientX, event.clientY];
+    if (!grasped || !state.walking) return;
+    state.heading -= (event.clientX - grasped[0]) * 0.005;
+    state.tilt = Math.max(-1.2, Math.min(1.2, state.tilt + (event.clientY - grasped[1]) * 0.005));
+    grasped = [event.clientX, event.clientY];
   };
-  const up = (event) => { if (started && Math.hypot(event.clientX - started[0], event.clientY - started[1]) < 4) touch(event); held = started = null; };
+  const up = (event) => { if (started && Math.hypot(event.clientX - started[0], event.clientY - started[1]) < 4) touch(event); grasped = started = null; };
   const key = (event) => {
     if (!state.walking || event.key === "Escape") return;
     state.keys[event.type === "keydown" ? "add" : "delete"](event.key.toLowerCase());
@@ -134,7 +115,23 @@ export async function open3d(canvas, address) {
   addEventListener("keydown", key); addEventListener("keyup", key);
   requestAnimationFrame(frame);
 
+  // Draw another scene; the first is looked at from above as a whole.
+  async function show(told) {
+    const fresh = await buildWorld(told), first = !held.world.parent;
+    scene.remove(held.world, lights); forget(held.world);
+    held = fresh;
+    const box = new Box3().setFromObject(held.world), middle = box.getCenter(new Vector3()), size = box.getSize(new Vector3());
+    lights = new Group();
+    lights.add(new HemisphereLight(0xffffff, 0xb9a88f, 1.6), new AmbientLight(0xffffff, 0.5), sun(box, middle, size));
+    scene.add(held.world, lights);
+    if (!first) return;
+    turning.target.copy(middle);
+    camera.position.set(middle.x + 0.2 * size.x, middle.y + 0.75 * Math.max(size.x, size.z), middle.z + 0.55 * Math.max(size.x, size.z));
+  }
+
   return {
+    show,
+    get eyes() { return held.eyes; },
     // Stand at a place of the plan (x, y and the floor's height), or look from above again.
     walk(x, y, floor, heading) {
       state.walking = true; turning.enabled = false;
