@@ -71,7 +71,7 @@ def tell_by_key(state: Json, shapes: Shapes) -> Json:
     ...          "pose": [1.0, 2.0, 0.0, 0.0], "size": [1, 1, 1], "symbol": "s", "locked": False,
     ...          "flat": True, "hangs": False, "rise": 0.0}
     >>> tell_by_key({"pieces": [piece], "symbols": {"s": []}}, Shapes())["pieces"]
-    [{'id': 'a', 'is': 'xUX3QE-1', 'at': [1, 2, 0, 0]}]
+    [{'id': 'a', 'is': '77lQO5T5', 'at': [1, 2, 0, 0]}]
     """
     if "symbols" not in state:
         return state
