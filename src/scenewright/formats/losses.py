@@ -41,7 +41,7 @@ def _count_hanging(solution: Solution) -> int:
 
 def _count_roofs(solution: Solution) -> int:
     """Buildings with models of which a city model does not hold the roof."""
-    from scenewright.ground.city_roofs import find_roofed
+    from scenewright.ground.buildings.city_roofs import find_roofed
 
     built = [piece for piece in solution.pieces if piece.category == "building" and piece.asset]
     return sum(find_roofed(piece, {}) is None for piece in built)
