@@ -26,6 +26,7 @@ from scenewright.core.plan import Plan
 from scenewright.core.scene import Scene
 from scenewright.core.solution import Solution
 from scenewright.formats.gltf.cameras import OPEN, add_cameras
+from scenewright.formats.gltf.handover import add_forms, extensions_used, name_forms
 from scenewright.formats.gltf.instances import INSTANCING, add_instances
 from scenewright.formats.gltf.lights import LIGHTS, add_lamps, add_rows, add_sun
 from scenewright.formats.gltf.meshes import make_meshes
@@ -49,16 +50,22 @@ def write(solution: Solution, path: str | os.PathLike[str], plan: Plan | None = 
 
 
 def write_scene(
-    solution: Solution, path: str | os.PathLike[str], plan: Plan | None, batched: bool
+    solution: Solution,
+    path: str | os.PathLike[str],
+    plan: Plan | None,
+    batched: bool,
+    for_engines: bool = False,
 ) -> None:
-    """Write a scene, ``batched`` or with everything a mesh of its own."""
+    """Write a scene, ``batched`` or with everything a mesh of its own; ``for_engines`` with levels
+    of detail and collision meshes."""
     from scenewright.catalog.loading import catalog_of
     from scenewright.domains import scene_of
 
     with atomic_write(path) as partial:
         scene, catalog = scene_of(solution, plan), catalog_of(solution.brief.catalogs)
         where = georeference_of(solution.brief)
-        partial.write_bytes(encode_scene(scene, catalog, solution.brief.domain, batched, where))
+        domain = solution.brief.domain
+        partial.write_bytes(encode_scene(scene, catalog, domain, batched, where, for_engines))
 
 
 def encode_scene(
@@ -67,10 +74,11 @@ def encode_scene(
     domain: str = "home",
     batched: bool = True,
     where: Georeference | None = None,
+    for_engines: bool = False,
 ) -> bytes:
     """The bytes of a GLB file: a header, a chunk of JSON, a chunk of numbers. ``where`` its origin
     lies on a map, if that is known, is said at its root."""
-    document, numbers = document_of(scene, catalog, domain, batched)
+    document, numbers = document_of(scene, catalog, domain, batched, for_engines)
     if where is not None and where.system:
         stated = {"crs": where.system, "origin": list(where.origin)}
         document["nodes"][0]["extras"] |= {"georeference": stated}
@@ -89,15 +97,21 @@ def encode_scene(
 
 
 def document_of(
-    scene: Scene, catalog: Catalog, domain: str = "home", batched: bool = True
+    scene: Scene,
+    catalog: Catalog,
+    domain: str = "home",
+    batched: bool = True,
+    for_engines: bool = False,
 ) -> tuple[Json, bytes]:
     """The JSON document of a scene and the binary buffer it refers to. Its root is named after the
-    scene or its ``domain``; unless ``batched`` everything draws its own mesh."""
+    scene or its ``domain``; unless ``batched`` everything draws its own mesh, and may have levels
+    of detail and collision meshes ``for_engines``."""
     found = things(scene, catalog)
     rows = [*_dark_rows(scene, found, catalog)]
     seen = (*_seen_ceilings(scene), *fittings(scene))
     built = (*seen, *skirting(scene), *map(row_item, rows))
     tree = build_tree(scene, (*found, *built), domain, batched)
+    added = add_forms(tree, found, [level.id for level in scene.levels]) if for_engines else []
     unique: dict[Hashable, Drawn] = {}
     for one in tree.drawn.values():
         unique.setdefault(one.key, one)
@@ -114,6 +128,7 @@ def document_of(
     buffer = add_instances(tree.nodes, tree.drawn, views, accessors, meshes.packed.buffer)
     listed, buffer = meshes.materials.document(views, buffer)
     name_safely(tree.nodes)
+    name_forms(tree.nodes, added)
     document = {
         "asset": _about(scene, catalog),
         "scene": 0,
@@ -126,13 +141,13 @@ def document_of(
         "bufferViews": views,
         "buffers": [{"byteLength": len(buffer)}],
     }
-    return document | _extensions(tree.drawn.values(), lights), buffer
+    return document | _extensions(tree.drawn.values(), lights, extensions_used(added)), buffer
 
 
-def _extensions(drawn: Iterable[Drawn], lights: list[Json]) -> Json:
+def _extensions(drawn: Iterable[Drawn], lights: list[Json], others: Iterable[str]) -> Json:
     """What of glTF's extensions is used; a reader that knows no instances cannot show them."""
     many = any(one.places for one in drawn)
-    used = [LIGHTS] * bool(lights) + [INSTANCING] * many
+    used = [LIGHTS] * bool(lights) + [INSTANCING] * many + [*others]
     found: Json = {"extensionsUsed": used} if used else {}
     if many:
         found["extensionsRequired"] = [INSTANCING]

@@ -65,6 +65,12 @@ FORMATS = (
         lacks=("dimensions", "outlets", *JUDGED),
     ),
     Format(
+        ".game.glb",
+        "the same for engines: levels of detail, collision meshes",
+        writer="scenewright.formats.game_glb",
+        lacks=("dimensions", "outlets", *JUDGED),
+    ),
+    Format(
         ".procthor.json",
         "house of ProcTHOR, for AI2-THOR (read and written)",
         "scenewright.formats.simulation.procthor",
