@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 import scenewright as sw
+from scenewright.cli import run
 from scenewright.core.errors import InputError
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
@@ -161,3 +164,17 @@ def test_what_stands_on_a_piece_stands_on_the_one_in_its_place(room: Solution) -
     assert other.size.height > under.size.height + 0.1
     lying = next(p for p in edited.pieces if p.id == on_top[0].id)
     assert lying.pose.z == pytest.approx(other.size.height)
+
+
+def test_pieces_are_edited_from_the_command_line(room: Solution, tmp_path: Path) -> None:
+    saved, out = tmp_path / "room.json", tmp_path / "edited.json"
+    sw.write(room, saved)
+    desk = next(p for p in room.pieces if p.category == "desk")
+    verbs = ["--restyle", "room=vintage", "--remove", desk.id, "--add", "armchair=2.5,2.5"]
+    assert run(["adjust", str(saved), "-o", str(out), "-q", *verbs]) in (0, 1)
+    after = solution_json.read(out)
+    assert desk.id not in {p.id for p in after.pieces}
+    assert any(p.category == "armchair" and p.fixed for p in after.pieces)
+    assert any(p.asset.endswith("_retro") for p in after.pieces)
+    for wrong in ("--resize=desk=1", "--exchange=desk", "--add=armchair"):
+        assert run(["adjust", str(saved), "-o", str(out), wrong]) == 2

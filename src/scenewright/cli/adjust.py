@@ -1,17 +1,23 @@
-"""The verb ``adjust``: move, swap, lock and release pieces of a saved scene; solve the rest."""
+"""The verb ``adjust``: change a saved scene by hand; solve what that touches."""
 
 from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
-from math import isfinite, pi, radians
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from scenewright.cli import completion
-from scenewright.core.errors import InputError
+from scenewright.cli.edit_arguments import (
+    check_locks,
+    read_addition,
+    read_pair,
+    read_pose,
+    read_size,
+    read_word,
+)
 
 if TYPE_CHECKING:
     from scenewright.core.edits import Change
@@ -19,10 +25,33 @@ if TYPE_CHECKING:
 
 
 Names = list[str] | None
+Move = Annotated[
+    Names, typer.Option(metavar="PIECE=X,Y[,DEGREES]", help="Put a piece there and lock it.")
+]
+Swap = Annotated[Names, typer.Option(metavar="PIECE,PIECE", help="Swap two pieces and lock them.")]
+Lock = Annotated[Names, typer.Option(metavar="PIECE", help="Keep the piece where it is.")]
+Unlock = Annotated[Names, typer.Option(metavar="PIECE", help="Release a locked piece.")]
+Again = Annotated[
+    Names, typer.Option(metavar="SPACE", help="Arrange a space again around its locked pieces.")
+]
+Add = Annotated[
+    Names,
+    typer.Option(metavar="MODEL=X,Y[,DEGREES]", help="Put a model of the catalog in, and lock it."),
+]
+Remove = Annotated[Names, typer.Option(metavar="PIECE", help="Take a piece away.")]
+Duplicate = Annotated[Names, typer.Option(metavar="PIECE", help="Put another like it beside it.")]
+Exchange = Annotated[
+    Names, typer.Option(metavar="PIECE=MODEL", help="Put another model in its place.")
+]
+Resize = Annotated[
+    Names, typer.Option(metavar="PIECE=W,D,H", help="Make a piece another size, in metres.")
+]
+Restyle = Annotated[
+    Names,
+    typer.Option(metavar="PIECE=STYLE", help="Exchange a piece, or all of a space, by style."),
+]
 MOST_OF_ONE = 6
 """Pieces of one group that are named one by one."""
-RADIANS_MEANT = 0.003
-"""A heading so near to eighths of a turn in radians, 1.57 as well as 1.5708, is not in degrees."""
 
 
 def adjust(
@@ -37,19 +66,17 @@ def adjust(
             autocompletion=completion.outputs,
         ),
     ],
-    move: Annotated[
-        Names, typer.Option(metavar="PIECE=X,Y[,DEGREES]", help="Put a piece there and lock it.")
-    ] = None,
-    swap: Annotated[
-        Names, typer.Option(metavar="PIECE,PIECE", help="Swap two pieces and lock them.")
-    ] = None,
-    lock: Annotated[
-        Names, typer.Option(metavar="PIECE", help="Keep the piece where it is.")
-    ] = None,
-    unlock: Annotated[Names, typer.Option(metavar="PIECE", help="Release a locked piece.")] = None,
-    again: Annotated[
-        Names, typer.Option(metavar="SPACE", help="Arrange a space again around its locked pieces.")
-    ] = None,
+    move: Move = None,
+    swap: Swap = None,
+    lock: Lock = None,
+    unlock: Unlock = None,
+    again: Again = None,
+    remove: Remove = None,
+    exchange: Exchange = None,
+    resize: Resize = None,
+    restyle: Restyle = None,
+    duplicate: Duplicate = None,
+    add: Add = None,
     steps: Annotated[int | None, typer.Option(min=1, help="Search budget in steps.")] = None,
     seed: Annotated[int | None, typer.Option(min=0, help="Seed of the random numbers.")] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON document only.")] = False,
@@ -58,25 +85,26 @@ def adjust(
     """Change a saved scene by hand: only what the change affects is solved again.
 
     A piece is named by its id or an unambiguous part of it: sofa, bedroom/bed, living/seating.
-    Options may be repeated.
+    Options may be repeated. Models and styles: scenewright list assets, scenewright list styles.
     """
     from scenewright.workflow.adjust import AdjustRequest
 
-    both = sorted(set(lock or ()) & set(unlock or ()))
-    if both:
-        raise InputError(f"{both[0]} is to be locked and released", "leave out one of the two")
-    request = AdjustRequest(
-        file,
-        tuple(outputs),
-        dict(_pose(text) for text in move or ()),
-        tuple(_pair(p) for p in swap or ()),
-        tuple(lock or ()),
-        tuple(unlock or ()),
-        tuple(again or ()),
-        steps,
-        seed,
-    )
-    return _run(request, as_json, quiet)
+    check_locks(lock or (), unlock or ())
+    asked = {
+        "move": dict(map(read_pose, move or ())),
+        "swap": tuple(map(read_pair, swap or ())),
+        "lock": tuple(lock or ()),
+        "unlock": tuple(unlock or ()),
+        "again": tuple(again or ()),
+        "remove": tuple(remove or ()),
+        "exchange": dict(read_word(text, "--exchange", "PIECE=MODEL") for text in exchange or ()),
+        "resize": dict(map(read_size, resize or ())),
+        "restyle": dict(read_word(text, "--restyle", "PIECE=STYLE") for text in restyle or ()),
+        "duplicate": tuple(duplicate or ()),
+        "add": tuple(map(read_addition, add or ())),
+    }
+    edits = {verb: what for verb, what in asked.items() if what}
+    return _run(AdjustRequest(file, tuple(outputs), edits, steps, seed), as_json, quiet)
 
 
 def _run(request: AdjustRequest, as_json: bool, quiet: bool) -> int:
@@ -109,7 +137,7 @@ def _run(request: AdjustRequest, as_json: bool, quiet: bool) -> int:
 
 def _tell_same(request: AdjustRequest, seed: int) -> list[str]:
     """What helps where a room arranged again is as it was: its seed was that of the file."""
-    return [f"nothing changed; try --seed {seed + 1}"] if request.again else []
+    return [f"nothing changed; try --seed {seed + 1}"] if "again" in request.edits else []
 
 
 def list_changes(changes: Sequence[Change]) -> dict[str, list[str]]:
@@ -141,49 +169,3 @@ def _join(names: Sequence[str]) -> list[str]:
         for name in names
     )
     return list(dict.fromkeys(shown))
-
-
-def _pose(argument: str) -> tuple[str, tuple[float, ...]]:
-    """``bed=1.2,3.4,90`` as a name and a pose in metres and radians.
-
-    >>> _pose("bed=1.2,3.4")
-    ('bed', (1.2, 3.4))
-    """
-    name, _, pose = argument.partition("=")
-    name = name.strip()
-    try:
-        numbers = [float(part) for part in pose.split(",")]
-    except ValueError:
-        numbers = []
-    if not name or len(numbers) not in (2, 3) or not all(isfinite(n) for n in numbers):
-        raise InputError(
-            f"--move {argument} is not a place",
-            "give PIECE=X,Y or PIECE=X,Y,DEGREES, as bed=1.2,3.4,90",
-        )
-    for angle in numbers[2:]:
-        _check_degrees(angle, argument)
-    return name, (*numbers[:2], *(radians(angle) for angle in numbers[2:]))
-
-
-def _check_degrees(angle: float, argument: str) -> None:
-    """InputError for what is no angle in degrees: beyond a full turn, or an eighth of a turn or
-    several written in radians.
-
-    >>> _check_degrees(90.0, "bed=1,2,90"), _check_degrees(1.5, "bed=1,2,1.5")
-    (None, None)
-    """
-    if abs(angle) > 360:
-        raise InputError(f"--move {argument}: {angle:g} is no heading", "give degrees, -360 to 360")
-    eighths = round(angle / (pi / 4))
-    if eighths and abs(eighths) <= 8 and abs(angle - eighths * pi / 4) < RADIANS_MEANT:
-        raise InputError(
-            f"--move {argument}: the heading seems to be in radians",
-            f"give degrees: {45 * eighths}",
-        )
-
-
-def _pair(argument: str) -> tuple[str, str]:
-    names = [part.strip() for part in argument.split(",")]
-    if len(names) != 2 or not all(names):
-        raise InputError(f"--swap {argument} is not a pair", "give two pieces, as sofa,tv")
-    return names[0], names[1]

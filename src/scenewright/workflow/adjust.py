@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Generator, Mapping
 from contextlib import closing
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from scenewright import domains
 from scenewright.core.atomic_file import allow_replacing
@@ -19,7 +18,7 @@ from scenewright.core.stored_file import MEBIBYTE, check_plain, report_damage
 from scenewright.formats import check_outputs, solution_json, writer
 from scenewright.workflow import project
 from scenewright.workflow.events import Event, Judged, Planned, Solved
-from scenewright.workflow.scene_project import name_edits
+from scenewright.workflow.scene_project import change_scene, dump_edits, name_edits
 from scenewright.workflow.writing import write_all
 
 LARGEST = 4096 * MEBIBYTE
@@ -27,15 +26,12 @@ LARGEST = 4096 * MEBIBYTE
 
 
 class AdjustRequest(NamedTuple):
-    """A saved solution to change, the files to write, and the edits."""
+    """A saved solution to change, the files to write, and the edits by name, as
+    :func:`.scene_project.change_scene` takes them."""
 
     file: Path
     outputs: tuple[Path, ...]
-    move: Mapping[str, tuple[float, ...]]
-    swap: tuple[tuple[str, str], ...]
-    lock: tuple[str, ...]
-    unlock: tuple[str, ...]
-    again: tuple[str, ...]
+    edits: Mapping[str, Any]
     steps: int | None
     seed: int | None
 
@@ -60,16 +56,8 @@ def adjust_file(request: AdjustRequest) -> Generator[Event, None, AdjustedFile]:
     check_outputs(request.outputs, before.brief)
     yield Planned(before.brief, plan, domains.domain_of(before.brief.domain))
     try:
-        solution, changes = domains.adjust(
-            before,
-            plan=plan,
-            move=request.move,
-            swap=request.swap,
-            lock=request.lock,
-            unlock=request.unlock,
-            again=request.again,
-            steps=request.steps,
-            seed=request.seed,
+        solution, changes = change_scene(
+            before, request.edits, plan=plan, steps=request.steps, seed=request.seed
         )
     except InputError as error:
         raise error.located(file=str(request.file)) from None
@@ -103,10 +91,13 @@ def _read(file: Path) -> tuple[Solution, Plan]:
 
 def _keep(request: AdjustRequest, solution: Solution) -> None:
     """Add what came of it to its project."""
-    asked = request._asdict()
-    edits = {verb: asked[verb] for verb in ("move", "swap", "lock", "unlock", "again")}
-    edits = {verb: what for verb, what in edits.items() if what}
     with closing(project.open_project(request.file)) as db:
         version = project.shown_version(db)
         parent, text = version.id if version else 0, solution_json.dumps(solution)
-        project.add_version(db, parent, name_edits(edits), text, edit=json.dumps(edits))
+        project.add_version(
+            db,
+            parent,
+            name_edits(request.edits),
+            text,
+            edit=dump_edits(request.edits, request.seed),
+        )

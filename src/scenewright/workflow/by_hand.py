@@ -10,6 +10,7 @@ import shapely
 
 from scenewright.arranging.give_way import nearest_place
 from scenewright.arranging.hand_rules import HandRules
+from scenewright.building.palettes import MODERN, STYLES
 from scenewright.core.catalog import Catalog
 from scenewright.core.edits import Addition, Adjusted, Change, PieceEdits
 from scenewright.core.errors import InputError
@@ -155,11 +156,12 @@ class Hand:
 
 
 def find_like(asset: str, style: str, catalog: Catalog) -> str:
-    """The model of a ``style`` that is called most like another; empty if there is none.
+    """The model of a ``style`` that is called most like another; empty if there is none. Usual
+    models, which name no style, are the modern ones.
 
     >>> from scenewright.catalog.assets import shipped
-    >>> find_like("sofa_nordic", "retro", shipped())
-    'sofa_retro'
+    >>> find_like("sofa_nordic", "retro", shipped()), find_like("sofa_nordic", "modern", shipped())
+    ('sofa_retro', 'sofa')
     """
     words = {*asset.split("_")}
     best, most = "", 0
@@ -167,16 +169,20 @@ def find_like(asset: str, style: str, catalog: Catalog) -> str:
         own = {*name.split("_")}
         if style in own and own - {style} <= words and len(own) > most:
             best, most = name, len(own)
-    return best
+    usual = "_".join(word for word in asset.split("_") if word not in STYLES)
+    return best or (usual if style == MODERN and usual in catalog.assets else "")
 
 
 def list_restyled(
     pieces: Sequence[Piece], name: str, style: str, catalog: Catalog
 ) -> list[tuple[Piece, str]]:
     """Pieces of another model in a style, and that; InputError where nothing is made in it."""
-    found = [(p, find_like(p.asset, style.casefold(), catalog)) for p in pieces]
+    word = style.casefold()
+    named = next((one for one, others in STYLES.items() if word in others.split()), word)
+    found = [(p, find_like(p.asset, named, catalog)) for p in pieces]
     if not any(model for _, model in found):
-        raise InputError(f"no model like those of '{name}' is made in '{style}'", "try another")
+        fault = f"no model like those of '{name}' is made in '{style}'"
+        raise InputError(fault, f"styles of furniture: {', '.join(STYLES)}")
     return [(p, model) for p, model in found if model and model != p.asset]
 
 

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 from threading import RLock
 from typing import Any
 
-from scenewright.core.edits import Adjusted, Change
+from scenewright.core.edits import Adjusted
 from scenewright.core.errors import InputError
+from scenewright.core.plan import Plan
 from scenewright.core.solution import Solution
 from scenewright.domains import adjust, plan_of
 from scenewright.formats import solution_json
@@ -53,15 +54,10 @@ class Project:
         """Change the scene by verbs of :func:`scenewright.domains.adjust` (move, swap, lock,
         unlock, again) and :func:`scenewright.edit_pieces` (remove, exchange, resize, restyle,
         duplicate, add), all as one step; InputError, and nothing is kept, where one cannot be."""
-        strange = [name for name in edits if name not in BY_PLACE + BY_PIECE]
-        if strange:
-            known = ", ".join(BY_PLACE + BY_PIECE)
-            raise InputError(f"unknown edit '{strange[0]}'", f"use one of: {known}")
         with self._lock:
             number, before = self._shown()
-            done = self._change(before, edits, seed)
-            asked = edits if seed is None else edits | {"seed": seed}
-            self._add(number, name_edits(edits), done.solution, json.dumps(asked, default=_plain))
+            done = change_scene(before, edits, seed=seed)
+            self._add(number, name_edits(edits), done.solution, dump_edits(edits, seed))
         return done
 
     def undo(self) -> Solution:
@@ -91,21 +87,6 @@ class Project:
         with self._lock:
             self._db.close()
 
-    def _change(self, before: Solution, edits: Mapping[str, Any], seed: int | None) -> Adjusted:
-        plan = plan_of(before.brief)
-        after, changes = before, tuple[Change, ...]()
-        verbs: tuple[tuple[Callable[..., Adjusted], tuple[str, ...]], ...]
-        verbs = ((adjust, BY_PLACE), (edit_pieces, BY_PIECE))
-        for change, names in verbs:
-            asked: dict[str, Any] = {name: edits[name] for name in names if name in edits}
-            if asked and change is adjust:
-                asked["seed"] = seed
-            if asked:
-                same = after.brief is before.brief
-                done: Adjusted = change(after, plan=plan if same else plan_of(after.brief), **asked)
-                after, changes = done.solution, (*changes, *done.changes)
-        return Adjusted(after, changes)
-
     def _must_show(self) -> project.Version:
         version = project.shown_version(self._db)
         if version is None:
@@ -130,6 +111,35 @@ class Project:
         project.add_version(self._db, parent, what, text, who=self.who, edit=edit)
 
 
+def change_scene(
+    before: Solution,
+    edits: Mapping[str, Any],
+    *,
+    plan: Plan | None = None,
+    steps: int | None = None,
+    seed: int | None = None,
+) -> Adjusted:
+    """A scene after edits by name: those of :func:`scenewright.domains.adjust` first, with its
+    ``steps`` and ``seed``, then those of :func:`scenewright.edit_pieces`. InputError for others."""
+    strange = [name for name in edits if name not in BY_PLACE + BY_PIECE]
+    if strange:
+        known = ", ".join(BY_PLACE + BY_PIECE)
+        raise InputError(f"unknown edit '{strange[0]}'", f"use one of: {known}")
+    plan = plan or plan_of(before.brief)
+    done = Adjusted(before, ())
+    by_place, by_piece = (
+        {name: edits[name] for name in names if edits.get(name)} for names in (BY_PLACE, BY_PIECE)
+    )
+    if by_place or not by_piece:
+        done = adjust(before, plan=plan, steps=steps, seed=seed, **by_place)
+    if by_piece:
+        after = done.solution
+        plan = plan if after.brief is before.brief else plan_of(after.brief)
+        more = edit_pieces(after, plan=plan, **by_piece)
+        done = Adjusted(more.solution, (*done.changes, *more.changes))
+    return done
+
+
 def name_edits(edits: Mapping[str, Any]) -> str:
     """What was done, for the history.
 
@@ -137,6 +147,16 @@ def name_edits(edits: Mapping[str, Any]) -> str:
     'remove living/sofa, move bed'
     """
     return ", ".join(f"{verb} {' '.join(map(_name, asked))}" for verb, asked in edits.items())
+
+
+def dump_edits(edits: Mapping[str, Any], seed: int | None = None) -> str:
+    """Edits by name, and the seed they were made with, as JSON.
+
+    >>> dump_edits({"remove": ["living/sofa"]}, 3)
+    '{"remove": ["living/sofa"], "seed": 3}'
+    """
+    asked = edits if seed is None else {**edits, "seed": seed}
+    return json.dumps(asked, default=_plain)
 
 
 def _name(asked: Any) -> str:
