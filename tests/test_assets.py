@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import cache
-from importlib import import_module
+from importlib.util import resolve_name
 from itertools import pairwise
 
 import numpy as np
@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 
 from every import every
 from scenewright.catalog.assets import assets_of, shipped
+from scenewright.catalog.assets.declared import drawings_of
 from scenewright.catalog.kinds import KINDS
 from scenewright.core.catalog import Asset, Part
 from scenewright.core.scene import Size
@@ -162,7 +163,7 @@ def test_ids_are_unique_and_materials_valid() -> None:
     assert len(listed) == len(set(listed)) == len(shipped().assets)
     drawn = {name for kind in KINDS.values() for name in kind.drawn_by}
     for name in drawn:
-        for drawing in import_module(name, "scenewright.catalog.assets").ASSETS:
+        for drawing in drawings_of(resolve_name(name, "scenewright.catalog.assets")):
             assert name in KINDS[drawing.category].drawn_by, drawing
     names: dict[str, object] = {}
     for asset in ASSETS:

@@ -92,8 +92,8 @@ class Kind:
     learned, ``alone`` the group it makes alone. ``lumens`` is the light it gives when lit, of a
     colour temperature of ``kelvin``.
 
-    ``drawn_by`` lists the modules whose ``ASSETS`` draw it; a leading dot stands for
-    ``scenewright.catalog.assets``.
+    ``drawn_by`` lists the families (a text of parts, a module with ``ASSETS``) that draw it; a
+    leading dot stands for ``scenewright.catalog.assets``.
     """
 
     category: str

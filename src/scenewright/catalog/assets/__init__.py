@@ -1,7 +1,8 @@
 """The shipped catalog: parametric furniture of our own, found by category and size.
 
-One file a theme: mesh functions, symbols, and the table ``ASSETS`` of what they draw. Which of
-these files draw a kind is stated in its row (:mod:`scenewright.catalog.kinds`).
+One family a theme: a text of declared parts (:mod:`scenewright.catalog.assets.declared`), a module
+with what is grown by loops and its table ``ASSETS``, or both. Which of them draw a kind is stated
+in its row (:mod:`scenewright.catalog.kinds`).
 """
 
 from __future__ import annotations
@@ -9,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import cache
 from importlib import import_module
+from importlib.util import resolve_name
 
 from scenewright.catalog.assets.drawing import asset_of
 from scenewright.core.catalog import Asset, Catalog
@@ -22,8 +24,9 @@ def assets_of(kind: Kind) -> Iterator[Asset]:
     >>> [asset.id for asset in assets_of(KINDS["wardrobe"])][:3]
     ['wardrobe', 'wardrobe_sliding', 'wardrobe_shallow']
     """
+    declared = import_module(".declared", __name__)  # the referee reads kinds, but no meshes
     for module in kind.drawn_by:
-        for drawing in import_module(module, __name__).ASSETS:
+        for drawing in declared.drawings_of(resolve_name(module, __name__)):
             if drawing.category == kind.category:
                 yield asset_of(drawing, kind)
 

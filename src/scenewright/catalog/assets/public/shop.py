@@ -4,36 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from functools import partial
-from itertools import pairwise
 from math import pi
-
-import numpy as np
 
 from scenewright.catalog.assets.drawing import LETTERS, Drawing
 from scenewright.catalog.assets.joinery import four_legs, spread
-from scenewright.catalog.assets.materials import (
-    BLACK,
-    BRASS,
-    CHROME,
-    MIRROR,
-    OAK,
-    PINE,
-    RED,
-    RUBBER,
-    SAGE_FABRIC,
-    STEEL,
-    WALNUT,
-    WHITE,
-)
+from scenewright.catalog.assets.materials import BLACK, BRASS, CHROME, OAK, PINE, WALNUT, WHITE
 from scenewright.catalog.assets.model import Parts, parts
 from scenewright.catalog.assets.objects import Stuff
-from scenewright.catalog.assets.public.garments import OUTFITS, Outfit, dress_mannequin, hang_row
+from scenewright.catalog.assets.public.garments import hang_row
 from scenewright.catalog.assets.public.wares import merge_by_material, stack_folded_cloth, stock
-from scenewright.catalog.assets.symbols import Lines, arc, box, oval, path, rectangle
 from scenewright.core.catalog import Symbol
 from scenewright.core.scene import Size
 from scenewright.geometry.mesh import Mesh, rotate_mesh, translate_mesh
-from scenewright.geometry.solids import block, disc, pipe, rod, slab, trough, tube
+from scenewright.geometry.solids import block, disc, pipe, rod
 
 SUITS = {"steel": (CHROME, WHITE), "oak": (BRASS, OAK), "black": (BLACK, WALNUT)}
 """Metal and wood of the fitting of a shop."""
@@ -90,13 +73,6 @@ def _round_rack(size: Size, suit: str, seed: int) -> Parts:
     return parts(size, merge_by_material(scaled, stretched))
 
 
-def _mannequin(size: Size, outfit: Outfit, seed: int) -> Parts:
-    w, d, h = size.width / 2, size.depth / 2, size.height
-    base = disc(1.0, (0, 0.02), sides=20)
-    plate = Mesh(base.vertices * (w, d, 1), base.faces)
-    return parts(size, merge_by_material({STEEL: [plate]}, dress_mannequin(h, outfit, seed)))
-
-
 _SHOWN = {"produce": 0.17, "bakery": 0.18, "books": 0.33, "shoes": 0.2, "electronics": 0.31}
 """How high goods of a trade stand on a table, metres; folded cloth else."""
 
@@ -135,131 +111,6 @@ def _display_table(size: Size, suit: str, seed: int, trade: str = "") -> Parts:
     return parts(size, found)
 
 
-def _fitting_room(size: Size) -> Parts:
-    """Three walls, a rail with a curtain half drawn, mirror behind and a seat."""
-    w, d, h = size.width / 2, size.depth / 2, size.height
-    t = 0.03
-    folds = 8
-    wave = spread(-w + t, 0.1 * w, folds)
-    curtain = [
-        block((a, b), (d - 0.1 + 0.03 * (k % 2), d - 0.05 + 0.03 * (k % 2)), (0.08, h - 0.1))
-        for k, (a, b) in enumerate(wave)
-    ]
-    return parts(
-        size,
-        {
-            WHITE: [
-                block((-w, -w + t), (-d, d), (0, h)),
-                block((w - t, w), (-d, d), (0, h)),
-                block((-w + t, w - t), (-d, -d + t), (0, h)),
-            ],
-            BLACK: [rod((-w + t, d - 0.05, h - 0.08), (w - t, d - 0.05, h - 0.08), 0.015, sides=6)],
-            SAGE_FABRIC: curtain,
-            MIRROR: [
-                block((-0.35 * w, 0.35 * w), (-d + t, -d + t + 0.01), (0.4, min(1.9, h - 0.15)))
-            ],
-            OAK: [block((0.4 * w, w - t), (-d + t, -d + t + 0.35), (0.4, 0.45))],
-            STEEL: [block((-0.75 * w, -0.6 * w), (-d + t, -d + t + 0.06), (1.65, 1.68))],
-        },
-    )
-
-
-def _basket_stack(size: Size) -> Parts:
-    w, d, h = size.width / 2, size.depth / 2, size.height
-    deep = min(0.2, 0.4 * h)
-    count = min(10, max(1, round((h - deep - 0.06) / 0.09)))
-    rims = [
-        slab((-w, w), (-d, d), (z, z + 0.04), 0.04, 1)
-        for z in np.linspace(0.08, h - deep - 0.06, count)
-    ]
-    top = trough((-w, w), (-d, d), (h - deep, h - 0.02), 0.02, h - deep + 0.02, 0.04, 0.02, 1)
-    core = block((-w + 0.03, w - 0.03), (-d + 0.03, d - 0.03), (0.05, h - deep))
-    handle = tube(
-        [(-w + 0.04, 0, h - 0.03), (-0.6 * w, 0, h), (0.6 * w, 0, h), (w - 0.04, 0, h - 0.03)],
-        0.01,
-        5,
-    )
-    return parts(
-        size,
-        {
-            RED: [*rims, top, core],
-            CHROME: [handle],
-            RUBBER: [block((-w + 0.02, w - 0.02), (-d + 0.02, d - 0.02), (0, 0.05))],
-        },
-    )
-
-
-def _rail_symbol(size: Size) -> Lines:
-    w, d = size.width / 2, size.depth / 2
-    count = max(3, round(size.width / 0.14))
-    spots = (-w + (i + 0.5) * size.width / count for i in range(count))
-    return (
-        rectangle(size),
-        path((-w, 0), (w, 0)),
-        *(path((x, -0.7 * d), (x, 0.7 * d)) for x in spots),
-    )
-
-
-def _round_rack_symbol(size: Size) -> Lines:
-    w, d = size.width / 2, size.depth / 2
-    angle = np.arange(16) * pi / 8
-    spokes = (
-        path(
-            (0.5 * w * np.cos(a), 0.5 * d * np.sin(a)), (0.95 * w * np.cos(a), 0.95 * d * np.sin(a))
-        )
-        for a in angle
-    )
-    return oval(0, 0, w, d), oval(0, 0, 0.72 * w, 0.72 * d), *spokes
-
-
-def _mannequin_symbol(size: Size) -> Lines:
-    w, d = size.width / 2, size.depth / 2
-    return oval(0, 0, w, d), box(-0.65 * w, 0.65 * w, -0.3 * d, 0.2 * d, 0.05), oval(0, 0, 0.22 * w)
-
-
-def _stacks_symbol(size: Size) -> Lines:
-    w, d = size.width / 2, size.depth / 2
-    columns, rows = (
-        min(6, max(1, round(size.width / 0.36))),
-        min(3, max(1, round(size.depth / 0.4))),
-    )
-    x, y = np.linspace(-0.9 * w, 0.9 * w, columns + 1), np.linspace(-0.9 * d, 0.9 * d, rows + 1)
-    gap = 0.04
-    return rectangle(size), *(
-        box(a + gap, b - gap, c + gap, e - gap) for a, b in pairwise(x) for c, e in pairwise(y)
-    )
-
-
-def _fitting_symbol(size: Size) -> Lines:
-    w, d = size.width / 2, size.depth / 2
-    t = 0.03
-    walls = path(
-        (-w, d),
-        (-w, -d),
-        (w, -d),
-        (w, d),
-        (w - t, d),
-        (w - t, -d + t),
-        (-w + t, -d + t),
-        (-w + t, d),
-        (-w, d),
-    )
-    step = (1.1 * w - t) / 4
-    folds = [
-        arc(-w + t + (k + 0.5) * step, d - 0.05, step / 2, 0.04, 0, pi * (-1) ** k)
-        for k in range(4)
-    ]
-    return walls, *folds, box(0.4 * w, w - t, -d + t, -d + t + 0.35)
-
-
-def _basket_symbol(size: Size) -> Lines:
-    return (
-        rectangle(size, 0, 0.04),
-        rectangle(size, 0.03, 0.03),
-        path((-size.width / 2, 0), (size.width / 2, 0)),
-    )
-
-
 def _suited(
     category: str,
     symbol: Symbol,
@@ -276,36 +127,3 @@ def _suited(
         own = f"{stem}_{LETTERS[number]}" if trade or number else ""
         label = f"{stem.replace('_', ' ').capitalize()}, {suit}, {LETTERS[k]}"
         yield Drawing(category, drawn, symbol, own, label, called=tuple(called.split()), suit=suit)
-
-
-_LAID_OUT = {
-    "produce": "produce fruit vegetable greengrocer obst gemüse légumes fruta verdura 蔬果 青果",
-    "bakery": "bakery bread pastry boulangerie pain bäckerei brot panadería pan 面包 パン",
-    "books": "book bookshop bookstore librairie livre buch bücher buchhandlung libro 书 本",
-    "shoes": "shoe footwear trainer chaussure schuh zapato calzado 鞋 靴",
-    "electronics": "electronic computer phone gadget électronique elektronik electrónica 电子 電器",
-}
-"""What is laid out on tables, and the words by which it is asked for."""
-
-ASSETS = (
-    *_suited("clothes_rail", _rail_symbol, _clothes_rail),
-    *_suited("round_rack", _round_rack_symbol, _round_rack),
-    *(
-        Drawing(
-            "mannequin",
-            partial(_mannequin, outfit=OUTFITS[k % len(OUTFITS)], seed=k),
-            _mannequin_symbol,
-            f"mannequin_{LETTERS[k]}" if k else "",
-            f"Mannequin, {OUTFITS[k % len(OUTFITS)].name}",
-        )
-        for k in range(12)
-    ),
-    *_suited("display_table", _stacks_symbol, _display_table),
-    *(
-        drawing
-        for trade, said in _LAID_OUT.items()
-        for drawing in _suited("display_table", _stacks_symbol, _display_table, 3, said, trade)
-    ),
-    Drawing("fitting_room", _fitting_room, _fitting_symbol),
-    Drawing("basket_stack", _basket_stack, _basket_symbol),
-)

@@ -6,8 +6,9 @@ from functools import partial
 from math import pi
 
 from scenewright.catalog.assets.bodies import attach_joint
+from scenewright.catalog.assets.declared import drawings_of
 from scenewright.catalog.assets.drawing import Drawing
-from scenewright.catalog.assets.furniture import cooking, kitchen
+from scenewright.catalog.assets.furniture import kitchen
 from scenewright.catalog.assets.joinery import GAP
 from scenewright.catalog.assets.materials import BLACK, CREAM, SAGE
 from scenewright.catalog.assets.model import Parts, parts
@@ -18,6 +19,7 @@ from scenewright.core.scene import Size
 from scenewright.geometry.mesh import Floats, Mesh, rotate_mesh
 from scenewright.geometry.solids import block
 
+FURNITURE = "scenewright.catalog.assets.furniture"
 UNITS = (
     "base_cabinet",
     "drawer_cabinet",
@@ -75,7 +77,11 @@ def _unit(form: Form, plain: Mesher, size: Size) -> Parts:
 
 
 def _units() -> tuple[Drawing, ...]:
-    plain = {row.category: row for row in (*kitchen.ASSETS, *cooking.ASSETS)}
+    plain = {
+        row.category: row
+        for name in ("kitchen", "cooking")
+        for row in drawings_of(f"{FURNITURE}.{name}")
+    }
     return tuple(
         plain[category]._replace(
             mesh=partial(_unit, form, plain[category].mesh),
