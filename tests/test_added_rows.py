@@ -32,7 +32,7 @@ USED = """
 import json, sys
 import numpy as np
 import scenewright as sw
-from scenewright.cli.lists import rows
+from scenewright.workflow.lists import rows
 from scenewright.domains import presets
 briefs = json.load(sys.stdin)
 

@@ -8,7 +8,6 @@ import shapely
 from benchmarks import composition_kitchen
 
 from rooms import full_problem, random_layouts
-from scenewright.cli.show import explained_document
 from scenewright.core.brief import Ask, Brief, Room
 from scenewright.core.scene import Piece, Pose
 from scenewright.domains import check
@@ -28,6 +27,7 @@ from scenewright.domains.home.presets import PRESETS
 from scenewright.domains.home.programme import Wish
 from scenewright.domains.home.solving import prepare_rooms, solve
 from scenewright.domains.home.terms.openings import FIRST
+from scenewright.workflow.documents import explained_document
 
 KITCHENS = (*cases("kitchen").groups, *cases("kitchenette").groups)
 ROOMS = {

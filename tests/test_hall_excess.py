@@ -7,13 +7,13 @@ from typing import Any
 import numpy as np
 import pytest
 
-from scenewright.cli.show import explained_document
 from scenewright.core.brief import Brief
 from scenewright.domains import check
 from scenewright.domains.hall.floors import fewest_lines, floors_of
 from scenewright.domains.hall.presets import PRESETS, count_steps
 from scenewright.domains.hall.solving import solve
 from scenewright.formats import read
+from scenewright.workflow.documents import explained_document
 
 Told = dict[str, Any]
 KIOSK: Told = {

@@ -37,7 +37,7 @@ USED = """
 import json, sys
 import scenewright as sw
 from scenewright.catalog.models.words import match
-from scenewright.cli.lists import rows
+from scenewright.workflow.lists import rows
 home, hall = (sw.solve(sw.Brief.model_validate(d), preset="quick", seed=1, steps=400)
               for d in json.load(sys.stdin))
 for name in ("home.glb", "home.svg", "home.json"):

@@ -7,7 +7,7 @@ import json
 import pytest
 
 from scenewright import cli
-from scenewright.cli import lists
+from scenewright.workflow import lists
 
 Captured = pytest.CaptureFixture[str]
 

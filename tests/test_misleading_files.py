@@ -16,13 +16,13 @@ import pytest
 import scenewright as sw
 from scenewright import cli, formats
 from scenewright.batch.jobs import BatchOptions, list_jobs
-from scenewright.cli import lists
 from scenewright.core.errors import InputError
 from scenewright.core.plugins import PluginWarning
 from scenewright.core.solution import Solution
 from scenewright.domains.site.brief import Site
 from scenewright.domains.site.writing import cityjson
 from scenewright.formats import table
+from scenewright.workflow import lists
 from sites import answer, quarter
 
 ROOT = Path(__file__).parent.parent

@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 import scenewright as sw
-from scenewright.cli.lists import rows
 from scenewright.core.errors import InputError
 from scenewright.domains import domain_of, domains, presets, problems, solvers
 from scenewright.engine.rows import Preset, preset_named
 from scenewright.engine.solve import Budget
+from scenewright.workflow.lists import rows
 
 SAMPLES = {"home": "sample:home-room", "hall": "sample:hall-exhibition", "site": "sample:site-30"}
 CHANGED: list[tuple[str, str, str, Any, str, int]] = [

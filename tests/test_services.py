@@ -13,7 +13,7 @@ from rich.console import Console
 from scenewright.building.plan import spaces
 from scenewright.building.standing import fixed_pieces
 from scenewright.catalog.assets import shipped
-from scenewright.cli import show as cli_show
+from scenewright.cli import show
 from scenewright.core.brief import Brief
 from scenewright.core.catalog import Member
 from scenewright.core.errors import InputError
@@ -33,6 +33,7 @@ from scenewright.drawing import rooms
 from scenewright.drawing.svg import write_svg
 from scenewright.formats import solution_json
 from scenewright.formats.brief_json import loads
+from scenewright.workflow import documents
 
 
 def room(function: str = "living", width: float = 6.0, **services: Any) -> Brief:
@@ -161,11 +162,11 @@ def test_distances_to_outlets_are_told() -> None:
 def test_explain_tells_of_outlets() -> None:
     brief = room(outlets=[{"at": (1.0, 4.4), "kind": "power"}, {"at": (6, 3.9), "kind": "antenna"}])
     solution = home.solve(brief, steps=500)
-    document = cli_show.explained_document(solution)
+    document = documents.explained_document(solution)
     assert document["outlets"] == check(solution).figures["outlets"] != []
     assert "wishes" not in check(solution).figures
     written = StringIO()
-    cli_show.print_explanation(Console(file=written, width=200), solution)
+    show.print_explanation(Console(file=written, width=200), solution)
     far = [told for told in document["outlets"] if not told["within"]]
     told = f"outlets: {len(document['outlets']) - len(far)} of {len(document['outlets'])} leads"
     assert told in written.getvalue()

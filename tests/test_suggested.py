@@ -12,7 +12,6 @@ import scenewright
 from scenewright import cli
 from scenewright.catalog.assets import shipped
 from scenewright.check.plan_notes import note_unknown_kinds
-from scenewright.cli.adjust import lines
 from scenewright.core.brief import Brief
 from scenewright.core.edits import Change
 from scenewright.core.errors import InputError
@@ -22,6 +21,7 @@ from scenewright.domains.home.furnishing.style_words import note_colours
 from scenewright.domains.home.wished.requests import check_asks
 from scenewright.domains.home.wished.wishes import check_wishes
 from scenewright.formats import brief_json
+from scenewright.workflow.changes import describe_changes
 
 OUTLINE = [[0, 0], [6, 0], [6, 4], [0, 4]]
 
@@ -101,8 +101,8 @@ def test_limits_of_options_are_told_plainly(
 
 def test_many_pieces_of_one_group_are_told_together() -> None:
     seats = [Change(f"a/seats/seat_{k}", "", "moved", "a", "by hand") for k in range(7)]
-    assert lines(seats) == ["moved: a/seats (7 pieces) (by hand)"]
-    assert lines(seats[:2]) == ["moved: a/seats/seat_0, a/seats/seat_1 (by hand)"]
+    assert describe_changes(seats) == ["moved: a/seats (7 pieces) (by hand)"]
+    assert describe_changes(seats[:2]) == ["moved: a/seats/seat_0, a/seats/seat_1 (by hand)"]
 
 
 @pytest.mark.parametrize(

@@ -15,8 +15,8 @@ from rich.cells import cell_len
 from rich.console import Console
 
 from scenewright import cli
-from scenewright.cli import lists
 from scenewright.cli.tables import output_console, print_line, table
+from scenewright.workflow import lists
 
 FOLDER = "/home/somebody/" + "a-folder-with-a-long-name/" * 8
 REASON = "there is no wall long enough between the door and the window for the whole run"

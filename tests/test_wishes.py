@@ -12,7 +12,6 @@ import pytest
 from scenewright.building.plan import spaces
 from scenewright.building.standing import fixed_pieces
 from scenewright.catalog.assets import shipped
-from scenewright.cli import show as cli_show
 from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
 from scenewright.core.scene import Piece, Pose, Size
@@ -29,6 +28,7 @@ from scenewright.domains.home.tasks import task_of
 from scenewright.domains.home.wished.wishes import apply_preferences, apply_wishes
 from scenewright.formats import solution_json
 from scenewright.formats.brief_json import loads
+from scenewright.workflow import documents
 from thoroughness import spread
 
 
@@ -288,10 +288,10 @@ def test_a_fixed_piece_draws_too() -> None:
 
 def test_explain_and_json_tell() -> None:
     solution = solved(room("study", {"what": "desk", "by": "window"}))
-    document = cli_show.explained_document(solution)
+    document = documents.explained_document(solution)
     assert document["wishes"][0]["wish"] == "desk by a window"
     again = solution_json.loads(solution_json.dumps(solution))
-    assert cli_show.explained_document(again)["wishes"] == document["wishes"]
+    assert documents.explained_document(again)["wishes"] == document["wishes"]
 
 
 @pytest.mark.parametrize(

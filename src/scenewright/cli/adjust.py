@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -20,7 +18,6 @@ from scenewright.cli.edit_arguments import (
 )
 
 if TYPE_CHECKING:
-    from scenewright.core.edits import Change
     from scenewright.workflow.adjust import AdjustRequest
 
 
@@ -50,8 +47,6 @@ Restyle = Annotated[
     Names,
     typer.Option(metavar="PIECE=STYLE", help="Exchange a piece, or all of a space, by style."),
 ]
-MOST_OF_ONE = 6
-"""Pieces of one group that are named one by one."""
 
 
 def adjust(
@@ -112,15 +107,15 @@ def _run(request: AdjustRequest, as_json: bool, quiet: bool) -> int:
     from scenewright.cli import show, tables, terminal
     from scenewright.cli.arrange import follow
     from scenewright.workflow.adjust import adjust_file
+    from scenewright.workflow.changes import describe_changes, list_changes
+    from scenewright.workflow.documents import arranged_document
 
     console = terminal.console(stderr=True, quiet=quiet)
     done, _ = follow(lambda _: adjust_file(request), console, stoppable=False)
     solution, plan, report, changes, complete = done
     code = 0 if complete else 1
     if as_json:
-        shown = show.arranged_document(
-            str(request.file), request.outputs, solution, plan, report, code
-        )
+        shown = arranged_document(str(request.file), request.outputs, solution, plan, report, code)
         listed = [change._asdict() for change in changes]
         tables.print_json(shown | {"changed": list_changes(changes), "changes": listed})
     elif not quiet:
@@ -130,7 +125,7 @@ def _run(request: AdjustRequest, as_json: bool, quiet: bool) -> int:
             solution,
             plan,
             report,
-            lines(changes) or _tell_same(request, solution.seed),
+            describe_changes(changes) or _tell_same(request, solution.seed),
         )
     return code
 
@@ -138,34 +133,3 @@ def _run(request: AdjustRequest, as_json: bool, quiet: bool) -> int:
 def _tell_same(request: AdjustRequest, seed: int) -> list[str]:
     """What helps where a room arranged again is as it was: its seed was that of the file."""
     return [f"nothing changed; try --seed {seed + 1}"] if "again" in request.edits else []
-
-
-def list_changes(changes: Sequence[Change]) -> dict[str, list[str]]:
-    """Ids of the pieces that are ``moved``, ``new`` or ``gone``."""
-    return {how: [c.piece for c in changes if c.change == how] for how in ("moved", "new", "gone")}
-
-
-def lines(changes: Sequence[Change]) -> list[str]:
-    """The changes in words, those of one kind and reason on one line."""
-    values: dict[tuple[str, str], list[str]] = {}
-    for change in changes:
-        renamed = change.was not in ("", change.piece)
-        name = f"{change.was} -> {change.piece}" if renamed else change.piece
-        values.setdefault((change.change, change.reason), []).append(name)
-    return [f"{how}: {', '.join(_join(names))} ({why})" for (how, why), names in values.items()]
-
-
-def _join(names: Sequence[str]) -> list[str]:
-    """Names of pieces, those of one group together where there are more than :data:`MOST_OF_ONE`.
-
-    >>> _join(["a/bed", *(f"hall/seats/seat_{k}" for k in range(40))])
-    ['a/bed', 'hall/seats (40 pieces)']
-    """
-    groups = Counter(name.rpartition("/")[0] for name in names)
-    many = {group for group, count in groups.items() if group and count > MOST_OF_ONE}
-    owners = {name: name.rpartition("/")[0] for name in names}
-    shown = (
-        f"{owners[name]} ({groups[owners[name]]} pieces)" if owners[name] in many else name
-        for name in names
-    )
-    return list(dict.fromkeys(shown))

@@ -6,12 +6,12 @@ from typing import Any
 
 from rich.console import Console
 
-from scenewright.cli import show
 from scenewright.cli.arrange import follow
-from scenewright.cli.schemes import find_schemes, scheme_row
 from scenewright.core.registry import domain_of
+from scenewright.workflow import documents
 from scenewright.workflow.alternatives import RankedSolution, arrange_alternatives
 from scenewright.workflow.request import ArrangeRequest
+from scenewright.workflow.schemes import find_schemes, scheme_row
 
 
 def arrange_all(request: ArrangeRequest, console: Console) -> tuple[list[RankedSolution], bool]:
@@ -68,6 +68,6 @@ def document(source: str, plan: RankedSolution) -> dict[str, Any]:
     code = 0 if plan.complete else 1
     sites = find_schemes(plan.solution, plan.plan, plan.report)
     told = {"plan": plan.rank} | ({"sites": sites} if sites else {})
-    return told | show.arranged_document(
+    return told | documents.arranged_document(
         source, plan.outputs, plan.solution, plan.plan, plan.report, code
     )

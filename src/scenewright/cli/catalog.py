@@ -110,8 +110,9 @@ def show_(
     """Show what each model of a catalogue is taken for, as a table or a sheet of pictures."""
     from scenewright.catalog.loading import read_entry
     from scenewright.catalog.models.listing import rows
-    from scenewright.cli.show_input import print_input, report_document
+    from scenewright.cli.show_input import print_input
     from scenewright.core.brief.catalog import entry_of
+    from scenewright.workflow.documents import report_document
 
     found = read_entry(entry_of(catalogue))
     if output is not None:

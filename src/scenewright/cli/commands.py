@@ -56,11 +56,13 @@ from scenewright.cli.reading import (
     StyleOption,
     map_options_of,
 )
-from scenewright.cli.show_input import input_document, print_input, print_warnings
+from scenewright.cli.show_input import print_input, print_warnings
 from scenewright.cli.termination import Terminated, orderly_termination
 from scenewright.core.atomic_file import recorded_run
 from scenewright.core.errors import CancelledError, InputError
 from scenewright.core.plugins import REMEDY, blame_plugin
+from scenewright.workflow import documents
+from scenewright.workflow.schemes import find_schemes
 
 app = typer.Typer(
     name="scenewright",
@@ -215,7 +217,9 @@ def _arrange_one(request: Any, console: Console, as_json: bool, quiet: bool) -> 
     arranged, interrupted = cli_arrange.arrange(request, console)
     code = 130 if interrupted else 0 if arranged.complete else 1
     if as_json:
-        tables.print_json(show.arranged_document(request.source, request.outputs, *arranged, code))
+        tables.print_json(
+            documents.arranged_document(request.source, request.outputs, *arranged, code)
+        )
     elif not quiet:
         show.print_arranged(tables.output_console(), request.outputs, *arranged, interrupted)
     return write_fault(show.describe_interruption(request.outputs), code) if interrupted else code
@@ -261,7 +265,9 @@ def check(
         report = add_meshes(report, solution, plan)
     read = solution.brief.input_report
     if as_json:
-        tables.print_json({"file": str(file), **report.to_dict(), **input_document(solution.brief)})
+        tables.print_json(
+            {"file": str(file), **report.to_dict(), **documents.input_document(solution.brief)}
+        )
     elif not quiet:
         console = tables.output_console()
         print_input(console, read)
@@ -289,12 +295,12 @@ def explain(
     if passes:
         print_passes(tables.output_console(), solution, plan, as_json)
     elif as_json:
-        sites = schemes.find_schemes(solution, plan)
-        told = show.explained_document(solution, plan)
+        sites = find_schemes(solution, plan)
+        told = documents.explained_document(solution, plan)
         tables.print_json(told | ({"sites": sites} if sites else {}))
     else:
         show.print_explanation(tables.output_console(), solution, plan, with_terms)
-        schemes.print_schemes(tables.output_console(), schemes.find_schemes(solution, plan))
+        schemes.print_schemes(tables.output_console(), find_schemes(solution, plan))
     return 0
 
 

@@ -78,7 +78,7 @@ def styles(incomplete: str) -> Words:
 
 def lists(incomplete: str) -> Words:
     """What can be listed."""
-    from scenewright.cli.lists import LISTS
+    from scenewright.workflow.lists import LISTS
 
     return _starting(((name, "") for name in LISTS), incomplete)
 

@@ -16,7 +16,6 @@ from scenewright.core.errors import InputError
 if TYPE_CHECKING:
     from rich.console import Console
 
-    from scenewright.engine.preference.events import Event
     from scenewright.workflow.evolution.candidate import Screen
     from scenewright.workflow.evolve import Evolution
 
@@ -212,7 +211,7 @@ def _obey(line: str, evolution: Evolution, request: EvolveRequest, console: Cons
     if not isinstance(meant, words.Command):
         evolution.tell(*meant)
         for event in meant:
-            print_line(console, describe_event(event, shown), "dim")
+            print_line(console, words.describe_event(event, shown), "dim")
         return ""
     if meant.verb == "done" and evolution.champion is None:
         raise InputError("there is no champion to write", "pick one first: 3")
@@ -239,7 +238,7 @@ def _do(
             note = (
                 "nothing to take back"
                 if event is None
-                else "taken back: " + describe_event(event, shown)
+                else "taken back: " + words.describe_event(event, shown)
             )
             print_line(console, note, "dim")
         case words.Command("help"):
@@ -253,7 +252,7 @@ def _do(
             best = evolve_best.tell_best(evolution)
             print_line(console, best if drawn is None else f"{picture}: {best}", whole=True)
         case words.Command("names"):
-            for line in list_names(evolution, shown[0]):
+            for line in words.list_names(evolution, shown[0]):
                 print_line(console, line, whole=True)
         case words.Command("reasons"):
             print_line(console, ", ".join(evolution.reasons) or "no reasons for this kind of scene")
@@ -303,48 +302,6 @@ def show_screen(
         print_line(console, note, "dim", whole=True)
     if screen.trust.screens:
         print_line(console, str(screen.trust), "dim")
-
-
-def list_names(evolution: Evolution, first: int) -> list[str]:
-    """What of the champion, or of the first candidate while there is none, can be locked or moved:
-    a line a space, each piece by the end of its name with where it stands in metres."""
-    from scenewright.engine.preference.features import stands_on_floor
-
-    champion = evolution.champion
-    solution = evolution.solution_of(first) if champion is None else champion.solution
-    found: dict[str, list[str]] = {}
-    for piece in solution.pieces:
-        if stands_on_floor(piece) and piece.function not in ("landmark", "trees"):
-            short = piece.id.rpartition("/")[2]
-            place = f"{short} {piece.pose.x:.1f},{piece.pose.y:.1f}"
-            found.setdefault(piece.space, []).append(place)
-    return [f"{space}: {' · '.join(places)}" for space, places in found.items()]
-
-
-def describe_event(event: Event, shown: list[int]) -> str:
-    """What was understood, by places on the sheet (candidates of earlier sheets by number)."""
-    from scenewright.engine.preference import events as said
-
-    def place(number: int) -> str:
-        return str(shown.index(number) + 1) if number in shown else f"candidate {number}"
-
-    match event:
-        case said.Pick(best, among):
-            return f"{place(best)} is the best of {len(among)}"
-        case said.Worst(worst, among):
-            return f"{place(worst)} is the worst of {len(among)}"
-        case said.Prefer(one, other):
-            return f"{place(one)} is better than {place(other)}"
-        case said.Stars(candidate, stars, _):
-            return f"{place(candidate)}: {stars} star{'s' * (stars != 1)}"
-        case said.Reason(candidate, reason):
-            return f"{place(candidate)}: {reason}"
-        case said.Lock(name):
-            return f"{name} stays as in the champion"
-        case said.Keep(candidate):
-            return f"{place(candidate)} is the champion until another is better"
-        case _:
-            return "changed by hand"
 
 
 def _write(evolution: Evolution, request: EvolveRequest, console: Console) -> int:

@@ -21,13 +21,13 @@ def list_(
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON document only.")] = False,
 ) -> int:
     """List names: solvers, terms, patterns, presets, formats, groups, styles, assets, samples."""
-    from scenewright.cli import lists as cli_lists
+    from scenewright.workflow import lists
 
-    rows = cli_lists.rows(what)
+    rows = lists.rows(what)
     if as_json:
         tables.print_json(rows)
     else:
-        tables.table(tables.output_console(), cli_lists.select_columns(what, rows), title=what)
+        tables.table(tables.output_console(), lists.select_columns(what, rows), title=what)
     return 0
 
 
@@ -40,7 +40,7 @@ def schema(
     ] = "brief",
 ) -> int:
     """Print the JSON Schema of an input file."""
-    from scenewright.cli import lists as cli_lists
+    from scenewright.workflow import lists
 
-    tables.print_json(cli_lists.schema(what))
+    tables.print_json(lists.schema(what))
     return 0

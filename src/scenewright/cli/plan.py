@@ -19,8 +19,9 @@ from scenewright.cli.reading import (
     SiteOption,
     map_options_of,
 )
-from scenewright.cli.show_input import input_document, print_input, print_warnings
+from scenewright.cli.show_input import print_input, print_warnings
 from scenewright.core.atomic_file import recorded_run, whole_together
+from scenewright.workflow.documents import input_document
 
 if TYPE_CHECKING:
     from scenewright.core.brief import Brief

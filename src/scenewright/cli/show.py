@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Collection, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from rich.console import Console
 
-from scenewright.cli.show_input import input_document, print_input, print_warnings
+from scenewright.cli.show_input import print_input, print_warnings
 from scenewright.cli.tables import print_line, table
 from scenewright.core.registry import domain_of
+from scenewright.workflow.documents import appearance_of, count_pieces, floors_of
 
 if TYPE_CHECKING:
     from scenewright.core.brief import Brief
@@ -49,7 +49,7 @@ def print_arranged(
     table(console, rows, title, whole=(_space_word(solution),))
     _left_out(console, solution, plan.names)
     print_line(console, _work(solution, len(plan.names)))
-    if appearance := _appearance(solution):
+    if appearance := appearance_of(solution):
         print_line(console, appearance, "dim")
     print_report(console, report, SCALE)
     print_warnings(console, solution.brief.input_report)
@@ -74,12 +74,6 @@ def print_adjusted(
     print_warnings(console, solution.brief.input_report)
     for path in outputs:
         print_line(console, f"wrote {path}", "dim", whole=True)
-
-
-def _appearance(solution: Solution) -> str:
-    """How the scene looks, where its domain tells it."""
-    domain = domain_of(solution.brief.domain)
-    return str(domain.verb("appearance")(solution)) if domain.has("appearance") else ""
 
 
 def describe_interruption(outputs: Sequence[Path]) -> str:
@@ -278,15 +272,9 @@ def print_terms(console: Console, solution: Solution, rooms: Mapping[str, str]) 
         print_line(console, f"{name}: {meaning}", "dim")
 
 
-def _floors(solution: Solution) -> dict[str, float]:
-    """The least the energy of each space could be, where the domain knows it."""
-    domain = domain_of(solution.brief.domain)
-    return dict(domain.verb("floors")(solution)) if domain.has("floors") else {}
-
-
 def _print_excess(console: Console, solution: Solution, rooms: Mapping[str, str]) -> None:
     """The energy of each space beside the least it could be."""
-    for space, floor in _floors(solution).items():
+    for space, floor in floors_of(solution).items():
         if space not in solution.energies:
             continue
         energy = solution.energies[space]
@@ -300,78 +288,6 @@ def _meanings(names: set[str], domain: str) -> dict[str, str]:
     return {name: meanings[name] for name in meanings if name in names}
 
 
-def explained_document(solution: Solution, plan: Plan | None = None) -> dict[str, Any]:
-    """Energies, terms and what was not placed, as plain values."""
-    from scenewright.domains import check, explain
-
-    wished = any(room.wishes or room.outlets for room in solution.brief.rooms)
-    figures = check(solution, plan=plan).figures if wished else {}
-    told = explain(solution, plan=plan)
-    return {
-        "energies": dict(solution.energies),
-        **({"floors": floors} if (floors := _floors(solution)) else {}),
-        **({"programme": told.decided} if told.decided else {}),
-        **({"ledger": [row._asdict() for row in told.ledger]} if told.ledger else {}),
-        "terms": [term._asdict() for term in solution.terms],
-        "left_out": [entry._asdict() for entry in solution.left_out],
-        "advice": [advice._asdict() for advice in told.left_out],
-        "remarks": [remark._asdict() for remark in told.remarks],
-        "wishes": figures.get("wishes", []),
-        "outlets": figures.get("outlets", []),
-        **input_document(solution.brief),
-    }
-
-
-def arranged_document(
-    source: str, outputs: Sequence[Path], solution: Solution, plan: Plan, report: Report, code: int
-) -> dict[str, Any]:
-    """Everything ``arrange`` reports, as plain values; ``exit`` is the exit code."""
-    rooms = [
-        {
-            "id": space,
-            "name": name,
-            "energy": solution.energies.get(space),
-            "pieces": dict(_counts(solution, space)),
-        }
-        for space, name in plan.names.items()
-    ]
-    return {
-        "input": source,
-        "outputs": [str(path) for path in outputs],
-        "losses": {str(path): _losses(solution, path) for path in outputs},
-        "exit": code,
-        "preset": solution.preset,
-        "solver": solution.solver,
-        "seed": solution.seed,
-        "version": solution.version,
-        "brief_hash": solution.brief_hash,
-        "seconds": float(solution.seconds),
-        "evaluations": int(solution.evaluations),
-        **({"appearance": appearance} if (appearance := _appearance(solution)) else {}),
-        "rooms": rooms,
-        "left_out": [entry._asdict() for entry in solution.left_out],
-        "check": report.to_dict(),
-        **input_document(solution.brief),
-    }
-
-
-def _losses(solution: Solution, path: Path) -> list[dict[str, Any]]:
-    from scenewright.formats import losses
-
-    return [loss._asdict() for loss in losses(solution, path)]
-
-
-def _counts(solution: Solution, space: str) -> Counter[str]:
-    """Pieces by category, buildings by their model; stairs belong to the building."""
-    from scenewright.core.scene import STAIRS
-
-    return Counter(
-        piece.function if piece.category == "building" else piece.category
-        for piece in solution.pieces
-        if piece.space == space and piece.function != STAIRS
-    )
-
-
 def _space_word(solution: Solution) -> str:
     noun: str = domain_of(solution.brief.domain).noun
     return noun
@@ -379,7 +295,7 @@ def _space_word(solution: Solution) -> str:
 
 def _format_pieces(solution: Solution, space: str) -> str:
     """``sofa, 2 × armchair``, in the order placed."""
-    counts = _counts(solution, space)
+    counts = count_pieces(solution, space)
     words = ((count, category.replace("_", " ")) for category, count in counts.items())
     return ", ".join(f"{count} × {word}" if count > 1 else word for count, word in words)
 

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from scenewright.cli.tables import print_line
 
 if TYPE_CHECKING:
     from rich.console import Console
 
-    from scenewright.core.brief import Brief
     from scenewright.core.brief.input_report import InputReport, InputRow
 
 MOST_KINDS = 12
@@ -29,18 +28,6 @@ def print_warnings(console: Console, report: InputReport | None) -> None:
     """What stands in the file and is missing, in bold: the result may be wrong."""
     for warning in report.warnings if report else ():
         print_line(console, f"warning: not all of the file was read: {warning}", "bold yellow")
-
-
-def input_document(brief: Brief) -> dict[str, Any]:
-    """The report of a brief's file under its key, as plain values."""
-    from scenewright.core.brief.own_report import input_report_of
-
-    return report_document(input_report_of(brief))
-
-
-def report_document(report: InputReport) -> dict[str, Any]:
-    """A report under its key, as plain values."""
-    return {"input_report": report.model_dump(mode="json") | {"complete": report.complete}}
 
 
 def describe_input(report: InputReport) -> list[str]:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
-from threading import BoundedSemaphore, RLock
+from threading import BoundedSemaphore, RLock, Thread
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -103,7 +103,7 @@ class RaterPool:
         self._histories: dict[str, History] = {}
         self._turns: dict[str, RLock] = {}
         self._tastes: dict[str, tuple[tuple[Event, ...], PersonTaste]] = {}
-        self._asking = BoundedSemaphore(AT_ONCE)
+        self._asking, self._adopting = BoundedSemaphore(AT_ONCE), False
         for mark in marks:
             self._histories[mark.rater] = self._of(mark.rater).after(mark.kind, mark.body)
 
@@ -112,16 +112,13 @@ class RaterPool:
     ) -> Screen:
         """The next sheet of a rater. The first of all waits until the pool is bred."""
         self.prepare(progress, cancel)
-        with self._asking, self._turn(rater):
-            with self._lock:
-                self._adopt()
+        self._adopt()
+        with self._turn(rater):
             history = self._of(rater)
-            taste = self._taste(rater, history)
-            rng = np.random.default_rng([self.seed, len(history.screens), *rater.encode()[:64]])
-            with self._lock:
-                shown = choose_candidates(self._archive, history, taste, "", rng, self._mix)
-                shown += self._seen_best(shown, taste)
-            candidates = self._predict(shown, taste)
+            with self._asking:
+                taste = self._taste(rater, history)
+                candidates = self._choose(rater, history, taste)
+            shown = [one.number for one in candidates]
             predicted = [one.predicted for one in candidates]
             wide = self._mix.wide(taste.statements)
             number = len(history.screens)
@@ -129,6 +126,13 @@ class RaterPool:
             self._add(rater, "screen", body)
             self._breed_for(rater, taste)
             return self._screen_of(rater, candidates)
+
+    def _choose(self, rater: str, history: History, taste: PersonTaste) -> list[ShownCandidate]:
+        rng = np.random.default_rng([self.seed, len(history.screens), *rater.encode()[:64]])
+        with self._lock:
+            shown = choose_candidates(self._archive, history, taste, "", rng, self._mix)
+            shown += self._seen_best(shown, taste)
+        return self._predict(shown, taste)
 
     def tell(self, rater: str, *events: Event) -> None:
         """Hear what a rater says; it is kept when this returns. InputError, and nothing is kept,
@@ -277,17 +281,26 @@ class RaterPool:
             self._batches += 1
 
     def _adopt(self) -> None:
-        """Take in what was bred meanwhile, if it is ready."""
-        batch = self._nursery.batch
-        if batch is not None and batch.ready():
+        """Take in what was bred meanwhile, if it is ready; whoever asks does not wait for it."""
+        with self._lock:
+            batch = self._nursery.batch
+            if self._adopting or batch is None or not batch.ready():
+                return
+            self._adopting = True
+        Thread(target=self._take_bred, daemon=True).start()
+
+    def _take_bred(self) -> None:
+        try:
             self._take_in(self._nursery.collect(None, None))
+        finally:
+            self._adopting = False
 
     def _breed_for(self, rater: str, taste: PersonTaste) -> None:
         """Breed more for a rater who has seen much of the pool, unless something is being bred."""
         with self._lock:
             seen = len(self._of(rater).shown)
             full = len(self._archive.bred) >= AHEAD and seen < SEEN * len(self._archive.bred)
-            if self._nursery.batch is not None or full:
+            if self._nursery.batch is not None or self._adopting or full:
                 return
             rows, how = [*self._archive.bred.values()], self._breeding
             known = {one.genome for one in rows if one.genome}

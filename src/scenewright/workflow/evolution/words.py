@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Sequence
 from itertools import pairwise
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from scenewright.core.errors import InputError
 from scenewright.engine.preference.events import (
@@ -21,6 +21,9 @@ from scenewright.engine.preference.events import (
     Stars,
     Worst,
 )
+
+if TYPE_CHECKING:
+    from scenewright.workflow.evolve import Evolution
 
 HELP = """\
 3            the best of the sheet         3 > 7        3 is better than 7
@@ -141,3 +144,45 @@ def _at(word: str, shown: Sequence[int]) -> int:
 def _among(one: int, left: tuple[int, ...], shown: Sequence[int]) -> tuple[int, ...]:
     """What a candidate was chosen from: those not yet placed, or all if it was."""
     return left if one in left and len(left) > 1 else tuple(shown)
+
+
+def list_names(evolution: Evolution, first: int) -> list[str]:
+    """What of the champion, or of the first candidate while there is none, can be locked or moved:
+    a line a space, each piece by the end of its name with where it stands in metres."""
+    from scenewright.engine.preference.features import stands_on_floor
+
+    champion = evolution.champion
+    solution = evolution.solution_of(first) if champion is None else champion.solution
+    found: dict[str, list[str]] = {}
+    for piece in solution.pieces:
+        if stands_on_floor(piece) and piece.function not in ("landmark", "trees"):
+            short = piece.id.rpartition("/")[2]
+            place = f"{short} {piece.pose.x:.1f},{piece.pose.y:.1f}"
+            found.setdefault(piece.space, []).append(place)
+    return [f"{space}: {' · '.join(places)}" for space, places in found.items()]
+
+
+def describe_event(event: Event, shown: list[int]) -> str:
+    """What was understood, by places on the sheet (candidates of earlier sheets by number)."""
+    from scenewright.engine.preference import events as said
+
+    def place(number: int) -> str:
+        return str(shown.index(number) + 1) if number in shown else f"candidate {number}"
+
+    match event:
+        case said.Pick(best, among):
+            return f"{place(best)} is the best of {len(among)}"
+        case said.Worst(worst, among):
+            return f"{place(worst)} is the worst of {len(among)}"
+        case said.Prefer(one, other):
+            return f"{place(one)} is better than {place(other)}"
+        case said.Stars(candidate, stars, _):
+            return f"{place(candidate)}: {stars} star{'s' * (stars != 1)}"
+        case said.Reason(candidate, reason):
+            return f"{place(candidate)}: {reason}"
+        case said.Lock(name):
+            return f"{name} stays as in the champion"
+        case said.Keep(candidate):
+            return f"{place(candidate)} is the champion until another is better"
+        case _:
+            return "changed by hand"

@@ -1,4 +1,4 @@
-"""What ``list`` and ``schema`` print: rows of the tables, for people and machines."""
+"""Lists of what can be named: rows of the tables, for people and machines."""
 
 from __future__ import annotations
 
