@@ -21,8 +21,8 @@ from scenewright.workflow.evolution.population import BreedingPlan
 
 pytest.importorskip("starlette")
 from scenewright.studio.breeding import name_log
-from scenewright.studio.drawable import Json
 from scenewright.studio.session import Session
+from scenewright.studio.shapes import Json
 from scenewright.studio.verbs import do_verb
 from scenewright.workflow import project
 

@@ -93,6 +93,7 @@ Table = Literal[
     "meanings",
     "patterns",
     "labels",
+    "themes",
     "reasons",
     "remedies",
     "compromises",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterator
 from itertools import combinations
@@ -13,8 +14,9 @@ import shapely
 from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
 from scenewright.core.plan import Plan
-from scenewright.domains import plan_of
-from scenewright.studio.drafting import brief_of, nearest_edge
+from scenewright.domains import plan_valid
+from scenewright.studio.draft_brief import ABOUT, brief_of, outlines_in_brief
+from scenewright.studio.draft_geometry import edges_of, nearest_edge, on_level
 from scenewright.studio.shapes import Json
 
 ON = 0.02
@@ -23,6 +25,10 @@ OVERLAP = 0.01
 """Square metres from which rooms overlap."""
 SMALL = 0.5
 """Square metres that a room has at least."""
+BUILT = ("home", "hall")
+"""Kinds of scene whose outlines are walls with doors."""
+FLIGHT = 4.0
+"""Metres that stairs reach, about."""
 
 
 class DraftFault(NamedTuple):
@@ -33,6 +39,7 @@ class DraftFault(NamedTuple):
     points: list[list[float]]
     ids: tuple[str, ...]
     warns: bool = False
+    level: str = ""
 
 
 class ReadDraft(NamedTuple):
@@ -52,57 +59,93 @@ def read_draft(draft: Json) -> ReadDraft:
     >>> [fault.message for fault in read_draft(draft).faults]
     ['no door leads into Bedroom']
     """
-    faults = [*find_room_faults(draft), *find_opening_faults(draft)]
+    faults = [
+        one._replace(level=level["id"])
+        for level in draft["levels"]
+        for one in _find_on_level(draft, level["id"])
+    ]
+    faults += find_street_faults(draft)
     if not draft["rooms"]:
         return ReadDraft(None, None, faults)
     if not any(not fault.warns for fault in faults):
         try:
             brief = brief_of(draft)
-            return ReadDraft(brief, plan_of(brief), faults)
+            return ReadDraft(brief, plan_valid(brief), faults)
         except InputError as error:
             faults.append(_place(draft, error))
     return ReadDraft(None, None, faults)
 
 
-def find_room_faults(draft: Json) -> Iterator[DraftFault]:
-    """Rooms that cross themselves, are too small, overlap, or are not led into."""
-    sound = {}
-    for room in draft["rooms"]:
-        shape = shapely.Polygon(room["outline"])
+def _find_on_level(draft: Json, level: str) -> Iterator[DraftFault]:
+    rooms, zones = on_level(draft, "rooms", level), on_level(draft, "zones", level)
+    sound = yield from find_outline_faults(rooms)
+    if draft["domain"] in BUILT:
+        yield from find_closed_rooms(draft, level, sound)
+    inner = yield from find_outline_faults(zones)
+    floor = shapely.union_all([shape for _, shape in sound.values()])
+    for number, (name, shape) in inner.items():
+        if shape.difference(floor).area > OVERLAP:
+            yield DraftFault(f"{name} reaches out of the hall", _ring(shape), (number,))
+    yield from find_opening_faults(draft, level)
+    for group, noun in (("columns", "column"), ("stairs", "foot of the stairs")):
+        for row in on_level(draft, group, level):
+            if not floor.covers(shapely.Point(row["at"])):
+                yield DraftFault(f"the {noun} stands in no room", [row["at"]], (row["id"],))
+    if level == draft["levels"][-1]["id"]:
+        for row in on_level(draft, "stairs", level):
+            yield DraftFault("the stairs lead to no storey", [row["at"]], (row["id"],))
+
+
+Sound = dict[str, tuple[str, shapely.Polygon]]
+"""Outlines that are outlines, by id, with their names."""
+
+
+def find_outline_faults(rows: list[Json]) -> Iterator[DraftFault]:
+    """Outlines that cross themselves, are too small or overlap; the sound ones are returned."""
+    sound: Sound = {}
+    for row in rows:
+        shape = shapely.Polygon(row["outline"])
         if not shape.is_valid:
-            message = f"the walls of {room['name']} cross each other"
-            yield DraftFault(message, room["outline"], (room["id"],))
+            message = f"the sides of {row['name']} cross each other"
+            yield DraftFault(message, row["outline"], (row["id"],))
         elif shape.area < SMALL:
-            message = f"{room['name']} has only {shape.area:.2f} m²"
-            yield DraftFault(message, room["outline"], (room["id"],))
+            message = f"{row['name']} has only {shape.area:.2f} m²"
+            yield DraftFault(message, row["outline"], (row["id"],))
         else:
-            sound[room["id"]] = (room["name"], shape)
+            sound[row["id"]] = (row["name"], shape)
     for (one, (name, a)), (other, (name_b, b)) in combinations(sound.items(), 2):
         common = shapely.intersection(a, b)
         if common.area > OVERLAP:
             message = f"{name} and {name_b} overlap by {common.area:.2f} m²"
             yield DraftFault(message, _ring(common), (one, other))
-    doors = [shapely.Point(o["at"]) for o in draft["openings"] if o["kind"] != "window"]
+    return sound
+
+
+def find_closed_rooms(draft: Json, level: str, sound: Sound) -> Iterator[DraftFault]:
+    """Rooms that no door or stairs lead into."""
+    openings = on_level(draft, "openings", level)
+    doors = [shapely.Point(one["at"]) for one in openings if one["kind"] != "window"]
+    stairs = [_flight(one) for one in draft["stairs"]]
     for number, (name, shape) in sound.items():
-        if not any(shape.boundary.distance(door) < ON for door in doors):
+        led = any(shape.boundary.distance(door) < ON for door in doors)
+        if not led and not any(shape.intersects(flight) for flight in stairs):
             spot = shape.representative_point()
             message = f"no door leads into {name}"
             yield DraftFault(message, [[spot.x, spot.y]], (number,), warns=True)
 
 
-def find_opening_faults(draft: Json) -> Iterator[DraftFault]:
-    """Openings on no wall, wider than it, or over one another; columns in no room."""
+def find_opening_faults(draft: Json, level: str) -> Iterator[DraftFault]:
+    """Openings on no wall, wider than it, or over one another."""
     spans = []
-    for row in draft["openings"]:
-        far, edge, share = nearest_edge(draft, row["at"])
-        if edge is None or far > ON:
+    for row in on_level(draft, "openings", level):
+        edge = nearest_edge(draft, row["at"], level)
+        if edge.far > ON:
             message = f"the {row['kind']} stands in no wall"
             yield DraftFault(message, [row["at"]], (row["id"],))
             continue
-        outline = draft["rooms"][edge[0]]["outline"]
-        a, b = np.array(outline[edge[1]]), np.array(outline[(edge[1] + 1) % len(outline)])
+        a, b = [*edges_of(draft["rooms"][edge.room]["outline"])][edge.corner]
         length = float(np.hypot(*(b - a)))
-        reach = min(share, 1 - share) * length
+        reach = min(edge.share, 1 - edge.share) * length
         if row["width"] / 2 > reach + ON:
             message = f"the {row['kind']} is {row['width']:g} m wide: its wall ends before"
             yield DraftFault(message, [row["at"]], (row["id"],))
@@ -113,20 +156,40 @@ def find_opening_faults(draft: Json) -> Iterator[DraftFault]:
         if shapely.intersection(a.buffer(ON), b).length > ON:
             message = f"the {one['kind']} and the {other['kind']} lie over one another"
             yield DraftFault(message, [one["at"], other["at"]], (one["id"], other["id"]))
-    rooms = [shapely.Polygon(room["outline"]) for room in draft["rooms"]]
-    for column in draft["columns"]:
-        if not any(room.contains(shapely.Point(column["at"])) for room in rooms):
-            yield DraftFault("the column stands in no room", [column["at"]], (column["id"],))
+
+
+def find_street_faults(draft: Json) -> Iterator[DraftFault]:
+    """Streets that lead past everything that is drawn."""
+    borders = [shapely.LinearRing(row["outline"]) for row in draft["rooms"]]
+    places = shapely.MultiLineString(borders)
+    for row in draft["streets"]:
+        line = shapely.LineString(row["line"])
+        if draft["rooms"] and line.distance(places) >= ABOUT:
+            middle = line.interpolate(0.5, normalized=True)
+            message = f"a street is {line.distance(places):.0f} m away from all that is drawn"
+            yield DraftFault(message, [[middle.x, middle.y]], (row["id"],), warns=True)
 
 
 def _place(draft: Json, error: InputError) -> DraftFault:
-    """A fault of the brief, at the room that it names."""
-    found = re.match(r"rooms\[(\d+)\]", error.place or "")
+    """A fault of the brief, at the room, hall, site or block that it names."""
+    named = outlines_in_brief(draft["domain"])
+    found = re.match(named + r"\[(\d+)\]", error.place or "")
+    street = re.match(r"lanes\[(\d+)\]", error.place or "")
     message = f"{error.fault}; {error.remedy}" if error.remedy else error.fault
     if found and int(found[1]) < len(draft["rooms"]):
-        room = draft["rooms"][int(found[1])]
-        return DraftFault(f"{room['name']}: {message}", room["outline"], (room["id"],))
+        row = draft["rooms"][int(found[1])]
+        what = f"{row['name']}: {message}"
+        return DraftFault(what, row["outline"], (row["id"],), level=row["level"])
+    if street and int(street[1]) < len(draft["streets"]):
+        row = draft["streets"][int(street[1])]
+        return DraftFault(message, [row["line"][0]], (row["id"],))
     return DraftFault(message, [], ())
+
+
+def _flight(row: Json) -> shapely.LineString:
+    (x, y), heading = row["at"], row["heading"]
+    head = (x + FLIGHT * math.cos(heading), y + FLIGHT * math.sin(heading))
+    return shapely.LineString([(x, y), head])
 
 
 def _ring(shape: shapely.Geometry) -> list[list[float]]:

@@ -1,8 +1,9 @@
-"""A plan drawn on the page: rooms by the middle lines of their walls, openings on these, columns.
+"""A plan drawn on the page: rooms by the middle lines of their walls, openings on these, columns,
+storeys and stairs; zones of halls; sites or blocks with the streets about them.
 
 A draft is plain JSON and may be faulty (:mod:`.draft_faults` says where); every act makes another
-one. Rooms that share a wall have their corners on the same line: what is moved takes along every
-corner that lies there, so the rooms stay joined.
+one, and :mod:`.draft_brief` says what it means. What lies at one place is joined: what is moved
+takes along every corner that lies there, so rooms stay joined.
 """
 
 from __future__ import annotations
@@ -14,28 +15,68 @@ from typing import Any
 
 import numpy as np
 
-from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
-from scenewright.formats import brief_json
+from scenewright.studio.draft_geometry import (
+    MOST,
+    REACH,
+    SAME,
+    Point,
+    lies_on,
+    nearest_edge,
+    on_level,
+    place_on_wall,
+    point_along,
+    prolong,
+    read_length,
+    read_number,
+    read_point,
+    read_points,
+    rounded,
+)
 from scenewright.studio.shapes import Json
+from scenewright.studio.wishing import FORMS
 
 FORMAT = "scenewright/draft"
-SAME = 1e-6
-"""Metres within which two corners are one."""
-REACH = 0.6
-"""Metres from a wall within which an opening is put on it."""
-SHORTEST = 0.05
-"""Metres that a wall or an opening has at least."""
-MOST, FARTHEST = 200, 2000.0
-"""Rooms, openings and corners of one at most; metres from the origin."""
 SIZES = {"door": 0.9, "passage": 1.2, "window": 1.4}
 """Usual widths of openings, metres."""
+WIDTHS = {"road": 6.0, "path": 2.5}
+"""Usual widths of streets, metres."""
+STOREY = 2.6
+"""Clear height of a storey, metres."""
+GROUPS = ("rooms", "zones", "streets", "stairs", "openings", "columns")
+NOUNS = {"home": "room", "hall": "hall", "site": "site", "village": "block"}
+"""Kinds of scene that are drawn, and what an outline is in each."""
 
 
-def new_draft(name: str = "New plan") -> Json:
-    """An empty draft."""
+def new_draft(domain: str = "home", name: str = "New plan") -> Json:
+    """An empty draft of a home, hall, site or village. InputError for another."""
+    _one_of(*NOUNS)({}, {}, domain)
     walls = {"wall_thickness": 0.12, "outer_wall_thickness": 0.3}
-    return {"format": FORMAT, "name": name, **walls, "rooms": [], "openings": [], "columns": []}
+    levels = [{"id": "level-1", "name": "", "height": STOREY}]
+    head = {"format": FORMAT, "name": name, "domain": domain, "style": "", **walls}
+    return {**head, "levels": levels, **{group: [] for group in GROUPS}}
+
+
+def complete_draft(draft: Json) -> Json:
+    """A draft that was kept before there were zones, streets and storeys, with these."""
+    whole = {**new_draft(), **draft}
+    for group in GROUPS:
+        whole[group] = [{"level": "level-1", **row} for row in whole[group]]
+    return whole
+
+
+def keep_asked(draft: Json, asked: Mapping[str, Json]) -> Json:
+    """A draft whose rooms, sites or blocks are asked for what is known by their ids; what a hall
+    was filled up with where there was room is not asked for."""
+    key = FORMS[draft["domain"]].rows
+
+    def kept(room: Json) -> Json:
+        known, own = asked.get(room["id"], {}), room.get("asked", {}).get(key, [])
+        rows = [row for row in known.get(key, []) if row.get("required", True) or row in own]
+        whole = {**known, **({key: rows} if rows else {})}
+        return {**room, "asked": whole} if rows or known.keys() - {key} else room
+
+    return {**draft, "rooms": [kept(room) for room in draft["rooms"]]}
 
 
 def draw_act(draft: Json, asked: Mapping[str, Any]) -> tuple[Json, str]:
@@ -58,105 +99,168 @@ def draw_act(draft: Json, asked: Mapping[str, Any]) -> tuple[Json, str]:
 
 
 def _room(draft: Json, asked: Mapping[str, Any]) -> str:
-    outline = _points(asked.get("outline"))
-    if len(outline) < 3 or len(draft["rooms"]) >= MOST:
-        raise InputError(f"a room has 3 to {MOST} corners", "draw it around")
+    return _put_outline(draft, asked, "rooms", NOUNS[draft["domain"]])
+
+
+def _zone(draft: Json, asked: Mapping[str, Any]) -> str:
+    return _put_outline(draft, asked, "zones", "zone")
+
+
+def _put_outline(draft: Json, asked: Mapping[str, Any], group: str, noun: str) -> str:
+    outline = read_points(asked.get("outline"), 3)
     x, y = np.transpose(outline)
     if float(np.sum(x * np.roll(y, -1) - y * np.roll(x, -1))) < 0:
         outline.reverse()
-    number = _fresh(draft, "room")
-    name = str(asked.get("name") or f"Room {number}")[:100]
-    draft["rooms"].append({"id": f"room-{number}", "name": name, "outline": outline})
-    return f"drew {name}"
+    row = _put(draft, asked, group, noun, {"outline": outline})
+    row["name"] = str(asked.get("name") or f"{noun.capitalize()} {row['id'].split('-')[1]}")[:100]
+    return f"drew {row['name']}"
+
+
+def _street(draft: Json, asked: Mapping[str, Any]) -> str:
+    kind, line = str(asked.get("kind") or "road"), read_points(asked.get("line"), 2)
+    _one_of(*WIDTHS)(draft, {}, kind)
+    row = {"line": line, "kind": kind, "width": WIDTHS[kind], "name": ""}
+    _put(draft, asked, "streets", "street", row)
+    return "drew a path" if kind == "path" else "drew a street"
 
 
 def _opening(draft: Json, asked: Mapping[str, Any]) -> str:
     kind = str(asked.get("kind"))
-    if kind not in SIZES or len(draft["openings"]) >= MOST:
+    if kind not in SIZES:
         raise InputError(f"{kind!r} is no opening", f"use {', '.join(SIZES)}")
-    at = _on_wall(draft, _point(asked.get("at")))
-    number = _fresh(draft, kind)
-    row: Json = {"id": f"{kind}-{number}", "kind": kind, "at": at, "width": SIZES[kind]}
+    at = place_on_wall(draft, read_point(asked.get("at")), _level(draft, asked))
     more: dict[str, Json] = {"door": {"hinge": "left", "swing": "in"}, "window": {"sill": 0.9}}
-    draft["openings"].append(row | more.get(kind, {}))
+    row = {"kind": kind, "at": at, "width": SIZES[kind], **more.get(kind, {})}
+    _put(draft, asked, "openings", kind, row)
     return f"put in a {kind}"
 
 
 def _column(draft: Json, asked: Mapping[str, Any]) -> str:
-    if len(draft["columns"]) >= MOST:
-        raise InputError(f"at most {MOST} columns", "leave some out")
-    number = _fresh(draft, "column")
-    row = {"id": f"column-{number}", "at": _point(asked.get("at")), "size": 0.4}
-    draft["columns"].append(row)
+    _put(draft, asked, "columns", "column", {"at": read_point(asked.get("at")), "size": 0.4})
     return "put in a column"
 
 
+def _stairs(draft: Json, asked: Mapping[str, Any]) -> str:
+    at, heading = read_point(asked.get("at")), round(read_number(asked.get("heading", 0)), 4)
+    if not math.isfinite(heading):
+        raise InputError("the stairs lead nowhere", "give their heading in radians")
+    more = {"width": 0.9, "shape": "straight", "turn": "left"}
+    _put(draft, asked, "stairs", "stairs", {"at": at, "heading": heading, **more})
+    return "put in stairs"
+
+
+def _storey(draft: Json, asked: Mapping[str, Any]) -> str:
+    """One more storey above; with ``copy`` its rooms are those of the storey below."""
+    below = draft["levels"][-1]
+    if len(draft["levels"]) >= MOST:
+        raise InputError(f"at most {MOST} storeys", "leave some out")
+    level = {"id": f"level-{_fresh(draft, 'level')}", "name": "", "height": below["height"]}
+    draft["levels"].append(level)
+    for room in on_level(draft, "rooms", below["id"]) if asked.get("copy") else ():
+        _put(draft, {"level": level["id"]}, "rooms", "room", {**room})
+    return "drew another storey"
+
+
+def _put(draft: Json, asked: Mapping[str, Any], group: str, kind: str, row: Json) -> Json:
+    """Put a row in a group, with an id and its storey."""
+    if len(draft[group]) >= MOST:
+        raise InputError(f"at most {MOST} {group}", "leave some out")
+    new = {**row, "id": f"{kind}-{_fresh(draft, kind)}", "level": _level(draft, asked)}
+    draft[group].append(new)
+    return new
+
+
+def _level(draft: Json, asked: Mapping[str, Any]) -> str:
+    """The storey that an act is about: the first, unless it says."""
+    level = str(asked.get("level") or draft["levels"][0]["id"])
+    if all(one["id"] != level for one in draft["levels"]):
+        raise InputError(f"there is no storey {level!r}", "draw it first")
+    return level
+
+
 def _move(draft: Json, asked: Mapping[str, Any]) -> str:
-    """Move corners or a wall, with all that lies there; a wall takes along those in one line
-    with it that it is joined to."""
-    points, (dx, dy) = _points(asked.get("points")), _point(asked.get("by"))
-    points = _prolong(draft, points) if len(points) == 2 else points
-    held = [(row, *nearest_edge(draft, row["at"])) for row in draft["openings"]]
-    for room in draft["rooms"]:
-        room["outline"] = [
-            _rounded((x + dx, y + dy)) if _lies_on((x, y), points) else [x, y]
-            for x, y in room["outline"]
+    """Move corners or a wall, with all that lies there on its storey; a wall takes along those in
+    one line with it that it is joined to."""
+    points, by, level = read_points(asked.get("points")), asked.get("by"), _level(draft, asked)
+    dx, dy = read_point(by)
+    rows = [
+        ("outline", row) for group in ("rooms", "zones") for row in on_level(draft, group, level)
+    ]
+    if len(points) == 2:
+        points = prolong([row["outline"] for _, row in rows], points)
+    held = [
+        (row, nearest_edge(draft, row["at"], level)) for row in on_level(draft, "openings", level)
+    ]
+    for key, row in [*rows, *(("line", row) for row in draft["streets"])]:
+        row[key] = [
+            rounded((x + dx, y + dy)) if lies_on([x, y], points) else [x, y] for x, y in row[key]
         ]
-    for row, far, edge, share in held:
-        if far <= REACH and edge is not None:
-            outline, k = draft["rooms"][edge[0]]["outline"], edge[1]
-            a, b = np.array(outline[k]), np.array(outline[(k + 1) % len(outline)])
-            row["at"] = _rounded(a + share * (b - a))
+    for row, edge in held:
+        if edge.far <= REACH:
+            row["at"] = point_along(draft, edge)
     return "moved a wall" if len(points) == 2 else "moved a corner" if len(points) == 1 else "moved"
 
 
 def _length(draft: Json, asked: Mapping[str, Any]) -> str:
-    """Give an edge of a room a length: the wall at its end moves along it."""
-    room = _find(draft, "rooms", asked)
-    k, metres = asked.get("edge"), asked.get("metres")
-    outline = room["outline"]
-    if not isinstance(k, int) or not 0 <= k < len(outline):
+    """Give a side of an outline a length, or a part of a street: what is at its end moves."""
+    row, k = _find(draft, asked), asked.get("edge")
+    points: list[Point] = row.get("outline") or row.get("line") or []
+    sides = len(points) - ("line" in row)
+    if not isinstance(k, int) or not 0 <= k < sides:
         raise InputError("there is no such wall", "choose what is drawn")
-    wanted, n = _length_of(metres), len(outline)
-    a, b, c = (np.array(outline[(k + step) % n]) for step in range(3))
-    long = float(np.hypot(*(b - a)))
-    by = _rounded((b - a) / max(long, SAME) * (wanted - long))
-    _move(draft, {"points": [b.tolist(), c.tolist()], "by": by})
+    wanted, n = read_length(asked.get("metres")), len(points)
+    a, b, c = (np.array(points[(k + step) % n]) for step in range(3))
+    by = np.array(rounded((b - a) / max(float(np.hypot(*(b - a))), SAME) * wanted)) - (b - a)
+    if "line" in row:
+        row["line"] = [*points[: k + 1], *(rounded(by + point) for point in points[k + 1 :])]
+        return f"made a street {wanted:g} m long"
+    ends = {"points": [b.tolist(), c.tolist()], "by": rounded(by), "level": row["level"]}
+    _move(draft, ends)
     return f"made a wall {wanted:g} m long"
 
 
 def _set(draft: Json, asked: Mapping[str, Any]) -> str:
     key, value = str(asked.get("key")), asked.get("value")
-    if key in ("name", "wall_thickness", "outer_wall_thickness") and not asked.get("id"):
-        draft[key] = str(value)[:100] if key == "name" else _length_of(value)
-        return f"changed {key.replace('_', ' ')}"
-    for group, keys in KEYS.items():
-        for row in draft[group]:
-            if row["id"] == asked.get("id") and key in keys:
-                row[key] = keys[key](draft, value)
-                return f"changed {key} of {row.get('name', row['id'])}"
-    raise InputError(f"{key} of {asked.get('id')!r} cannot be set", "choose what is drawn")
+    row, keys = (draft, OWN) if not asked.get("id") else (_find(draft, asked), KEYS_BY_ROW)
+    if key not in keys or key not in row:
+        raise InputError(f"{key} of {asked.get('id')!r} cannot be set", "choose what is drawn")
+    row[key] = keys[key](draft, row, value)
+    named = f" of {row.get('name') or row['id']}" if row is not draft else ""
+    return f"changed {key.replace('_', ' ')}{named}"
+
+
+def _ask(draft: Json, asked: Mapping[str, Any]) -> str:
+    """What a room, hall, site or block is asked for: keys of it in the brief."""
+    row, given, form = _find(draft, asked), asked.get("asked"), FORMS[draft["domain"]]
+    known = {form.rows, *form.keys} - {""}
+    if not isinstance(given, dict) or not given.keys() <= known or row not in draft["rooms"]:
+        raise InputError("this cannot be asked for", f"give {', '.join(sorted(known))}")
+    row["asked"] = given
+    return f"wishes for {row['name']}"
 
 
 def _remove(draft: Json, asked: Mapping[str, Any]) -> str:
-    for group in KEYS:
-        for row in draft[group]:
-            if row["id"] == asked.get("id"):
-                draft[group].remove(row)
-                return f"removed {row.get('name', row['id'])}"
-    raise InputError(f"there is no {asked.get('id')!r}", "choose what is drawn")
+    row = _find(draft, asked)
+    if row in draft["levels"]:
+        if len(draft["levels"]) < 2:
+            raise InputError("a plan has one storey at least", "draw on this one")
+        for group in GROUPS:
+            draft[group] = [one for one in draft[group] if one["level"] != row["id"]]
+    for group in ("levels", *GROUPS):
+        draft[group] = [one for one in draft[group] if one is not row]
+    return f"removed {row.get('name') or row['id']}"
 
 
-def _text(_draft: Json, value: Any) -> str:
+def _text(_draft: Json, _row: Json, value: Any) -> str:
     return str(value)[:100]
 
 
-def _metres(_draft: Json, value: Any) -> float:
-    return _length_of(value)
+def _metres(_draft: Json, _row: Json, value: Any) -> float:
+    return read_length(value)
 
 
-def _one_of(*words: str) -> Callable[[Json, Any], Any]:
-    def chosen(_draft: Json, value: Any) -> Any:
+def _one_of(*words: str) -> Callable[[Json, Json, Any], Any]:
+    def chosen(_draft: Json, _row: Json, value: Any) -> Any:
         if value not in words:
             raise InputError(f"{value!r} cannot be", f"use {', '.join(words)}")
         return value
@@ -164,167 +268,62 @@ def _one_of(*words: str) -> Callable[[Json, Any], Any]:
     return chosen
 
 
-KEYS: Mapping[str, Mapping[str, Callable[[Json, Any], Any]]] = {
-    "rooms": {"name": _text},
-    "openings": {
-        "width": _metres,
-        "hinge": _one_of("left", "right"),
-        "swing": _one_of("in", "out", "slide"),
-        "sill": _metres,
-        "at": lambda draft, value: _on_wall(draft, _point(value)),
-    },
-    "columns": {"size": _metres, "at": lambda _draft, value: _point(value)},
+def _place(draft: Json, row: Json, value: Any) -> Point:
+    at = read_point(value)
+    return place_on_wall(draft, at, row["level"]) if row in draft["openings"] else at
+
+
+def _turned(_draft: Json, _row: Json, value: Any) -> float:
+    return round(math.remainder(read_number(value), math.tau), 4)
+
+
+OWN: Mapping[str, Callable[[Json, Json, Any], Any]] = {
+    "name": _text,
+    "style": _text,
+    "wall_thickness": _metres,
+    "outer_wall_thickness": _metres,
 }
-"""What can be set of each kind of thing, and how a value is read."""
+KEYS_BY_ROW: Mapping[str, Callable[[Json, Json, Any], Any]] = {
+    "name": _text,
+    "height": _metres,
+    "width": _metres,
+    "size": _metres,
+    "sill": _metres,
+    "hinge": _one_of("left", "right"),
+    "swing": _one_of("in", "out", "slide"),
+    "kind": _one_of(*WIDTHS),
+    "shape": _one_of("straight", "quarter", "half", "spiral"),
+    "turn": _one_of("left", "right"),
+    "heading": _turned,
+    "at": _place,
+}
+"""What can be set of the plan and of what is drawn on it, and how a value is read."""
 ACTS: Mapping[str, Callable[[Json, Mapping[str, Any]], str]] = {
     "room": _room,
+    "zone": _zone,
+    "street": _street,
     "opening": _opening,
     "column": _column,
+    "stairs": _stairs,
+    "storey": _storey,
     "move": _move,
     "length": _length,
     "set": _set,
+    "ask": _ask,
     "remove": _remove,
 }
 
 
-def brief_of(draft: Json) -> Brief:
-    """The brief of a home that a draft means; InputError where it means none."""
-    rooms: list[Json] = [
-        {**room, "doors": [], "windows": [], "holes": []} for room in draft["rooms"]
-    ]
-    for row in draft["openings"]:
-        _, edge, _ = nearest_edge(draft, row["at"])
-        if edge is not None:
-            rooms[edge[0]]["windows" if row["kind"] == "window" else "doors"].append(_asked(row))
-    for column in draft["columns"]:
-        (x, y), half = column["at"], column["size"] / 2
-        ring = [
-            [x - half, y - half],
-            [x + half, y - half],
-            [x + half, y + half],
-            [x - half, y + half],
-        ]
-        for room in rooms:
-            if _holds(room["outline"], x, y):
-                room["holes"].append(ring)
-    keys = ("name", "wall_thickness", "outer_wall_thickness")
-    document = {key: draft[key] for key in keys} | {"outlines": "centre", "rooms": rooms}
-    return brief_json.loads(json.dumps(document))
-
-
-def _asked(row: Json) -> Json:
-    keys = ("id", "at", "width", "hinge", "swing", "sill")
-    kept: Json = {key: row[key] for key in keys if key in row}
-    return kept | ({"swing": "none"} if row["kind"] == "passage" else {})
-
-
-def nearest_edge(draft: Json, at: list[float]) -> tuple[float, tuple[int, int] | None, float]:
-    """How far a point is from the nearest wall, whose it is (room, edge), and where along it."""
-    best: tuple[float, tuple[int, int] | None, float] = (math.inf, None, 0.0)
-    p = np.array(at)
-    for number, room in enumerate(draft["rooms"]):
-        corners = np.array(room["outline"])
-        for k, (a, b) in enumerate(zip(corners, np.roll(corners, -1, axis=0), strict=True)):
-            along = b - a
-            share = float(np.clip((p - a) @ along / max(float(along @ along), SAME), 0, 1))
-            far = float(np.hypot(*(p - a - share * along)))
-            if far < best[0] - SAME:
-                best = (far, (number, k), share)
-    return best
-
-
-def _on_wall(draft: Json, at: list[float]) -> list[float]:
-    far, edge, share = nearest_edge(draft, at)
-    if edge is None or far > REACH:
-        raise InputError("no wall is there", "choose a place on a wall")
-    outline = draft["rooms"][edge[0]]["outline"]
-    a, b = np.array(outline[edge[1]]), np.array(outline[(edge[1] + 1) % len(outline)])
-    return _rounded(a + share * (b - a))
-
-
-def _prolong(draft: Json, ends: list[list[float]]) -> list[list[float]]:
-    """The ends of a wall with the walls in one line with it that it is joined to.
-
-    >>> outline = [[0, 0], [2, 0], [2, 2], [0, 2]]
-    >>> beside = [[2, 0], [5, 0], [5, 2], [2, 2]]
-    >>> rooms = {"rooms": [{"outline": outline}, {"outline": beside}]}
-    >>> _prolong(rooms, [[0, 0], [2, 0]])
-    [[0.0, 0.0], [5.0, 0.0]]
-    """
-    a, b = np.array(ends, float)
-    long = float(np.hypot(*(b - a)))
-    along = (b - a) / max(long, SAME)
-    spans = []
-    for room in draft["rooms"]:
-        corners = np.array(room["outline"], float) - a
-        off, part = corners @ np.array([-along[1], along[0]]), corners @ along
-        on = (abs(off) < SAME) & (abs(np.roll(off, -1)) < SAME)
-        spans += np.sort(np.stack([part, np.roll(part, -1)], 1)[on], axis=1).tolist()
-    low, high = 0.0, long
-    for _ in spans:
-        touching = [s for s in spans if s[0] <= high + SAME and s[1] >= low - SAME]
-        low = min(low, *(s[0] for s in touching))
-        high = max(high, *(s[1] for s in touching))
-    return [_rounded(a + low * along), _rounded(a + high * along)]
-
-
-def _lies_on(at: tuple[float, float], points: list[list[float]]) -> bool:
-    """Whether a corner is one of some points, or lies between two of a wall."""
-    if any(math.dist(at, point) < SAME for point in points):
-        return True
-    if len(points) != 2:
-        return False
-    a, b = points
-    return abs(math.dist(a, at) + math.dist(at, b) - math.dist(a, b)) < SAME
-
-
-def _holds(outline: list[list[float]], x: float, y: float) -> bool:
-    inside = False
-    for (ax, ay), (bx, by) in zip(outline, [*outline[1:], outline[0]], strict=True):
-        if (ay > y) != (by > y) and x < ax + (y - ay) / (by - ay) * (bx - ax):
-            inside = not inside
-    return inside
-
-
-def _find(draft: Json, group: str, asked: Mapping[str, Any]) -> Json:
-    for row in draft[group]:
-        if row["id"] == asked.get("id"):
-            found: Json = row
-            return found
+def _find(draft: Json, asked: Mapping[str, Any]) -> Json:
+    for group in ("levels", *GROUPS):
+        for row in draft[group]:
+            if row["id"] == asked.get("id"):
+                found: Json = row
+                return found
     raise InputError(f"there is no {asked.get('id')!r}", "choose what is drawn")
 
 
 def _fresh(draft: Json, kind: str) -> int:
-    """A number that no thing of a kind has."""
-    taken = {row["id"] for group in KEYS for row in draft[group]}
+    """A number that nothing of a kind has."""
+    taken = {row["id"] for group in ("levels", *GROUPS) for row in draft[group]}
     return next(n for n in range(1, 3 * MOST + 2) if f"{kind}-{n}" not in taken)
-
-
-def _number(value: Any) -> float:
-    """A number of metres; NaN for what is none."""
-    plain = isinstance(value, int | float) and not isinstance(value, bool)
-    return float(value) if plain and abs(value) <= FARTHEST else math.nan
-
-
-def _length_of(value: Any) -> float:
-    number = _number(value)
-    if not number >= SHORTEST:
-        raise InputError(f"{value!r} is no length", "type metres, such as 3.6")
-    return number
-
-
-def _point(value: Any) -> list[float]:
-    found = [_number(one) for one in value] if isinstance(value, list) else []
-    if len(found) != 2 or not all(math.isfinite(number) for number in found):
-        raise InputError("is no place on the plan", "give [x, y] in metres")
-    return _rounded(found)
-
-
-def _points(value: Any) -> list[list[float]]:
-    if not isinstance(value, list) or not 1 <= len(value) <= MOST:
-        raise InputError("is no list of places", "give [[x, y], ...] in metres")
-    return [_point(one) for one in value]
-
-
-def _rounded(point: Any) -> list[float]:
-    return [round(float(number), 4) for number in point]

@@ -26,7 +26,7 @@ from scenewright.studio.session import Session
 from scenewright.studio.shapes import Json
 from scenewright.studio.texture_files import texture_file
 from scenewright.studio.verbs import do_verb
-from scenewright.studio.wishing import wish_schema
+from scenewright.studio.wishing import ask_schema
 
 SCRIPT = "text/javascript"
 PAGES = {
@@ -36,6 +36,8 @@ PAGES = {
     "breed.js": SCRIPT,
     "draw.js": SCRIPT,
     "draft.js": SCRIPT,
+    "sketch.js": SCRIPT,
+    "snapping.js": SCRIPT,
     "wire.js": SCRIPT,
     "words.js": SCRIPT,
     "people.js": SCRIPT,
@@ -125,7 +127,7 @@ TOLD: Mapping[str, Callable[[Session, Person, Query], Any]] = {
     "/breeding": lambda session, person, _: _sheets(session, person).state(),
     "/ratings": _ratings,
     "/shelf": lambda session, *_: session.shelf(),
-    "/wish.schema.json": lambda *_: wish_schema(),
+    "/wish.schema.json": lambda _session, _person, query: ask_schema(query.get("of", "home")),
     "/cards": _cards,
     "/symbols": _symbols,
     "/solid": lambda session, *_: session.solid(),

@@ -27,7 +27,7 @@ from scenewright.formats.table import formats
 from scenewright.studio.breeding import Breeding
 from scenewright.studio.delta import States
 from scenewright.studio.draft_faults import DraftFault, read_draft
-from scenewright.studio.drafting import FORMAT, draw_act, new_draft
+from scenewright.studio.drafting import FORMAT, complete_draft, draw_act, keep_asked, new_draft
 from scenewright.studio.drawable import describe_finding, draw, tell_by_key
 from scenewright.studio.people import AUTHOR, RATE, People, Person
 from scenewright.studio.raters import RaterDesk, Raters
@@ -37,6 +37,7 @@ from scenewright.studio.solid import tell_solid
 from scenewright.studio.streaming import stream_layouts
 from scenewright.studio.wishing import list_wishes, with_wishes
 from scenewright.workflow import project
+from scenewright.workflow.fitting import find_nearest_fit
 from scenewright.workflow.judging import MoveJudge
 from scenewright.workflow.workspace import Workspace
 
@@ -124,10 +125,10 @@ class Session:
             brief, plan = Workspace(root).read_planned(source)
             self._keep(0, f"opened {Path(source).name}", unfurnished(brief), plan)
 
-    def begin(self) -> None:
-        """Begin a plan to be drawn."""
+    def begin(self, domain: str = "home") -> None:
+        """Begin a plan to be drawn: of a home, a hall, a site or a village."""
         with self._turn():
-            self._keep_draft(0, "began a plan", new_draft())
+            self._keep_draft(0, "began a plan", new_draft(domain))
 
     def sketch(self, asked: Json) -> None:
         """Change the drawn plan (:mod:`.drafting`); what was furnished in it is arranged anew."""
@@ -135,7 +136,8 @@ class Session:
             version = project.shown_version(self.db)
             if version is None or self.drawn is None:
                 raise InputError("this plan was not drawn here", "begin a new one")
-            draft, done = draw_act(self.drawn.draft, asked)
+            known = list_wishes(self.shown.solution.brief) if self.shown else {}
+            draft, done = draw_act(keep_asked(self.drawn.draft, known), asked)
             self._keep_draft(version.id, done, draft)
 
     def arrange(self, seed: int = 0) -> None:
@@ -236,7 +238,8 @@ class Session:
         return {"changes": [change._asdict() for change in adjusted.changes]}
 
     def wish(self, room: str, wishes: Any) -> None:
-        """Change what is wished for in a room; it is heeded when that is arranged."""
+        """Change what is wished for in a room, hall, site or block; it is heeded when that is
+        arranged."""
         with self._turn():
             shown = self.must_show()
             brief = with_wishes(shown.solution.brief, room, wishes)
@@ -246,10 +249,18 @@ class Session:
 
     def judge(self, poses: Mapping[str, Sequence[float]]) -> list[Json]:
         """What the referee would say if pieces, with all that lies on them, were put there."""
+        return [describe_finding(found) for found in self._mover().find_new(poses)]
+
+    def fit(self, piece: str, pose: Sequence[float]) -> Json:
+        """The nearest place to a wanted one where the referee has nothing to say of a piece."""
+        place = find_nearest_fit(self._mover(), piece, pose)
+        return {"pose": None if place is None else [round(number, 4) for number in place]}
+
+    def _mover(self) -> MoveJudge:
         shown = self.must_show()
         if self.mover is None or self.mover.solution is not shown.solution:
             self.mover = MoveJudge(shown.solution, shown.plan)
-        return [describe_finding(found) for found in self.mover.find_new(poses)]
+        return self.mover
 
     def go(self, version: int) -> None:
         """Show another version: one further back, or one that was undone."""
@@ -355,7 +366,7 @@ class Session:
         """Show a version: a drawn plan, or a scene with the drawing it was made from, if any."""
         text, known = project.solution_text(self.db, version), self.shown
         if _is_draft(text):
-            self._show_draft(version, json.loads(text))
+            self._show_draft(version, complete_draft(json.loads(text)))
             return
         solution = solution_json.loads(text)
         same = known is not None and known.solution.brief == solution.brief
@@ -365,7 +376,7 @@ class Session:
         )
         parents = (project.solution_text(self.db, one) for one in project.trace(self.db, version))
         text = next(filter(_is_draft, parents), "")
-        self.drawn = Drawn(json.loads(text), []) if text else None
+        self.drawn = Drawn(complete_draft(json.loads(text)), []) if text else None
 
 
 def _by(what: str) -> str:

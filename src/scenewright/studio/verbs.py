@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 from scenewright.core.edits import Addition
 from scenewright.core.errors import InputError
 from scenewright.formats import samples
+from scenewright.studio.drafting import ACTS, NOUNS
 from scenewright.studio.people import AUTHOR, EDIT, OWN, OWNER, RATE, Person, may
 from scenewright.studio.session import Session
 from scenewright.studio.shapes import Json
@@ -180,6 +181,12 @@ VERBS: Mapping[str, Verb] = {
         {"poses": POSES, "piece": PIECE, "pose": POSE},
         _judge,
     ),
+    "fit": Verb(
+        "the nearest place to a wanted one where a piece fits; nothing is changed",
+        {"piece": PIECE, "pose": POSE},
+        lambda session, asked: session.fit(_text(asked, "piece"), _pose(asked.get("pose"))),
+        ("piece", "pose"),
+    ),
     "move": Verb(
         "put pieces, with what lies on them, at places; the rest gives way as little as it can",
         {"poses": POSES, "piece": PIECE, "pose": POSE},
@@ -227,13 +234,12 @@ VERBS: Mapping[str, Verb] = {
         ("piece", "style"),
     ),
     "wish": Verb(
-        "say what is wished for, or forbidden, in a room; heeded when it is arranged",
+        "say what is asked of a room, hall, site or block; heeded when it is arranged",
         {
             "space": TEXT,
             "wishes": {
-                "type": "array",
-                "items": {"type": "object"},
-                "description": "all of them, such as {'what': 'tv', 'forbid': true}",
+                "description": "all rows: [{'what': 'tv', 'forbid': true}] of a room, demands of "
+                "a hall, buildings of a site; or keys: {'coverage': 0.3}"
             },
         },
         lambda session, asked: session.wish(_text(asked, "space"), asked.get("wishes")),
@@ -245,14 +251,23 @@ VERBS: Mapping[str, Verb] = {
         _again,
         ("space",),
     ),
-    "begin": Verb("begin a plan to be drawn", {}, lambda session, _: session.begin()),
+    "begin": Verb(
+        "begin a plan to be drawn",
+        {"kind": {"enum": [*NOUNS], "description": "of scene; a home if left out"}},
+        lambda session, asked: session.begin(str(asked.get("kind") or "home")),
+    ),
     "draw": Verb(
-        "change the drawn plan: room, opening, column, move, length, set, remove",
+        f"change the drawn plan: {', '.join(ACTS)}",
         {
             "act": {"type": "string"},
             "outline": {"type": "array", "description": "[[x, y], …], metres, middles of walls"},
+            "line": {"type": "array", "description": "of a street: [[x, y], …], metres"},
             "name": {"type": "string", "description": "what the room is for: Bedroom, Kitchen …"},
-            "kind": {"type": "string", "description": "of an opening: door, passage, window"},
+            "kind": {"type": "string", "description": "door, passage, window; road, path"},
+            "level": {"type": "string", "description": "id of a storey; the first if left out"},
+            "heading": {"type": "number", "description": "radians, the way stairs lead up"},
+            "copy": {"type": "boolean", "description": "a storey with the rooms of that below"},
+            "asked": {"type": "object", "description": "as wishes, by key"},
             "at": AT,
             "points": {"type": "array", "description": "corners, or two ends of a wall, to move"},
             "by": AT,

@@ -47,6 +47,7 @@ DOMAIN = Domain(
         "compromises": ".advice:COMPROMISES",
         "meanings": ".terms.table:MEANINGS",
         "patterns": ".patterns:PATTERNS",
+        "themes": ".demands.themes:THEMES",
     },
     maps=".indoor.geojson",
 )

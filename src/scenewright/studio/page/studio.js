@@ -156,7 +156,7 @@ function pick(id) { picked = id; more = new Set(); room = chosen()?.space ?? roo
 function showSelected() {
   const piece = chosen();
   $("selected").hidden = !piece;
-  showWishes(doc.levels?.flatMap((one) => one.spaces).find((one) => one.id === (piece?.space ?? room)), doc, change);
+  if ($("drawing").hidden) showAsked(piece);
   if (!piece) return;
   const [x, y, , heading] = piece.pose, [w, d, h] = piece.size;
   const several = selection().length;
@@ -167,7 +167,15 @@ function showSelected() {
     if (document.activeElement !== $(id)) $(id).value = Number(value.toFixed(3));
   }
   $("measures").textContent = several > 1 ? t("Shift and a click adds or takes away") : `${w.toFixed(2)} × ${d.toFixed(2)} × ${h.toFixed(2)} m`;
+  $("fit").hidden = several > 1 || !(doc.findings ?? []).some((found) => found.blamed && found.pieces.includes(piece.id));
+  $("fit-here").hidden = !$("plan").querySelector("#fits");
   $("lock").textContent = piece.locked ? t("Unlock") : t("Lock");
+}
+
+// What the room of the selected piece is asked for, or the one clicked, or the only one.
+function showAsked(piece) {
+  const spaces = (doc.levels ?? []).flatMap((one) => one.spaces), here = spaces.find((one) => one.id === (piece?.space ?? room)) ?? (spaces.length === 1 ? spaces[0] : null);
+  showWishes(here, doc.domain, here && doc.wishes?.[here.id], (wishes) => change("wish", { space: here.id, wishes }), { zones: doc.draft?.zones });
 }
 
 function item(text, pieces = [], bad = false) {
@@ -285,11 +293,24 @@ $("plan").addEventListener("pointerup", async () => {
 const posesOf = (pieces) => Object.fromEntries(pieces.map(({ id, pose: [x, y, , heading] }) => [id, [x, y, heading]]));
 
 async function place(piece) {
-  const names = [piece.id, ...more], said = await change("move", { poses: posesOf(selection()) });
-  if (said.fault) return;
+  const names = [piece.id, ...more], poses = posesOf(selection()), said = await change("move", { poses });
+  if (said.fault) { if (names.length === 1) await offerFit(piece.id, poses[piece.id]); return; }
   const now = names.map((name) => (said.changes ?? []).find((one) => one.was === name)?.piece ?? name);
   picked = now[0]; more = new Set(now.slice(1)); show();
 }
+
+// Where a piece fits, near a place where it does not: drawn on the plan, taken by a click.
+async function offerFit(id, wanted) {
+  const { pose } = await send("fit", { piece: id, pose: wanted }), piece = doc.pieces.find((one) => one.id === id);
+  if (!pose || !piece) { say(t("no place near fits")); return; }
+  $("plan").querySelector("#fits")?.remove();
+  const ghost = element("g", { id: "fits", class: "fits", transform: placed([pose[0], pose[1], 0, pose[2]]), role: "button", "aria-label": t("the nearest place that fits") }, $("plan"));
+  element("title", {}, ghost, t("the nearest place that fits"));
+  for (const points of doc.symbols[piece.symbol]) element("path", { d: line(points) }, ghost);
+  $("fit-here").hidden = false;
+  $("fit-here").onclick = ghost.onpointerdown = (event) => { event.stopPropagation(); $("fit-here").hidden = true; ghost.remove(); change("move", { poses: { [id]: pose } }); };
+}
+$("fit").onclick = () => { const piece = chosen(); if (piece) offerFit(piece.id, posesOf([piece])[piece.id]); };
 
 $("plan").addEventListener("wheel", (event) => {
   if (!view) return;
@@ -445,14 +466,23 @@ for (const button of $("pad").children) {
   }
 }
 
-$("draw").onclick = async () => {
-  if ($("draw").ariaPressed === "true") { showPlan(); return; }
-  if (!doc.draft) await change("begin");
-  if (!doc.draft) return;
+$("draw").onclick = () => {
+  if ($("draw").ariaPressed === "true") showPlan();
+  else if (doc.draft) goDraw();
+  else $("kinds-of-plan").showModal();
+};
+$("new-plan").onclick = () => $("kinds-of-plan").showModal();
+for (const button of document.querySelectorAll("[data-kind]")) button.onclick = async () => {
+  $("kinds-of-plan").close();
+  const said = await change("begin", { kind: button.dataset.kind });
+  if (!said.fault) goDraw();
+};
+
+function goDraw() {
   showPlan();
   $("plan").setAttribute("hidden", "");
   showDrawing(doc, change);
-};
+}
 $("furnish").onclick = () => { showPlan(); $("arrange").click(); };
 
 $("breed").onclick = async () => {

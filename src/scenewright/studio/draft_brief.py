@@ -1,0 +1,125 @@
+"""What a drawn plan means: the brief of its kind of scene."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterator, Mapping
+
+import shapely
+
+from scenewright.core.brief import Brief
+from scenewright.formats import brief_json
+from scenewright.studio.draft_geometry import REACH, holds, nearest_edge, on_level
+from scenewright.studio.shapes import Json
+
+SLAB = 0.25
+"""Metres between the clear height of a storey and the floor of the next."""
+ABOUT = 20.0
+"""Metres round a site within which a street is one of its streets."""
+
+
+def brief_of(draft: Json) -> Brief:
+    """The brief that a draft means; InputError where it means none."""
+    document = {
+        "name": draft["name"],
+        "domain": draft["domain"],
+        **MEANINGS[draft["domain"]](draft),
+    }
+    if draft["style"]:
+        document["style"] = draft["style"]
+    return brief_json.loads(json.dumps(document))
+
+
+def outlines_in_brief(domain: str) -> str:
+    """Where a kind of scene keeps what its outlines mean: ``rooms``, ``sites`` or ``blocks``."""
+    return {"site": "sites", "village": "blocks"}.get(domain, "rooms")
+
+
+def _home(draft: Json) -> Json:
+    rooms = [*_rooms(draft)]
+    document: Json = {"outlines": "centre", "rooms": rooms}
+    document |= {key: draft[key] for key in ("wall_thickness", "outer_wall_thickness")}
+    if len(draft["levels"]) < 2:
+        return document
+    for room, row in zip(rooms, draft["rooms"], strict=True):
+        room["level"] = row["level"]
+    return document | {"levels": [*_levels(draft)], "stairs": draft["stairs"]}
+
+
+def _levels(draft: Json) -> Iterator[Json]:
+    elevation = 0.0
+    for number, one in enumerate(draft["levels"]):
+        name = one["name"] or ("Ground floor" if not number else f"Floor {number}")
+        yield {**one, "name": name, "elevation": round(elevation, 4)}
+        elevation += one["height"] + SLAB
+
+
+def _hall(draft: Json) -> Json:
+    document = _home({**draft, "levels": draft["levels"][:1]})
+    for room in document["rooms"]:
+        shape = shapely.Polygon(room["outline"])
+        room["zones"] = [
+            _without(row, "level")
+            for row in draft["zones"]
+            if shape.contains(shapely.Polygon(row["outline"]).representative_point())
+        ]
+    return document
+
+
+def _site(draft: Json) -> Json:
+    lines = [(row, shapely.LineString(row["line"])) for row in draft["streets"]]
+    sites = []
+    for row in draft["rooms"]:
+        shape = shapely.Polygon(row["outline"])
+        roads = [_without(road, "level") for road, line in lines if shape.distance(line) < ABOUT]
+        sites.append({**_without(row, "level", "asked"), "roads": roads, **row.get("asked", {})})
+    return {"sites": sites}
+
+
+def _village(draft: Json) -> Json:
+    blocks = [{**_without(row, "level", "asked"), **row.get("asked", {})} for row in draft["rooms"]]
+    lanes = [_without(row, "level") for row in draft["streets"]]
+    return {"style": "rural", "blocks": blocks, "lanes": lanes}
+
+
+MEANINGS: Mapping[str, Callable[[Json], Json]] = {
+    "home": _home,
+    "hall": _hall,
+    "site": _site,
+    "village": _village,
+}
+
+
+def _rooms(draft: Json) -> Iterator[Json]:
+    opens: dict[int, list[Json]] = {}
+    for row in draft["openings"]:
+        edge = nearest_edge(draft, row["at"], row["level"])
+        if edge.far <= REACH:
+            opens.setdefault(edge.room, []).append(row)
+    for number, room in enumerate(draft["rooms"]):
+        here = opens.get(number, ())
+        yield {
+            **_without(room, "level", "asked"),
+            "doors": [_opening(row) for row in here if row["kind"] != "window"],
+            "windows": [_opening(row) for row in here if row["kind"] == "window"],
+            "holes": [*_columns(draft, room)],
+            **room.get("asked", {}),
+        }
+
+
+def _columns(draft: Json, room: Json) -> Iterator[list[list[float]]]:
+    for column in on_level(draft, "columns", room["level"]):
+        (x, y), half = column["at"], column["size"] / 2
+        if holds(room["outline"], x, y):
+            low, high, left, right = y - half, y + half, x - half, x + half
+            yield [[left, low], [right, low], [right, high], [left, high]]
+
+
+def _opening(row: Json) -> Json:
+    keys = ("id", "at", "width", "hinge", "swing", "sill")
+    kept: Json = {key: row[key] for key in keys if key in row}
+    return kept | ({"swing": "none"} if row["kind"] == "passage" else {})
+
+
+def _without(row: Json, *keys: str) -> Json:
+    return {key: value for key, value in row.items() if key not in keys}
