@@ -306,7 +306,7 @@ async function offerFit(id, wanted) {
   $("plan").querySelector("#fits")?.remove();
   const ghost = element("g", { id: "fits", class: "fits", transform: placed([pose[0], pose[1], 0, pose[2]]), role: "button", "aria-label": t("the nearest place that fits") }, $("plan"));
   element("title", {}, ghost, t("the nearest place that fits"));
-  for (const points of doc.symbols[piece.symbol]) element("path", { d: line(points) }, ghost);
+  for (const points of piece.lines) element("path", { d: line(points) }, ghost);
   $("fit-here").hidden = false;
   $("fit-here").onclick = ghost.onpointerdown = (event) => { event.stopPropagation(); $("fit-here").hidden = true; ghost.remove(); change("move", { poses: { [id]: pose } }); };
 }
