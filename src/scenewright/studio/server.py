@@ -38,6 +38,7 @@ PAGES = {
     "draft.js": SCRIPT,
     "sketch.js": SCRIPT,
     "snapping.js": SCRIPT,
+    "looks.js": SCRIPT,
     "wire.js": SCRIPT,
     "words.js": SCRIPT,
     "people.js": SCRIPT,
@@ -128,6 +129,7 @@ TOLD: Mapping[str, Callable[[Session, Person, Query], Any]] = {
     "/ratings": _ratings,
     "/shelf": lambda session, *_: session.shelf(),
     "/wish.schema.json": lambda _session, _person, query: ask_schema(query.get("of", "home")),
+    "/looks": lambda session, *_: session.looks(),
     "/cards": _cards,
     "/symbols": _symbols,
     "/solid": lambda session, *_: session.solid(),
@@ -137,6 +139,7 @@ GIVEN: Mapping[str, tuple[str, Callable[[Session, Query], bytes]]] = {
     "/export.zip": ("application/zip", _export),
     "/picture.png": ("image/png", lambda session, _: session.file("png")),
     "/scene.glb": ("model/gltf-binary", lambda session, _: session.file("glb")),
+    "/photo.png": ("image/png", lambda session, _: session.photos.last()),
     "/thumb.png": ("image/png", lambda session, query: session.thumb(query.get("asset", ""))),
 }
 """What is given as a file, by address."""

@@ -4,12 +4,9 @@ from __future__ import annotations
 
 import json
 import sqlite3
-import tempfile
-import zipfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
-from io import BytesIO
 from pathlib import Path
 from threading import Event, RLock, Thread
 from typing import Any, NamedTuple
@@ -22,21 +19,23 @@ from scenewright.core.errors import CancelledError, InputError
 from scenewright.core.plan import Plan
 from scenewright.core.report import Report
 from scenewright.core.solution import Solution, unfurnished
-from scenewright.formats import solution_json, write
-from scenewright.formats.table import formats
+from scenewright.formats import solution_json
 from scenewright.studio.breeding import Breeding
 from scenewright.studio.delta import States
 from scenewright.studio.draft_faults import DraftFault, read_draft
 from scenewright.studio.drafting import FORMAT, complete_draft, draw_act, keep_asked, new_draft
 from scenewright.studio.drawable import describe_finding, draw, tell_by_key
 from scenewright.studio.people import AUTHOR, RATE, People, Person
+from scenewright.studio.photos import Photos, View
 from scenewright.studio.raters import RaterDesk, Raters
 from scenewright.studio.shapes import Json, Shapes
 from scenewright.studio.shelf import draw_shelf, list_shelf
 from scenewright.studio.solid import tell_solid
 from scenewright.studio.streaming import stream_layouts
+from scenewright.studio.taking import pack_scene, write_scene
 from scenewright.studio.wishing import list_wishes, with_wishes
 from scenewright.workflow import project
+from scenewright.workflow.dressing import change_look, list_looks
 from scenewright.workflow.fitting import find_nearest_fit
 from scenewright.workflow.judging import MoveJudge
 from scenewright.workflow.workspace import Workspace
@@ -74,6 +73,7 @@ class Session:
         beside, self.shapes = project.path_of(db), Shapes()
         self.breeding = Breeding(beside, tell, self.shapes)
         self.people = People(db)
+        self.photos = Photos(tell)
         self.raters = Raters(self.people, beside, tell, self.shapes)
         self.shown: Shown | None = None
         self.mover: MoveJudge | None = None
@@ -153,10 +153,11 @@ class Session:
         """Ask the search that runs to end with the best so far."""
         self.stopping.set()
         self.breeding.stop()
+        self.photos.stop()
 
     def wait(self) -> None:
         """Wait for what a verb began: a search, a sheet."""
-        for worker in (self.worker, self.breeding.worker):
+        for worker in (self.worker, self.breeding.worker, self.photos.worker):
             if worker is not None:
                 worker.join()
 
@@ -290,42 +291,34 @@ class Session:
         """What can be put in, by the catalog of the brief."""
         return list_shelf(self.must_show().solution.brief) if self.shown else []
 
+    def looks(self) -> dict[str, dict[str, list[str]]]:
+        """Styles the scene can be given, with the palettes of each."""
+        return list_looks(self.must_show().solution.brief.domain) if self.shown else {}
+
     def thumb(self, asset: str) -> bytes:
         """The picture of a model of the shelf."""
         return draw_shelf(self.must_show().solution.brief, asset)
 
     def export(self, endings: Sequence[str] = ()) -> bytes:
         """The scene in several formats as one zip archive; what cannot be written is told in it."""
-        shown = self.must_show()
-        kept, faults = BytesIO(), []
-        with tempfile.TemporaryDirectory() as folder, zipfile.ZipFile(kept, "w") as archive:
-            for ending in endings or self.endings():
-                path = Path(folder, f"scene.{ending}")
-                try:
-                    write(shown.solution, path)
-                except (InputError, ModuleNotFoundError) as error:
-                    faults.append(f"{path.name}: {error}")
-            for path in sorted(Path(folder).iterdir()):
-                archive.write(path, path.name, zipfile.ZIP_DEFLATED)
-            if faults:
-                archive.writestr("left_out.txt", "\n".join(faults) + "\n")
-        return kept.getvalue()
-
-    def endings(self) -> list[str]:
-        """Every format that scenes of this kind are written in; photographs take minutes and are
-        asked for by name."""
-        domain = self.must_show().solution.brief.domain
-        rows = [row for row in formats() if row.writer and row.holds(domain)]
-        found = dict.fromkeys(row.suffix.removeprefix(".") for row in rows)
-        return [ending for ending in found if not ending.endswith(".png")]
+        return pack_scene(self.must_show().solution, endings)
 
     def file(self, ending: str) -> bytes:
         """The scene in one format: its picture from above at an angle, its model."""
+        return write_scene(self.must_show().solution, ending)
+
+    def photograph(self, view: View) -> None:
+        """Photograph what is shown from a view, in a thread of its own."""
         shown = self.must_show()
-        with tempfile.TemporaryDirectory() as folder:
-            path = Path(folder, f"scene.{ending}")
-            write(shown.solution, path)
-            return path.read_bytes()
+        self.photos.begin(shown.solution, shown.plan, view)
+
+    def restyle(self, style: str, palette: str = "") -> Json:
+        """Models of a style, and a palette of it, for the whole home; what is locked stays."""
+        with self._turn():
+            shown = self.must_show()
+            solution, changes = change_look(shown.solution, style, palette)
+            self._keep(shown.version, f"restyled, {style} {palette}".strip(), solution, shown.plan)
+        return {"changes": changes}
 
     @contextmanager
     def _turn(self) -> Iterator[None]:

@@ -6,22 +6,31 @@ says in a sentence what it does, its keys as JSON Schema, and who may use it.
 
 from __future__ import annotations
 
-import json
-import math
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple
 
 from scenewright.core.edits import Addition
 from scenewright.core.errors import InputError
-from scenewright.formats import samples
+from scenewright.render.daylight import HOURS
+from scenewright.studio.asked import (
+    list_words,
+    read_list,
+    read_names,
+    read_pose,
+    read_poses,
+    read_request,
+    read_sample,
+    read_text,
+    read_whole,
+    word_of,
+)
 from scenewright.studio.drafting import ACTS, NOUNS
 from scenewright.studio.people import AUTHOR, EDIT, OWN, OWNER, RATE, Person, may
+from scenewright.studio.photos import View
 from scenewright.studio.session import Session
 from scenewright.studio.shapes import Json
 from scenewright.workflow.editing import edit_pieces
 
-MOST = 500
-"""Pieces that one verb may name."""
 PIECE: Json = {"type": "string", "description": "id of a piece"}
 PIECES: Json = {"type": "array", "items": {"type": "string"}, "description": "ids of pieces"}
 POSE: Json = {
@@ -39,7 +48,7 @@ AT: Json = {
     "maxItems": 2,
     "description": "x, y in metres",
 }
-STYLES = ["boho", "classic", "industrial", "japandi", "nordic", "retro"]
+STYLES = ["boho", "classic", "industrial", "japandi", "modern", "nordic", "retro"]
 SIZE: Json = {**POSE, "description": "width, depth and height in metres"}
 SEED: Json = {"type": "integer", "minimum": 0, "description": "another one, another answer"}
 ASSET: Json = {"type": "string", "description": "id of a model, from the shelf"}
@@ -76,76 +85,79 @@ def do_verb(session: Session, body: bytes, person: Person = OWNER) -> Json:
     return row.do(session if may(person.right, EDIT) else session.desk_of(person), asked) or {}
 
 
-def read_request(body: bytes) -> Json:
-    """The JSON object that a request brings; InputError for anything else."""
-    try:
-        asked = json.loads(body)
-    except (ValueError, RecursionError):
-        asked = None
-    if not isinstance(asked, dict):
-        raise InputError("the request is no JSON object", "send one verb with its keys")
-    return asked
-
-
 def _move(session: Session, asked: Json) -> Json:
-    poses = _poses(asked)
-    return session.change(f"moved {_list(poses)}", {"move": poses})
+    poses = read_poses(asked)
+    return session.change(f"moved {list_words(poses)}", {"move": poses})
 
 
 def _swap(session: Session, asked: Json) -> Json:
-    pair = _text(asked, "piece"), _text(asked, "other")
-    return session.change(f"swapped {_list(pair)}", {"swap": [pair]})
+    pair = read_text(asked, "piece"), read_text(asked, "other")
+    return session.change(f"swapped {list_words(pair)}", {"swap": [pair]})
 
 
 def _by_name(verb: str, **more: Any) -> Callable[[Session, Json], Json]:
     """A verb about pieces by id, which :mod:`scenewright.domains` or ``by`` calls alike."""
 
     def do(session: Session, asked: Json) -> Json:
-        names = _names(asked)
-        return session.change(f"{verb.removesuffix('e')}ed {_list(names)}", {verb: names}, **more)
+        names = read_names(asked)
+        return session.change(
+            f"{verb.removesuffix('e')}ed {list_words(names)}", {verb: names}, **more
+        )
 
     return do
 
 
 def _exchange(session: Session, asked: Json) -> Json:
-    piece = _text(asked, "piece")
-    edits = {"exchange": {piece: _text(asked, "asset")}}
-    return session.change(f"exchanged {_word(piece)}", edits, edit_pieces)
+    piece = read_text(asked, "piece")
+    edits = {"exchange": {piece: read_text(asked, "asset")}}
+    return session.change(f"exchanged {word_of(piece)}", edits, edit_pieces)
 
 
 def _add(session: Session, asked: Json) -> Json:
-    x, y, _ = _pose([*_listed(asked.get("at")), 0.0])
-    new = Addition(_text(asked, "asset"), x, y)
-    return session.change(f"added {_word(new.asset)}", {"add": [new]}, edit_pieces)
+    x, y, _ = read_pose([*read_list(asked.get("at")), 0.0])
+    new = Addition(read_text(asked, "asset"), x, y)
+    return session.change(f"added {word_of(new.asset)}", {"add": [new]}, edit_pieces)
 
 
 def _resize(session: Session, asked: Json) -> Json:
-    piece, size = _text(asked, "piece"), list(_pose(asked.get("size")))
-    return session.change(f"resized {_word(piece)}", {"resize": {piece: size}}, edit_pieces)
+    piece, size = read_text(asked, "piece"), list(read_pose(asked.get("size")))
+    return session.change(f"resized {word_of(piece)}", {"resize": {piece: size}}, edit_pieces)
 
 
 def _restyle(session: Session, asked: Json) -> Json:
-    piece, style = _text(asked, "piece"), _text(asked, "style")
+    piece, style = read_text(asked, "piece"), read_text(asked, "style")
+    if not piece:
+        return session.restyle(style, read_text(asked, "palette"))
     edits = {"restyle": {piece: style}}
-    return session.change(f"restyled {_word(piece)}, {style}", edits, edit_pieces)
+    return session.change(f"restyled {word_of(piece)}, {style}", edits, edit_pieces)
+
+
+def _photo(session: Session, asked: Json) -> None:
+    x, y, heading = read_pose([*read_list(asked.get("eye"))[:2], asked.get("heading")])
+    z, _, _ = read_pose([*read_list(asked.get("eye"))[2:], 0.0, 0.0])
+    session.photograph(View((x, y, z), heading, read_text(asked, "hour") or "day"))
 
 
 def _again(session: Session, asked: Json) -> Json:
-    space, seed = _text(asked, "space"), _whole(asked, "seed")
+    space, seed = read_text(asked, "space"), read_whole(asked, "seed")
     edits = {"again": [space], "seed": seed}
     return session.change(f"arranged {space} again, seed {seed}", edits)
 
 
 def _judge(session: Session, asked: Json) -> Json:
-    return {"findings": session.judge(_poses(asked))}
+    return {"findings": session.judge(read_poses(asked))}
 
 
 def _compare(session: Session, asked: Json) -> Json:
-    return {"differences": session.breeding.compare(_whole(asked, "one"), _whole(asked, "other"))}
+    return {
+        "differences": session.breeding.compare(
+            read_whole(asked, "one"), read_whole(asked, "other")
+        )
+    }
 
 
 def _say(session: Session, asked: Json) -> None:
-    session.breeding.say(_text(asked, "line"), _whole(asked, "sheet"))
+    session.breeding.say(read_text(asked, "line"), read_whole(asked, "sheet"))
 
 
 SHEET: Json = {"type": "integer", "minimum": 0, "description": "the sheet it is said of, from 0"}
@@ -158,13 +170,13 @@ VERBS: Mapping[str, Verb] = {
     "open": Verb(
         "begin with a sample",
         {"source": {"type": "string", "description": "sample:NAME"}},
-        lambda session, asked: session.open(_sample(asked)),
+        lambda session, asked: session.open(read_sample(asked)),
         ("source",),
     ),
     "arrange": Verb(
         "furnish the plan anew; what is locked stays",
         {"seed": SEED},
-        lambda session, asked: session.arrange(_whole(asked, "seed")),
+        lambda session, asked: session.arrange(read_whole(asked, "seed")),
         goes_on=True,
     ),
     "stop": Verb("end the search with the best so far", {}, lambda session, _: session.stop()),
@@ -173,7 +185,7 @@ VERBS: Mapping[str, Verb] = {
     "go": Verb(
         "show another version of the history",
         {"version": {"type": "integer", "minimum": 1}},
-        lambda session, asked: session.go(_whole(asked, "version")),
+        lambda session, asked: session.go(read_whole(asked, "version")),
         ("version",),
     ),
     "judge": Verb(
@@ -184,7 +196,7 @@ VERBS: Mapping[str, Verb] = {
     "fit": Verb(
         "the nearest place to a wanted one where a piece fits; nothing is changed",
         {"piece": PIECE, "pose": POSE},
-        lambda session, asked: session.fit(_text(asked, "piece"), _pose(asked.get("pose"))),
+        lambda session, asked: session.fit(read_text(asked, "piece"), read_pose(asked.get("pose"))),
         ("piece", "pose"),
     ),
     "move": Verb(
@@ -228,10 +240,22 @@ VERBS: Mapping[str, Verb] = {
         ("piece", "size"),
     ),
     "restyle": Verb(
-        "models of a style for a piece, or for all of a space",
-        {"piece": PIECE, "style": {"enum": STYLES}},
+        "models of a style for a piece, or for all of a space; with neither for the whole home, "
+        "whose materials become those of a palette of the style",
+        {"piece": PIECE, "style": {"enum": STYLES}, "palette": TEXT},
         _restyle,
-        ("piece", "style"),
+        ("style",),
+    ),
+    "photo": Verb(
+        "photograph the scene from a place in a room; a minute or less",
+        {
+            "eye": {**POSE, "description": "x, y, z in metres"},
+            "heading": {"type": "number", "description": "radians, from +x to the left"},
+            "hour": {"enum": [*HOURS]},
+        },
+        _photo,
+        ("eye", "heading"),
+        goes_on=True,
     ),
     "wish": Verb(
         "say what is asked of a room, hall, site or block; heeded when it is arranged",
@@ -242,7 +266,7 @@ VERBS: Mapping[str, Verb] = {
                 "a hall, buildings of a site; or keys: {'coverage': 0.3}"
             },
         },
-        lambda session, asked: session.wish(_text(asked, "space"), asked.get("wishes")),
+        lambda session, asked: session.wish(read_text(asked, "space"), asked.get("wishes")),
         ("space", "wishes"),
     ),
     "again": Verb(
@@ -307,7 +331,7 @@ VERBS: Mapping[str, Verb] = {
     "choose": Verb(
         "take a layout that was bred over to the plan",
         {"number": NUMBER},
-        lambda session, asked: session.choose(_whole(asked, "number")),
+        lambda session, asked: session.choose(read_whole(asked, "number")),
         ("number",),
     ),
     "give": Verb(
@@ -319,83 +343,29 @@ VERBS: Mapping[str, Verb] = {
     "take": Verb(
         "take a layout that people rated over to the plan",
         {"number": NUMBER},
-        lambda session, asked: session.take(_whole(asked, "number")),
+        lambda session, asked: session.take(read_whole(asked, "number")),
         ("number",),
         OWN,
     ),
     "invite": Verb(
         "make a link for a person",
         {"name": TEXT, "right": {"enum": ["view", "rate", "edit"]}},
-        lambda session, asked: session.invite(_text(asked, "name"), _text(asked, "right")),
+        lambda session, asked: session.invite(read_text(asked, "name"), read_text(asked, "right")),
         ("name", "right"),
         OWN,
     ),
     "renew": Verb(
         "make another link for a person; the one before lets nobody in",
         {"person": NUMBER},
-        lambda session, asked: {"token": session.people.renew(_whole(asked, "person"))},
+        lambda session, asked: {"token": session.people.renew(read_whole(asked, "person"))},
         ("person",),
         OWN,
     ),
     "drop": Verb(
         "let a person in no more",
         {"person": NUMBER},
-        lambda session, asked: session.people.drop(_whole(asked, "person")),
+        lambda session, asked: session.people.drop(read_whole(asked, "person")),
         ("person",),
         OWN,
     ),
 }
-
-
-def _whole(asked: Json, key: str) -> int:
-    number = asked.get(key, 0)
-    if not isinstance(number, int) or not 0 <= number < 1 << 53:
-        raise InputError(f"{key}: {number!r} is no whole number", "give one from 0 on")
-    return number
-
-
-def _text(asked: Json, key: str) -> str:
-    return str(asked.get(key, ""))
-
-
-def _pose(value: Any) -> tuple[float, float, float]:
-    listed = value if isinstance(value, list) and len(value) == 3 else [None]
-    if not all(isinstance(number, int | float) and math.isfinite(number) for number in listed):
-        raise InputError("pose: is no place", "give [x, y, heading] in metres and radians")
-    x, y, heading = map(float, listed)
-    return x, y, math.remainder(heading, math.tau)
-
-
-def _poses(asked: Json) -> dict[str, tuple[float, float, float]]:
-    """Where each piece is to stand: ``poses`` by id, or one ``piece`` and its ``pose``."""
-    given = asked.get("poses") or {_text(asked, "piece"): asked.get("pose")}
-    if not isinstance(given, dict) or len(given) > MOST:
-        raise InputError("poses: are no places", f"give at most {MOST} by id")
-    return {str(name): _pose(pose) for name, pose in given.items()}
-
-
-def _names(asked: Json) -> list[str]:
-    """Ids of ``pieces``, or of one ``piece``."""
-    return [str(name) for name in _listed(asked.get("pieces")) or [asked.get("piece", "")]][:MOST]
-
-
-def _listed(value: Any) -> list[Any]:
-    return value if isinstance(value, list) else []
-
-
-def _word(name: str) -> str:
-    return name.rpartition("/")[2].replace("_", " ")
-
-
-def _list(names: Collection[str]) -> str:
-    """Names for the history: not more than a few."""
-    first = ", ".join(map(_word, [*names][:3]))
-    return first if len(names) <= 3 else f"{first} and {len(names) - 3} more"
-
-
-def _sample(asked: Json) -> str:
-    """The name of a sample: the page names no other file of this machine."""
-    name = _text(asked, "source")
-    if name not in samples():
-        raise InputError(f"there is no sample {name!r}", "choose one of the list")
-    return name

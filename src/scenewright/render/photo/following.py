@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from typing import NamedTuple
 
@@ -87,19 +88,24 @@ def expose(
     camera: PhotoFrame,
     samples: int,
     worn: WornTextures | None = None,
+    tell: Callable[[float], None] = lambda _share: None,
 ) -> Exposure:
     """Follow ``samples`` paths a pixel; the same camera gives the same film. Surfaces are plain
-    unless it is said what they have ``worn``."""
+    unless it is said what they have ``worn``. ``tell`` hears the share done, from several threads;
+    what it raises ends the work."""
     lit = _lit_world(world, sources, worn)
     count = camera.width * camera.height
     film = Exposure(*(np.zeros((count, 3), np.float32) for _ in range(3)))
+    parts, done = samples * -(-count // PORTION), list[int]()
 
     def work(start: int) -> None:
         here = slice(start, min(start + PORTION, count))
         part = Exposure(*(plane[here] for plane in film))
         pixels = np.arange(here.start, here.stop, dtype=np.int32)
         for sample in range(samples):
+            tell(len(done) / parts)
             _follow(lit, camera, pixels, sample, part)
+            done.append(sample)
 
     with ThreadPoolExecutor(2) as pool:
         list(pool.map(work, range(0, count, PORTION)))

@@ -6,6 +6,7 @@ import { followChange, unfold } from "/state.js";
 import { $, fill, read, say, send } from "/wire.js";
 import { hideBreeding, showBreeding, refreshBreeding, noteShare } from "/breed.js";
 import { showWishes } from "/wishes.js";
+import { notePhoto, offerPhoto, openLooks, takePhoto } from "/looks.js";
 import { openPeople, refreshPeople } from "/people.js";
 import { t } from "/words.js";
 import { hideDrawing, refreshDrawing, showDrawing } from "/draft.js";
@@ -41,7 +42,7 @@ function show() {
   document.body.dataset.right = doc.me?.right ?? "view";
   $("name").textContent = doc.name || "Scenewright";
   $("undo").disabled = !doc.undo; $("redo").disabled = !doc.redo;
-  $("adding").hidden = !(doc.levels ?? []).length;
+  $("adding").hidden = !(doc.levels ?? []).length; $("dress").hidden = doc.domain !== "home";
   $("arrange").disabled = $("breed").disabled = !(doc.levels ?? []).length || doc.running;
   for (const id of ["solid", "walk", "picture"]) $(id).disabled = !(doc.levels ?? []).length;
   $("stop").hidden = !doc.running; $("share").hidden = !doc.running;
@@ -398,7 +399,7 @@ async function showSpace(walking) {
   for (const [id, on] of [["space", true], ["pad", walking && matchMedia("(pointer: coarse)").matches]]) $(id).hidden = !on;
   if (walking) $("minimap").removeAttribute("hidden"); else $("minimap").setAttribute("hidden", "");
   $("plan").setAttribute("hidden", "");
-  $("solid").ariaPressed = !walking; $("walk").ariaPressed = walking;
+  $("solid").ariaPressed = !walking; $("walk").ariaPressed = walking; offerPhoto(walking, doc.domain);
   if (!space || spaceOf !== doc.version) {
     say(t("building the scene …"));
     const stood = space?.walking ? space.where() : null, version = doc.version;
@@ -456,6 +457,7 @@ function showPlan() {
   hideBreeding(); hideDrawing();
   $("plan").removeAttribute("hidden");
   $("solid").ariaPressed = $("walk").ariaPressed = false;
+  offerPhoto(false, "");
 }
 
 $("solid").onclick = () => $("solid").ariaPressed === "true" ? showPlan() : showSpace(false);
@@ -503,6 +505,8 @@ $("picture").onclick = async () => {
   }
   say(""); $("image").src = $("keep-picture").href = URL.createObjectURL(picture); $("shown").showModal();
 };
+$("photo").onclick = () => takePhoto(space.where(), (doc.levels.find((one) => one.id === level) ?? doc.levels[0]).elevation);
+$("dress").onclick = () => openLooks(change);
 $("samples").onchange = async (event) => { if (event.target.value) await change("open", { source: event.target.value }); };
 $("file").onchange = (event) => bring(event.target.files[0]);
 document.addEventListener("dragover", (event) => event.preventDefault());
@@ -522,6 +526,7 @@ events.onmessage = (message) => {
   if (event.changed && doc.me?.right !== "rate") refresh();
   if (event.bred) { refreshBreeding(); refreshPeople(); }
   if (event.rated) refreshPeople();
+  if (event.photo !== undefined && !["rate", "view"].includes(document.body.dataset.right)) notePhoto(event.photo);
   if (event.fault || event.notice) say(event.fault ?? event.notice);
   if (event.boxes) { streamed.set(event.space, event.boxes); if (doc.running) drawStreamed(); }
   if (event.share !== undefined) { $("share").value = event.share; $("share").title = event.what; noteShare(event.share); }
