@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
 from itertools import combinations
 from typing import NamedTuple
 
@@ -100,7 +100,7 @@ Sound = dict[str, tuple[str, shapely.Polygon]]
 """Outlines that are outlines, by id, with their names."""
 
 
-def find_outline_faults(rows: list[Json]) -> Iterator[DraftFault]:
+def find_outline_faults(rows: list[Json]) -> Generator[DraftFault, None, Sound]:
     """Outlines that cross themselves, are too small or overlap; the sound ones are returned."""
     sound: Sound = {}
     for row in rows:

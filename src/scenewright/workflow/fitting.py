@@ -79,11 +79,10 @@ def _offsets(
 
 
 def _floor_of(judge: MoveJudge, piece: Piece) -> shapely.Geometry:
-    """The floor of the storey that a piece stands on."""
+    """The floor of the space that a piece belongs to."""
     spaces = judge.plan.spaces
-    level = next((one.level for one in spaces if one.id == piece.space), "")
-    shapes = [shapely.Polygon(s.outline, [*s.holes]) for s in spaces if s.level == level]
-    return shapely.union_all(shapes).buffer(TOUCH)
+    own = [s for s in spaces if s.id == piece.space] or [*spaces]
+    return shapely.union_all([shapely.Polygon(s.outline, [*s.holes]) for s in own]).buffer(TOUCH)
 
 
 def _standing(judge: MoveJudge, piece: Piece, carried: set[str]) -> shapely.STRtree:

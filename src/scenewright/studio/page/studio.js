@@ -205,11 +205,17 @@ function listFinding(found) {
 // Before anything is arranged all is missing, which says nothing.
 const isBare = () => (doc.levels ?? []).length > 0 && doc.pieces.every((piece) => piece.locked);
 
+// Many changes of one kind for one reason are told as one.
+function gather(rows) {
+  const alike = Map.groupBy ? [...Map.groupBy(rows, (one) => `${one.change}${one.reason}`).values()] : rows.map((one) => [one]);
+  return alike.flatMap((group) => group.length > 5 ? [{ ...group[0], count: group.length, n: group.length }] : group);
+}
+
 function showLists() {
   $("verdict").textContent = isBare() ? t("nothing is arranged yet: press Arrange") : doc.verdict ?? "";
   fill("findings", toShow(), listFinding);
   fill("left-out", doc.left_out ?? [], (out) => item(`${out.what.replaceAll("_", " ")}: ${out.reason}`, [], out.required));
-  fill("changes", changes, (one) => item(inWords(`${one.piece} ${one.change}: ${one.reason}`).replaceAll("_", " "), [one.piece]));
+  fill("changes", gather(changes), (one) => one.count ? item(t("{n} pieces {change}: {reason}", one)) : item(inWords(`${one.piece} ${one.change}: ${one.reason}`).replaceAll("_", " "), [one.piece]));
   fill("history", doc.history ?? [], (step) => {
     const row = item(step.what);
     row.ariaCurrent = step.id === doc.version;
@@ -295,15 +301,15 @@ const posesOf = (pieces) => Object.fromEntries(pieces.map(({ id, pose: [x, y, , 
 
 async function place(piece) {
   const names = [piece.id, ...more], poses = posesOf(selection()), said = await change("move", { poses });
-  if (said.fault) { if (names.length === 1) await offerFit(piece.id, poses[piece.id]); return; }
+  if (said.fault) { if (names.length === 1) await offerFit(piece.id, poses[piece.id], inWords(said.fault)); return; }
   const now = names.map((name) => (said.changes ?? []).find((one) => one.was === name)?.piece ?? name);
   picked = now[0]; more = new Set(now.slice(1)); show();
 }
 
 // Where a piece fits, near a place where it does not: drawn on the plan, taken by a click.
-async function offerFit(id, wanted) {
+async function offerFit(id, wanted, fault = "") {
   const { pose } = await send("fit", { piece: id, pose: wanted }), piece = doc.pieces.find((one) => one.id === id);
-  if (!pose || !piece) { say(t("no place near fits")); return; }
+  if (!pose || !piece) { say([fault, t("no place near fits")].filter(Boolean).join("; ")); return; }
   $("plan").querySelector("#fits")?.remove();
   const ghost = element("g", { id: "fits", class: "fits", transform: placed([pose[0], pose[1], 0, pose[2]]), role: "button", "aria-label": t("the nearest place that fits") }, $("plan"));
   element("title", {}, ghost, t("the nearest place that fits"));
