@@ -85,6 +85,11 @@ def test_threads_share_a_project_and_each_edit_is_kept_with_who_and_what(tmp_pat
         thread.join()
     locked = {p.id for p in work.solution.pieces if p.fixed}
     assert {*names} <= locked
+    work.mark(5, "as it was")
+    with pytest.raises(InputError, match="says nothing"):
+        work.mark(6)
+    assert [(m["who"], m["stars"], m["version"]) for m in work.marks()] == [("ann", 5, 5)]
+    assert all(work.report(number)["findings"] is not None for number in range(1, 6))
     acts = [act for _, act in work.history() if act]
     assert {act.who for act in acts} == {"ann"}
     assert sorted(act.edit for act in acts)[1:] == sorted(f'{{"lock": ["{n}"]}}' for n in names)
@@ -102,7 +107,12 @@ def test_adjust_changes_a_project_and_adds_a_version(tmp_path: Path) -> None:
     assert cli.run(["adjust", str(path), "-o", str(out), "--lock", bed.id, "-q"]) in (0, 1)
     assert next(p for p in work.solution.pieces if p.id == bed.id).fixed
     assert [row.what for row, _ in work.history()] == ["began", f"lock {bed.id}"]
+    assert work.report()["valid"]
     assert solution_json.read(out).pieces == work.solution.pieces
+    desk = next(p for p in work.solution.pieces if p.category == "desk")
+    work.edit(remove=[desk.id])
+    assert [(one.piece, one.change) for one in work.reasons()][:1] == [(desk.id, "gone")]
+    assert work.reasons(1) == []
 
 
 KILLED = """

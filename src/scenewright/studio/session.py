@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 from scenewright import domains
 from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief
-from scenewright.core.edits import Adjusted
+from scenewright.core.edits import Adjusted, Change
 from scenewright.core.errors import CancelledError, InputError
 from scenewright.core.plan import Plan
 from scenewright.core.report import Report
@@ -38,6 +38,7 @@ from scenewright.workflow import project
 from scenewright.workflow.dressing import change_look, list_looks
 from scenewright.workflow.fitting import find_nearest_fit
 from scenewright.workflow.judging import MoveJudge
+from scenewright.workflow.scene_project import describe_result, dump_edits
 from scenewright.workflow.workspace import Workspace
 
 Tell = Callable[[Json], None]
@@ -235,7 +236,8 @@ class Session:
             adjusted = by(shown.solution, plan=shown.plan, **edits, **more)
             same = adjusted.solution.brief is shown.solution.brief
             plan = shown.plan if same else domains.plan_of(adjusted.solution.brief)
-            self._keep(shown.version, what, adjusted.solution, plan)
+            told = adjusted.changes, dump_edits(edits, None)
+            self._keep(shown.version, what, adjusted.solution, plan, *told)
         return {"changes": [change._asdict() for change in adjusted.changes]}
 
     def wish(self, room: str, wishes: Any) -> None:
@@ -336,9 +338,20 @@ class Session:
             raise InputError(fault, "mend it first" if faults else "open or draw a plan first")
         return self.shown
 
-    def _keep(self, parent: int, what: str, solution: Solution, plan: Plan) -> None:
+    def _keep(
+        self,
+        parent: int,
+        what: str,
+        solution: Solution,
+        plan: Plan,
+        changes: Sequence[Change] = (),
+        edit: str = "",
+    ) -> None:
         report = domains.check(solution, plan=plan, figures=False)
-        number = project.add_version(self.db, parent, _by(what), solution_json.dumps(solution))
+        text, said = solution_json.dumps(solution), describe_result(report, changes)
+        number = project.add_version(
+            self.db, parent, _by(what), text, who=AUTHOR.get(), edit=edit, entries=said
+        )
         self.shown = Shown(number, solution, plan, report)
         self.drawn = self.drawn if parent else None
         self.tell({"changed": True})

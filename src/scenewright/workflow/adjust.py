@@ -18,7 +18,7 @@ from scenewright.core.stored_file import MEBIBYTE, check_plain, report_damage
 from scenewright.formats import check_outputs, solution_json, writer
 from scenewright.workflow import project
 from scenewright.workflow.events import Event, Judged, Planned, Solved
-from scenewright.workflow.scene_project import change_scene, dump_edits, name_edits
+from scenewright.workflow.scene_project import change_scene, describe_result, dump_edits, name_edits
 from scenewright.workflow.writing import write_all
 
 LARGEST = 4096 * MEBIBYTE
@@ -68,7 +68,7 @@ def adjust_file(request: AdjustRequest) -> Generator[Event, None, AdjustedFile]:
     yield Judged(report)
     yield from write_all([(solution, path) for path in request.outputs], plan)
     if request.file.suffix == project.SUFFIX:
-        _keep(request, solution)
+        _keep(request, solution, describe_result(report, changes))
     lost = any(out.required for out in set(solution.left_out) - set(before.left_out))
     complete = report.valid and not lost and solution.brief.is_read_whole
     return AdjustedFile(solution, plan, report, tuple(changes), complete)
@@ -89,7 +89,7 @@ def _read(file: Path) -> tuple[Solution, Plan]:
     return solution, domains.plan_of(solution.brief)
 
 
-def _keep(request: AdjustRequest, solution: Solution) -> None:
+def _keep(request: AdjustRequest, solution: Solution, entries: Mapping[str, str]) -> None:
     """Add what came of it to its project."""
     with closing(project.open_project(request.file)) as db:
         version = project.shown_version(db)
@@ -100,4 +100,5 @@ def _keep(request: AdjustRequest, solution: Solution) -> None:
             name_edits(request.edits),
             text,
             edit=dump_edits(request.edits, request.seed),
+            entries=entries,
         )

@@ -35,11 +35,16 @@ from scenewright.workflow.by_hand import (
     list_restyled,
     resize_piece,
 )
+from scenewright.workflow.judging import Part, narrow
 
 STEP, FAR = 0.1, 3.0
 """Metres between places that are tried for a piece, and how far from the wanted one."""
 APART, TRIED = 0.3, 12
 """Metres between free places of which more than the nearest are looked at, and how many are."""
+TURNS = (0.0, math.pi / 2, -math.pi / 2, math.pi)
+"""How a piece may be turned there, in this order."""
+AT_ONCE = 100
+"""Places that are looked at together."""
 TOUCH = 0.005
 """Metres by which things beside one another may overlap."""
 ALONE = "fixed"
@@ -159,16 +164,18 @@ def _choose(
     solution: Solution, plan: Plan, pieces: Sequence[Piece], free: Iterator[list[Piece]]
 ) -> list[Piece]:
     """The first of a few free places where no more rules are broken than without, else the
-    nearest."""
+    nearest. A place is judged in its room first, then, if nothing is wrong there, in the home."""
 
-    def faults(new: Sequence[Piece]) -> int:
-        tried = replace(solution, pieces=(*pieces, *new))
-        report = check(tried, plan=plan, figures=False)
-        return sum(found.is_blamed for found in report.findings)
+    def faults(part: Part, new: Sequence[Piece]) -> int:
+        tried = replace(part.solution, pieces=(*part.solution.pieces, *new))
+        return sum(found.is_blamed for found in part._replace(solution=tried).judge())
 
-    nearest, before = next(free), faults(())
+    nearest = next(free)
+    whole = Part(replace(solution, pieces=tuple(pieces)), plan)
+    room = narrow(*whole, frozenset({nearest[0].space}))
+    parts = [(part, faults(part, ())) for part in (room, whole)]
     for new in (nearest, *islice(free, TRIED)):
-        if faults(new) <= before:
+        if all(faults(part, new) <= before for part, before in parts):
             return new
     return nearest
 
@@ -256,22 +263,26 @@ def _list_free(
 ) -> Iterator[list[Piece]]:
     """Pieces at the free places around the one wanted, the nearest first, each some way from those
     before. InputError where there is none."""
-    first = new[0]
+    first = replace(new[0], pose=wanted)
     floor = shapely.Polygon(space.outline, [*space.holes]).buffer(TOUCH)
     taken = _union_standing(first, space, others, catalog)
+    shapely.prepare([floor, taken])
     around = np.arange(-FAR, FAR + STEP, STEP).tolist()
+    shifts = np.array(sorted((math.hypot(x, y), x, y) for x in around for y in around))[:, 1:]
+    turned = [replace(first, pose=wanted._replace(heading=wanted.heading + t)) for t in TURNS]
+    outlines = np.array([outline_of(one) for one in turned])
     listed: list[tuple[float, float]] = []
-    for _, dx, dy in sorted((math.hypot(x, y), x, y) for x in around for y in around):
-        if any(math.dist((dx, dy), other) < APART for other in listed):
-            continue
-        for turn in (0.0, math.pi / 2, -math.pi / 2, math.pi):
-            pose = Pose(wanted.x + dx, wanted.y + dy, wanted.z, wanted.heading + turn)
-            there = replace(first, pose=pose)
-            shape = shapely.Polygon(outline_of(there))
-            if floor.covers(shape) and not shape.intersects(taken):
-                listed.append((dx, dy))
-                yield list(carry_pieces(new, frame_of(first), frame_of(there)))
-                break
+    for some in np.array_split(shifts, len(shifts) // AT_ONCE):
+        shapes = shapely.polygons(outlines[None] + some[:, None, None])
+        fits = shapely.covers(floor, shapes) & ~shapely.intersects(taken, shapes)
+        for k in np.flatnonzero(fits.any(1)).tolist():
+            dx, dy = some[k].tolist()
+            if any(math.dist((dx, dy), other) < APART for other in listed):
+                continue
+            listed.append((dx, dy))
+            there = turned[int(fits[k].argmax())]
+            x, y, _ = frame_of(there)
+            yield list(carry_pieces(new, frame_of(new[0]), (x + dx, y + dy, there.pose.heading)))
     if not listed:
         label = first.category.replace("_", " ")
         raise InputError(f"no place within {FAR:g} m is free for the {label}", "clear one first")

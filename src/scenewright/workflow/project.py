@@ -10,9 +10,10 @@ from __future__ import annotations
 import sqlite3
 import time
 import zlib
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
+from types import MappingProxyType
 from typing import NamedTuple
 
 from scenewright.core.errors import InputError
@@ -26,7 +27,13 @@ CREATE TABLE IF NOT EXISTS version (
 CREATE TABLE IF NOT EXISTS shown (id INTEGER PRIMARY KEY, version INTEGER NOT NULL);
 CREATE TABLE IF NOT EXISTS act (
     version INTEGER PRIMARY KEY, at REAL NOT NULL, who TEXT NOT NULL, edit TEXT NOT NULL);
+CREATE TABLE IF NOT EXISTS entry (
+    id INTEGER PRIMARY KEY, version INTEGER NOT NULL, at REAL NOT NULL, who TEXT NOT NULL,
+    kind TEXT NOT NULL, body TEXT NOT NULL);
 """
+REPORT, WHY, MARK_MADE = "report", "why", "mark"
+"""Kinds of entries: what the referee says of a version, why each piece changed, what a person
+thinks of it."""
 
 
 class Version(NamedTuple):
@@ -45,6 +52,16 @@ class Act(NamedTuple):
     at: float
     who: str
     edit: str
+
+
+class Entry(NamedTuple):
+    """What is said of a version, as JSON: seconds since 1970, by whom, of which kind."""
+
+    version: int
+    at: float
+    who: str
+    kind: str
+    body: str
 
 
 def open_project(path: Path) -> sqlite3.Connection:
@@ -99,10 +116,17 @@ def saved(db: sqlite3.Connection) -> Iterator[None]:
 
 
 def add_version(
-    db: sqlite3.Connection, parent: int, what: str, solution: str, *, who: str = "", edit: str = ""
+    db: sqlite3.Connection,
+    parent: int,
+    what: str,
+    solution: str,
+    *,
+    who: str = "",
+    edit: str = "",
+    entries: Mapping[str, str] = MappingProxyType({}),
 ) -> int:
-    """Add a version made from ``parent`` and show it; its number. ``who`` made it and the ``edit``
-    that was asked for, as JSON, are kept beside it with the time.
+    """Add a version made from ``parent`` and show it; its number. ``who`` made it, the ``edit``
+    that was asked for, and ``entries`` by kind, as JSON, are kept beside it with the time.
 
     >>> db = open_project(Path(":memory:"))
     >>> add_version(db, 0, "arranged", "{}"), shown_version(db), solution_text(db, 1)
@@ -114,9 +138,38 @@ def add_version(
             "INSERT INTO version (parent, what, solution) VALUES (?, ?, ?)", (parent, what, packed)
         )
         number = int(row.lastrowid or 0)
-        db.execute("INSERT INTO act VALUES (?, ?, ?, ?)", (number, time.time(), who, edit))
+        now = time.time()
+        db.execute("INSERT INTO act VALUES (?, ?, ?, ?)", (number, now, who, edit))
+        for kind, body in entries.items():
+            _add_entry(db, Entry(number, now, who, kind, body))
         db.execute("INSERT INTO shown (version) VALUES (?)", (number,))
     return number
+
+
+def add_entry(db: sqlite3.Connection, version: int, kind: str, body: str, who: str = "") -> None:
+    """Say something of a version that is there."""
+    with saved(db):
+        _add_entry(db, Entry(version, time.time(), who, kind, body))
+
+
+def _add_entry(db: sqlite3.Connection, entry: Entry) -> None:
+    db.execute("INSERT INTO entry (version, at, who, kind, body) VALUES (?, ?, ?, ?, ?)", entry)
+
+
+def list_entries(db: sqlite3.Connection, kind: str, version: int = 0) -> list[Entry]:
+    """What was said of one version, or of all, in that order.
+
+    >>> db = open_project(Path(":memory:"))
+    >>> number = add_version(db, 0, "arranged", "{}", who="Ann", entries={"report": "[]"})
+    >>> [(entry.who, entry.body) for entry in list_entries(db, "report", number)]
+    [('Ann', '[]')]
+    """
+    rows = db.execute(
+        "SELECT version, at, who, kind, body FROM entry WHERE kind = ? AND ? IN (0, version)"
+        " ORDER BY id",
+        (kind, version),
+    )
+    return [Entry(*row) for row in rows]
 
 
 def list_acts(db: sqlite3.Connection) -> list[Act]:

@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from threading import RLock
 from typing import Any
 
-from scenewright.core.edits import Adjusted
+from scenewright.core.edits import Adjusted, Change
 from scenewright.core.errors import InputError
 from scenewright.core.plan import Plan
+from scenewright.core.report import Report
 from scenewright.core.solution import Solution
-from scenewright.domains import adjust, plan_of
+from scenewright.domains import adjust, check, plan_of
 from scenewright.formats import solution_json
 from scenewright.workflow import project
 from scenewright.workflow.editing import edit_pieces
@@ -32,6 +33,8 @@ class Project:
     >>> work = Project()
     >>> room = work.begin(sw.solve(sw.read("sample:home-room"), steps=200))
     >>> changed = work.edit(remove=["wardrobe"])
+    >>> work.mark(4, "airy"), [mark["stars"] for mark in work.marks()], work.report()["complete"]
+    (None, [4], True)
     >>> work.undo().pieces == room.pieces
     True
     """
@@ -42,7 +45,7 @@ class Project:
     def begin(self, solution: Solution) -> Solution:
         """Begin with a solution."""
         with self._lock:
-            self._add(0, "began", solution, "")
+            self._add(0, "began", Adjusted(solution, ()), "")
         return solution
 
     @property
@@ -57,7 +60,7 @@ class Project:
         with self._lock:
             number, before = self._shown()
             done = change_scene(before, edits, seed=seed)
-            self._add(number, name_edits(edits), done.solution, dump_edits(edits, seed))
+            self._add(number, name_edits(edits), done, dump_edits(edits, seed))
         return done
 
     def undo(self) -> Solution:
@@ -81,6 +84,32 @@ class Project:
         with self._lock:
             acts = {act.version: act for act in project.list_acts(self._db)}
             return [(row, acts.get(row.id)) for row in project.list_versions(self._db)]
+
+    def report(self, version: int = 0) -> dict[str, Any]:
+        """What the referee said of a version, or of the one shown, as
+        :meth:`scenewright.Report.to_dict` tells it."""
+        return dict(self._said(project.REPORT, version, {}))
+
+    def reasons(self, version: int = 0) -> list[Change]:
+        """What changed by the edit that made a version, or the one shown, and why."""
+        return [Change(**row) for row in self._said(project.WHY, version, [])]
+
+    def mark(self, stars: int | None = None, words: str = "") -> None:
+        """Say what one thinks of the version shown: one to five ``stars``, or ``words``."""
+        if (stars is not None and stars not in range(1, 6)) or (stars is None and not words):
+            raise InputError("says nothing", "give one to five stars, or words")
+        body = json.dumps({"stars": stars, "words": words}, ensure_ascii=False)
+        with self._lock:
+            shown = self._must_show().id
+            project.add_entry(self._db, shown, project.MARK_MADE, body, self.who)
+
+    def marks(self) -> list[dict[str, Any]]:
+        """All marks in the order in which they were made: of which version, by whom and when
+        (seconds since 1970), stars and words."""
+        with self._lock:
+            rows = project.list_entries(self._db, project.MARK_MADE)
+        about = [{"version": row.version, "who": row.who, "at": row.at} for row in rows]
+        return [one | json.loads(row.body) for one, row in zip(about, rows, strict=True)]
 
     def close(self) -> None:
         """Close the file."""
@@ -106,9 +135,26 @@ class Project:
         project.show_version(self._db, number)
         return solution
 
-    def _add(self, parent: int, what: str, solution: Solution, edit: str) -> None:
-        text = solution_json.dumps(solution)
-        project.add_version(self._db, parent, what, text, who=self.who, edit=edit)
+    def _add(self, parent: int, what: str, done: Adjusted, edit: str) -> None:
+        text = solution_json.dumps(done.solution)
+        report = check(done.solution, figures=False)
+        entries = describe_result(report, done.changes)
+        project.add_version(self._db, parent, what, text, who=self.who, edit=edit, entries=entries)
+
+    def _said(self, kind: str, version: int, otherwise: Any) -> Any:
+        """What is said last of a version, or of the one shown."""
+        with self._lock:
+            found = project.list_entries(self._db, kind, version or self._must_show().id)
+        return json.loads(found[-1].body) if found else otherwise
+
+
+def describe_result(report: Report, changes: Sequence[Change] = ()) -> dict[str, str]:
+    """The entries of a version: what the referee says of it, and why what changed."""
+    rows = [change._asdict() for change in changes]
+    return {
+        project.REPORT: json.dumps(report.to_dict(), ensure_ascii=False),
+        project.WHY: json.dumps(rows, ensure_ascii=False),
+    }
 
 
 def change_scene(
