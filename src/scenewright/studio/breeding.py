@@ -11,6 +11,7 @@ from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief
 from scenewright.core.errors import CancelledError, InputError
 from scenewright.core.plan import Plan
+from scenewright.core.registry import domain_of
 from scenewright.core.solution import Solution
 from scenewright.engine.preference import events as said
 from scenewright.engine.preference.features import stands_on_floor
@@ -223,3 +224,12 @@ def name_brief(brief: Brief) -> str:
 def name_log(beside: Path | None, brief: Brief, suffix: str = ".evolution") -> Path | str:
     """The log of a brief's evolution, beside the project; none for a project in memory."""
     return "" if beside is None else beside.with_name(f"{beside.stem}-{name_brief(brief)}{suffix}")
+
+
+def keep_locked(solution: Solution) -> Brief:
+    """The brief to arrange, with what a person locked standing where it is."""
+    domain = domain_of(solution.brief.domain)
+    if not domain.has("locked") or not any(piece.fixed for piece in solution.pieces):
+        return solution.brief
+    brief: Brief = domain.verb("locked")(solution)
+    return brief

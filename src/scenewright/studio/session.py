@@ -13,14 +13,13 @@ from typing import Any, NamedTuple
 
 from scenewright import domains
 from scenewright.catalog.loading import catalog_of
-from scenewright.core.brief import Brief
 from scenewright.core.edits import Adjusted, Change
 from scenewright.core.errors import CancelledError, InputError
 from scenewright.core.plan import Plan
 from scenewright.core.report import Report
 from scenewright.core.solution import Solution, unfurnished
 from scenewright.formats import solution_json
-from scenewright.studio.breeding import Breeding
+from scenewright.studio.breeding import Breeding, keep_locked
 from scenewright.studio.delta import States
 from scenewright.studio.draft_faults import DraftFault, read_draft
 from scenewright.studio.drafting import FORMAT, complete_draft, draw_act, keep_asked, new_draft
@@ -165,7 +164,7 @@ class Session:
     def breed(self) -> None:
         """Breed layouts of the plan shown, with what is locked in it: the sheet, or the first."""
         with self._turn():
-            self.breeding.begin(_keep_locked(self.must_show().solution))
+            self.breeding.begin(keep_locked(self.must_show().solution))
 
     def choose(self, number: int) -> None:
         """Take over a layout that was bred."""
@@ -175,7 +174,7 @@ class Session:
 
     def give(self) -> None:
         """Give the plan out to be rated, with what is locked in it."""
-        self.raters.begin(_keep_locked(self.must_show().solution))
+        self.raters.begin(keep_locked(self.must_show().solution))
         self.tell({"rated": True})
 
     def take(self, number: int) -> None:
@@ -204,7 +203,7 @@ class Session:
     def _arrange(self, shown: Shown, seed: int, author: str) -> None:
         AUTHOR.set(author)
         try:
-            brief = _keep_locked(shown.solution)
+            brief = keep_locked(shown.solution)
             plan = domains.plan_of(brief)
             solution = domains.solve(
                 brief,
@@ -393,12 +392,3 @@ def _by(what: str) -> str:
 
 def _is_draft(text: str) -> bool:
     return text.startswith(f'{{"format": "{FORMAT}"')
-
-
-def _keep_locked(solution: Solution) -> Brief:
-    """The brief to arrange, with what a person locked standing where it is."""
-    domain = domains.domain_of(solution.brief.domain)
-    if not domain.has("locked") or not any(piece.fixed for piece in solution.pieces):
-        return solution.brief
-    brief: Brief = domain.verb("locked")(solution)
-    return brief
