@@ -13,16 +13,24 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import scenewright as sw
+from scenewright.catalog.assets import shipped
 from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
+from scenewright.core.piece_outlines import outline_of
 from scenewright.core.scene import Pose
 from scenewright.core.solution import Solution
 from scenewright.domains import check, plan_of, scene_of
+from scenewright.domains.site.parks import lay_parks
 from scenewright.domains.site.plan import site_plan
+from scenewright.domains.site.planting import green
 from scenewright.domains.site.writing import cityjson, geojson
 from scenewright.formats import solution_json
 from scenewright.ground.streetside.lots import keep_open_lots, list_frontages, list_lots
-from sites import site
+from scenewright.ground.ways.junctions import paint
+from scenewright.ground.ways.lane_ends import LONG, TURN, find_dead_ends, list_streets
+from scenewright.ground.ways.surfaces import list_zebras, surfaces
+from scenewright.ground.works import GroundWorks
+from sites import building, site
 
 
 @pytest.fixture(scope="module")
@@ -55,6 +63,57 @@ def test_the_sample_has_all_it_asks_for(solved: Solution) -> None:
     assert {"square", "parking", "court", "marking"} <= {row.kind for row in scene.surfaces}
     again = solution_json.loads(solution_json.dumps(solved))
     assert again.detail == solved.detail
+
+
+def test_every_long_dead_end_has_its_head_or_goes_on(solved: Solution) -> None:
+    plan, rows = plan_of(solved.brief).detail[0], solved.detail[0].pathways
+    lanes = [(shapely.LineString(r.line), r.width) for r in rows if r.kind == "lane"]
+    heads = [line for line, width in lanes if width == 2.0 * TURN]
+    usual = [line for line, width in lanes if width < 2.0 * TURN]
+    dead = find_dead_ends([*usual, *heads], list_streets(plan), 2.0)
+    long = [usual[k] for k in dead if k < len(usual) and usual[k].length > LONG]
+    assert all(min(head.distance(lane) for head in heads) <= 0.1 for lane in long)
+    assert heads
+
+
+def test_ways_have_round_corners_and_crossings_off_walls(solved: Solution) -> None:
+    plan = plan_of(solved.brief).detail[0]
+    zebras = list_zebras(plan)
+    assert len(zebras) == 4
+    outlines = [outline_of(p) for p in solved.pieces if p.category == "building"]
+    walls = shapely.union_all([shapely.Polygon(o) for o in outlines])
+    lanes = []
+    for solids in ([shapely.Polygon(plan.outline)], [walls]):
+        laid = surfaces((plan,), solved.detail, solids)
+        shapes = {r.kind: shapely.union_all([shapely.Polygon(*a) for a in r.areas]) for r in laid}
+        assert shapely.covers(
+            shapes["pavement"].union(shapes["asphalt"]).buffer(0.1), paint(zebras)
+        )
+        lanes.append(shapes["lane"])
+    corners = lanes[1].difference(lanes[0].buffer(0.01))
+    assert corners.area > 20.0
+    assert corners.distance(walls) > 0.2
+    points = [f for f in geojson.document(solved)["features"] if f["geometry"]["type"] == "Point"]
+    assert [f["properties"]["highway"] for f in points] == ["crossing"] * 4
+
+
+def test_ground_far_from_any_building_is_a_park_with_a_walk_and_trees() -> None:
+    ground = site(200.0, 120.0, roads=[{"line": [(-5, 10), (205, 10)], "width": 8}])
+    houses = [building(f"s/{k}", 15.0 + 25.0 * k, 25.0, space="s") for k in range(3)]
+    plan, rings = site_plan(ground), [outline_of(house) for house in houses]
+    (park,), walks = lay_parks(plan, (), (), rings)
+    shape, built = shapely.Polygon(park.outline), shapely.union_all(shapely.polygons(rings))
+    assert park.kind == "park"
+    assert shape.distance(built) >= 7.4
+    far = shapely.Polygon(plan.outline).difference(built.buffer(25.0))
+    assert shape.intersection(far).area > 0.7 * far.area
+    assert shapely.LineString(walks[0].line).within(shape)
+    assert len(walks) == 2
+    works = GroundWorks("s", walks, (park,))
+    trees = green(plan, works, houses, shipped(), np.random.default_rng(0))
+    inside = [shape.contains(shapely.Point(t.pose[:2])) for t in trees if t.category == "tree"]
+    assert sum(inside) >= 12
+    assert not lay_parks(plan, (), (), [np.array(plan.outline)])[0]
 
 
 def test_what_is_missing_or_built_over_is_named(solved: Solution) -> None:

@@ -16,7 +16,7 @@ from scenewright.domains.site.facing import face_ways, find_box_doors
 from scenewright.domains.site.solvers.front import on_square
 from scenewright.domains.site.solving import problems
 from scenewright.ground.streetside.fronts import find_fronting, list_ways
-from scenewright.ground.ways.lane_ends import LONG, TURN, find_dead_ends, lay_heads, link_ends
+from scenewright.ground.ways.lane_ends import BACK, LONG, TURN, find_dead_ends, lay_head, link_ends
 from scenewright.ground.ways.pathways import lay_pathways
 from scenewright.ground.ways.walks import find_doors
 
@@ -67,11 +67,14 @@ def test_lanes_go_on_where_ground_is_free_and_turn_where_it_is_not() -> None:
     assert not find_dead_ends([*lanes, *links], street, 2.0)
     narrow = shapely.box(17, -50, 23, 80)
     assert not link_ends(lanes[:1], shapely.Point(20, 0), narrow, 2.0)
-    heads = lay_heads(lanes, street, free, free, 2.0)
-    assert [width for _, width in heads] == [2.0 * TURN] * 2
-    assert not lay_heads(lanes, street, free, shapely.box(100, 0, 120, 80), 2.0)
-    short = [shapely.LineString([(20, LONG - 1.0), (20, 0)])]
-    assert not lay_heads(short, street, free, free, 2.0)
+    lane, end = lanes[0], shapely.Point(lanes[0].coords[0])
+    head = lay_head(lane, end, free, free)
+    assert [width for _, width in head] == [0.0, 2.0 * TURN]
+    assert not lay_head(lane, end, free, shapely.box(100, 0, 120, 80))
+    before = lay_head(lane, end, free, shapely.box(20, 30, 40, 34))
+    assert before[0][0].length == pytest.approx(lane.length - 8.0)
+    assert before[2][0].length == pytest.approx(8.0)
+    assert max(BACK) < LONG
 
 
 def test_a_landmark_has_its_walk_and_nothing_breaks_a_rule() -> None:

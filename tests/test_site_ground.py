@@ -18,6 +18,7 @@ from scenewright.core.solution import Solution
 from scenewright.domains import scene_of
 from scenewright.domains.site.plan import plans_of
 from scenewright.formats.glb import encode_scene
+from scenewright.ground.ways.junctions import STREET_RADIUS
 
 CROSSING = [
     {"line": [[-5, 40], [60, 30], [125, 45]], "width": 10},
@@ -65,7 +66,10 @@ def test_roads_are_one_piece_and_cover_what_the_plan_says(street: Solution) -> N
         ]
     )
     assert found["asphalt"].geom_type == "Polygon"
-    assert found["asphalt"].area + found["pavement"].area == pytest.approx(roads.area, rel=1e-4)
+    paved = shapely.union(found["asphalt"], found["pavement"])
+    assert paved.area == pytest.approx(found["asphalt"].area + found["pavement"].area, rel=1e-4)
+    assert roads.difference(paved).area < 0.2
+    assert 0.0 < paved.difference(roads).area < STREET_RADIUS**2
     for one, other in (("asphalt", "pavement"), ("path", "asphalt"), ("walk", "path")):
         assert found[one].intersection(found[other]).area < 0.1
     assert found["asphalt"].buffer(1e-3).contains(found["marking"])
@@ -74,7 +78,7 @@ def test_roads_are_one_piece_and_cover_what_the_plan_says(street: Solution) -> N
 
 
 def test_a_site_without_roads_has_only_lanes_and_walks_on_the_ground() -> None:
-    assert {"walk"} <= set(shapes_of(solved([], buildings=BUILDINGS))) <= {"lane", "walk"}
+    assert {"walk"} <= set(shapes_of(solved([], buildings=BUILDINGS))) <= {"lane", "walk", "park"}
 
 
 def test_walks_lead_from_doors_to_ways_past_all_buildings(street: Solution) -> None:

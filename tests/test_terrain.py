@@ -182,6 +182,14 @@ def test_the_referee_finds_doors_and_ways_by_itself(hill):
     sunk = JudgedTerrain(brief, *natural, {name: floor - 1.0}, straight)
     kinds = {finding.kind for finding in judge_terrain(sunk, hill.pieces)[0]}
     assert kinds == {"door_off_ground", "steep_way"}
+    deep = shaped.finished._replace(values=shaped.finished.values - 9.0)
+    lowered = JudgedTerrain(brief, shaped.natural, deep, deep, {name: floor}, straight)
+    told = [note.message for note in judge_terrain(lowered, hill.pieces)[1]]
+    assert len(told) == 3
+    assert "1 of 1 ways lie more than 3 m above or below the ground, Cut in a cut of" in told[0]
+    assert "1 of 1 buildings" in told[1]
+    assert "by the square metre (1 at most): lead streets along the contours" in told[2]
+    assert not [n for n in check(hill).notes if "square metre" in n.message]
 
 
 def test_nothing_is_built_on_a_river_and_its_road_bridges_it():

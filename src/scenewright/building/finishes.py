@@ -30,6 +30,7 @@ SURFACES: dict[str, Material] = {
     "bed": Material("vegetable bed", (0.40, 0.40, 0.26), roughness=1.0),
     "square": Material("cobbles", (0.67, 0.64, 0.59), roughness=0.95),
     "parking": Material("parking", (0.47, 0.47, 0.47), roughness=0.95),
+    "park": Material("park lawn", (0.52, 0.62, 0.39), roughness=1.0),
     "court": Material("court lawn", (0.57, 0.64, 0.43), roughness=1.0),
     "hedge": Material("hedge", (0.30, 0.42, 0.20), roughness=1.0),
     "white_wall": Material("garden wall, white", (0.93, 0.92, 0.89), roughness=0.95),

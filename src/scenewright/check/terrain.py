@@ -17,7 +17,7 @@ from scenewright.check.buildings import measure_shared, state_fault
 from scenewright.core.brief.terrain import TerrainBrief
 from scenewright.core.heights import HeightGrid
 from scenewright.core.piece_outlines import outline_of
-from scenewright.core.report import Finding
+from scenewright.core.report import Finding, Note
 from scenewright.core.scene import Piece
 from scenewright.core.space import Points
 
@@ -31,6 +31,11 @@ GRADE, SLACK = 0.10, 0.005
 STRIDE = 5.0
 """Metres between points at which a way is measured."""
 SHARED = 0.01
+DEEPEST, MOVED = 3.0, 1.0
+"""Metres of cut or of fill beyond which a street or a building is reported, a storey, and cubic
+metres moved by the square metre of ground."""
+BEND = "lead streets along the contours, and up the slope in bends"
+TURN = "turn long sides along the contours, or ask for smaller buildings or fewer"
 
 
 class JudgedTerrain(NamedTuple):
@@ -47,9 +52,9 @@ class JudgedTerrain(NamedTuple):
 
 def judge_terrain(
     judged: JudgedTerrain, pieces: Sequence[Piece]
-) -> tuple[list[Finding], dict[str, Any]]:
-    """Findings on terrain and its figures: cubic metres moved by the square metre of lattice,
-    grades in metres a metre, metres of plinth."""
+) -> tuple[list[Finding], list[Note], dict[str, Any]]:
+    """Findings on terrain, notes on how much of it is moved, and its figures: cubic metres moved by
+    the square metre of lattice, grades in metres a metre, metres of plinth."""
     built = [piece for piece in pieces if piece.id in judged.floors]
     off = [_measure_door(judged, piece) for piece in built]
     grades = [(name, grade) for name, line in judged.ways for grade in _grades(judged, line)]
@@ -74,7 +79,38 @@ def judge_terrain(
         "largest_plinth": round(max(plinths, default=0.0), 2),
         **_volumes(judged),
     }
-    return findings, figures
+    return findings, list(_find_earthworks(judged, built, figures)), figures
+
+
+def _find_earthworks(
+    judged: JudgedTerrain, built: Sequence[Piece], figures: dict[str, Any]
+) -> Iterator[Note]:
+    """Where more ground is moved than anyone would: ways and buildings in cuts and on banks deeper
+    than :data:`DEEPEST`, and all of it by the area moved."""
+    ways = [(name, _depth_of(judged, shapely.LineString(line))) for name, line in judged.ways]
+    rows = [(one.id, _depth_of(judged, shapely.LinearRing(outline_of(one)))) for one in built]
+    for what, depths, remedy in (("ways", ways, BEND), ("buildings", rows, TURN)):
+        deep = sorted((r for r in depths if abs(r[1]) > DEEPEST), key=lambda r: -abs(r[1]))
+        if deep:
+            name, depth = deep[0]
+            how = f"{name} {'on a bank' if depth > 0 else 'in a cut'} of {abs(depth):.1f} m"
+            text = f"{len(deep)} of {len(depths)} {what} lie more than {DEEPEST:g} m "
+            text += f"above or below the ground, {how}: {remedy}"
+            yield Note("", "terrain", "earthworks", text)
+    worked = judged.finished.values.size * judged.finished.step**2
+    moved = figures["cut"] + figures["fill"]
+    if moved > MOVED * worked:
+        text = f"{moved:,.0f} m³ of ground are moved, {moved / worked:.1f} by the square metre "
+        yield Note("", "terrain", "earthworks", text + f"({MOVED:g} at most): {BEND}")
+
+
+def _depth_of(judged: JudgedTerrain, line: shapely.LineString) -> float:
+    """By how many metres the ground along a line on land is raised or, below 0, lowered most."""
+    points = shapely.get_coordinates(shapely.segmentize(line, STRIDE))
+    heights = _sample(judged.finished, points)
+    dry = np.abs(_sample(judged.deck, points) - heights) < SHARED
+    moved = (heights - _natural(judged, points))[dry]
+    return float(moved[np.argmax(np.abs(moved))]) if len(moved) else 0.0
 
 
 def _sample(grid: HeightGrid, points: Floats) -> Floats:

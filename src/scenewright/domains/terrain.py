@@ -69,9 +69,10 @@ def judge_ground(solution: Solution, plan: Plan, report: Report) -> Report:
     rows = domain_of(solution.brief.domain).verb("ways")(solution, plan)
     driven = [(way.name or f"way {k}", way.line) for k, way in enumerate(rows, 1) if is_driven(way)]
     judged = JudgedTerrain(terrain, *shaped[:3], shaped.floors, driven)
-    findings, figures = judge_terrain(judged, solution.pieces)
+    findings, notes, figures = judge_terrain(judged, solution.pieces)
     told = {**report.figures, "terrain": figures}
-    return replace(report, findings=(*report.findings, *findings), figures=told)
+    findings, notes = [*report.findings, *findings], [*report.notes, *notes]
+    return replace(report, findings=tuple(findings), notes=tuple(notes), figures=told)
 
 
 def is_driven(way: BuiltRoad) -> bool:

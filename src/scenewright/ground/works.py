@@ -11,7 +11,7 @@ import shapely
 
 Corner = tuple[float, float]
 PathKind = Literal["lane", "drive", "walk"]
-AreaKind = Literal["square", "forecourt", "parking", "court"]
+AreaKind = Literal["square", "forecourt", "parking", "court", "park"]
 
 
 class Pathway(NamedTuple):
@@ -33,12 +33,16 @@ def middle_lines(lines: Sequence[Sequence[Any]]) -> Any:
 class PavedArea(NamedTuple):
     """Ground set apart: a ``square`` (``about`` its name), the ``forecourt`` of a landmark
     (``about`` its id), a rectangle of ``parking`` with ``bays`` bays, its first edge on the
-    street, or a ``court`` that buildings enclose."""
+    street, a ``court`` that buildings enclose, or a ``park`` on open ground."""
 
     kind: AreaKind
     outline: tuple[Corner, ...]
     bays: int = 0
     about: str = ""
+
+
+GREEN = ("court", "park")
+"""Kinds of areas that are planted, not paved."""
 
 
 class GroundWorks(NamedTuple):

@@ -42,6 +42,7 @@ PATTERNS = {
     "lane": finish.GRIT,
     "parking": finish.GRIT,
     "court lawn": finish.GRASS,
+    "park lawn": finish.GRASS,
     "crown": finish.LEAVES,
     "light crown": finish.LEAVES,
     "needles": finish.LEAVES,

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from scenewright.core.catalog import Catalog
+from scenewright.core.piece_outlines import polygons_of
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece, Pose, Scene, Size
 from scenewright.core.solution import Solution
@@ -69,7 +70,8 @@ def old_pieces(plan: ExtendPlan, style: str, catalog: Catalog) -> tuple[Piece, .
 def scene_of_extension(solution: Solution, plan: Plan) -> Scene:
     """The scene of a solution: streets, walks and fences, and buildings, old and new."""
     works = lay_walks(plan.detail, solution.pieces)
-    ground = surfaces((plan.detail.ground,), (works,))
+    built = polygons_of([piece for piece in solution.pieces if piece.category == "building"])
+    ground = surfaces((plan.detail.ground,), (works,), built)
     known = plan.spaces[0].id
     fences = fence_plots(solution, plan, works, known)
     ground = (*(row._replace(space=known) for row in ground), *fences)

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
 from scenewright.catalog.assets import shipped
 from scenewright.core.catalog import Asset, Catalog
+from scenewright.core.piece_outlines import polygons_of
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece, Pose, Scene, Size
 from scenewright.core.solution import Solution
@@ -87,5 +90,10 @@ def wrap_angle(angle: float) -> float:
 
 def scene_of_sites(solution: Solution, plan: Plan) -> Scene:
     """The scene of a solution of sites: surfaces of the ground, and buildings."""
-    ground = surfaces(plan.detail, works_of(solution, plan.detail))
+    built = [
+        piece
+        for piece in solution.pieces
+        if piece.category == "building" and np.isfinite([*piece.pose, *piece.size]).all()
+    ]
+    ground = surfaces(plan.detail, works_of(solution, plan.detail), polygons_of(built))
     return Scene(solution.brief.name, plan.levels, plan.spaces, (), (), solution.pieces, ground, ())

@@ -19,7 +19,7 @@ from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains.site.problem import Floats
 from scenewright.ground.plan import SitePlan, Way
 from scenewright.ground.ways.surfaces import kerb
-from scenewright.ground.works import GroundWorks, middle_lines
+from scenewright.ground.works import GREEN, GroundWorks, middle_lines
 
 TREES = 900
 """Most trees of a site."""
@@ -81,7 +81,7 @@ def _ground(
 ) -> GreenGround:
     boxes = [(p.pose.x, p.pose.y, p.pose.heading, p.size.width, p.size.depth) for p in buildings]
     areas = [shapely.Polygon(a.outline, a.holes) for way in plan.roads for a in way.areas]
-    set_apart = [shapely.Polygon(a.outline) for a in works.areas if a.kind != "court"]
+    set_apart = [shapely.Polygon(a.outline) for a in works.areas if a.kind not in GREEN]
     areas += [shapely.Polygon(outline) for outline in plan.waters]
     return GreenGround(
         shapely.Polygon(plan.outline, plan.holes).buffer(-FROM_BORDER),
@@ -100,11 +100,11 @@ def cover_ways(works: GroundWorks) -> NDArray[np.object_]:
 
 
 def _rim_of_squares(works: GroundWorks) -> Floats:
-    """Places (n, 2) of trees round the rim of squares."""
+    """Places (n, 2) of trees round the rim of squares and parks."""
     found = [np.zeros((0, 2))]
     for area in works.areas:
         inner = shapely.Polygon(area.outline).buffer(-RIM, join_style="mitre")
-        if area.kind == "square" and inner.area > RIM * RIM:
+        if area.kind in ("square", "park") and inner.area > RIM * RIM:
             count = max(round(inner.exterior.length / AVENUE), 4)
             at = np.arange(count) / count
             points = inner.exterior.interpolate(at, normalized=True)

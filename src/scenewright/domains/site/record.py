@@ -24,7 +24,7 @@ class PathwayRecord(StrictModel):
 class AreaRecord(StrictModel):
     """Ground set apart: outline in metres, parking bays, the id of the landmark it lies before."""
 
-    kind: Literal["square", "forecourt", "parking", "court"]
+    kind: Literal["square", "forecourt", "parking", "court", "park"]
     outline: Ring
     bays: Annotated[Whole, Field(ge=0, le=100_000)] = 0
     about: Annotated[str, Field(max_length=500)] = ""

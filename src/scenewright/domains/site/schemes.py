@@ -22,7 +22,7 @@ from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
 from scenewright.domains.site.works import works_of
 from scenewright.ground.plan import SitePlan
-from scenewright.ground.works import GroundWorks
+from scenewright.ground.works import GREEN, GroundWorks
 
 FLAT, TERRACE, NET, PERSON = 95.0, 6.0, 0.8, 47.0
 """Square metres of gross floor of a flat, metres of front of a terraced house, net of gross floor,
@@ -91,11 +91,11 @@ def count_sizes(sizes: Sequence[float]) -> dict[str, int]:
 
 
 def measure_green(site: SitePlan, built: Sequence[Piece], works: GroundWorks) -> float:
-    """Square metres that are neither built on nor paved; courts count."""
+    """Square metres that are neither built on nor paved; courts and parks count."""
     paths = [
         shapely.buffer(shapely.LineString(row.line), 0.5 * row.width) for row in works.pathways
     ]
-    paved = [shapely.Polygon(row.outline) for row in works.areas if row.kind != "court"]
+    paved = [shapely.Polygon(row.outline) for row in works.areas if row.kind not in GREEN]
     streets = [shapely.Polygon(a.outline, a.holes) for way in site.roads for a in way.areas]
     marks = [shapely.Polygon(row.footprint) for row in site.landmarks]
     taken = shapely.union_all([*polygons_of(list(built)), *streets, *paths, *paved, *marks])

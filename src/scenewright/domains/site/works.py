@@ -14,11 +14,12 @@ from scenewright.core.solution import Solution
 from scenewright.core.space import Points
 from scenewright.domains.site.brief import Site
 from scenewright.domains.site.courts import find_courts
+from scenewright.domains.site.parks import lay_parks
 from scenewright.ground.buildings.built import BuiltRoad
 from scenewright.ground.plan import SitePlan
 from scenewright.ground.terrain.profiles import rule_area
 from scenewright.ground.ways.pathways import Network, lay_pathways
-from scenewright.ground.works import GroundWorks, Pathway
+from scenewright.ground.works import GREEN, GroundWorks, Pathway
 
 
 def works_of(solution: Solution, plans: Sequence[SitePlan]) -> tuple[GroundWorks, ...]:
@@ -47,10 +48,11 @@ def lay_works(site: Site, plan: SitePlan, pieces: Sequence[Piece]) -> GroundWork
 def gather_works(
     site: Site, plan: SitePlan, pathways: Sequence[Pathway], footprints: Sequence[Points]
 ) -> GroundWorks:
-    """All that is laid out on a site: ways, what was set apart for squares and parking, and the
-    courts that buildings, ``footprints`` (k, 2), enclose."""
-    courts = find_courts(site, plan, footprints)
-    return GroundWorks(plan.id, (*plan.drives, *pathways), (*plan.areas, *courts))
+    """All that is laid out on a site: ways, what was set apart for squares and parking, the
+    courts that buildings, ``footprints`` (k, 2), enclose, and parks where none is near."""
+    ways, areas = (*plan.drives, *pathways), (*plan.areas, *find_courts(site, plan, footprints))
+    parks, walks = lay_parks(plan, ways, areas, footprints)
+    return GroundWorks(plan.id, (*ways, *walks), (*areas, *parks))
 
 
 def network_of(site: Site, plan: SitePlan, buildings: Sequence[Piece]) -> Network:
@@ -74,6 +76,6 @@ def list_ways(solution: Solution, plan: Plan) -> list[BuiltRoad]:
         for line, row in lines
         if line.length >= row.width / 2
     ]
-    paved = [np.array(a.outline) for one in works for a in one.areas if a.kind != "court"]
+    paved = [np.array(a.outline) for one in works for a in one.areas if a.kind not in GREEN]
     paved += [shapely.get_coordinates(line.buffer(wide))[:-1] for line, wide in heads]
     return found + [strip for outline in paved for strip in rule_area(outline)]

@@ -7,6 +7,7 @@ then moved onto that ground exactly.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -19,14 +20,6 @@ from scenewright.geometry.wavefront import find_quickest
 from scenewright.ground.outlines import way as cover
 from scenewright.ground.plan import SitePlan
 from scenewright.ground.streetside.border import Exits, find_mouths, lead_out
-from scenewright.ground.ways.lane_ends import (
-    LONG,
-    TURN,
-    find_dead_ends,
-    lay_heads,
-    link_ends,
-    list_streets,
-)
 from scenewright.ground.ways.path_raster import PathRaster, is_drivable
 from scenewright.ground.ways.path_tree import square_off, straighten, trace
 from scenewright.ground.works import Pathway
@@ -118,21 +111,6 @@ def lay_lanes(
                 found = ground.tree.query(lane, "dwithin", reach + radius - WITHIN)
                 near[found[found < count]] = True
     return first, near
-
-
-def finish_lanes(ground: LaneGround, laying: Laying | None) -> tuple[Pathway, ...]:
-    """Lanes with links between their ends and heads where none is possible."""
-    if laying is None or not laying.laid:
-        return ()
-    streets, radius, laid = list_streets(ground.plan), ground.radius, laying.laid
-    if streets.is_empty:
-        return laid_lanes(laying, 2.0 * radius)
-    every = [*laid, *link_ends(laid, streets, laying.centres, radius)]
-    dead = [n for n in find_dead_ends(every, streets, radius) if every[n].length > LONG]
-    wide = find_centres(ground.plan, ground.built, TURN) if dead else shapely.Polygon()
-    heads = lay_heads(every, streets, laying.centres, wide, radius)
-    rows = [*((lane, 2.0 * radius) for lane in every), *heads]
-    return tuple(Pathway("lane", width, corners_of_line(lane)) for lane, width in rows)
 
 
 def laid_lanes(laying: Laying | None, width: float) -> tuple[Pathway, ...]:
@@ -254,13 +232,36 @@ def find_centres(plan: SitePlan, built: Shapes, radius: float) -> shapely.Geomet
     return shapely.difference(floor.buffer(-radius + SLACK, quad_segs=ROUND), around)
 
 
+def find_centres_near(
+    ground: LaneGround, near: shapely.Geometry, radius: float
+) -> shapely.Geometry:
+    """Where the middle of a disc of some ``radius`` may lie near some ground."""
+    built = ground.built[ground.tree.query(near, "dwithin", radius)]
+    around = shapely.union_all(shapely.buffer(built, radius - SLACK, quad_segs=ROUND))
+    border = shapely.Polygon(ground.plan.outline, ground.plan.holes).boundary
+    close = shapely.buffer(
+        shapely.intersection(border, near.buffer(radius)), radius - SLACK, quad_segs=ROUND
+    )
+    floor = shapely.intersection(shapely.Polygon(ground.plan.outline, ground.plan.holes), near)
+    return shapely.difference(floor, shapely.union(around, close))
+
+
 def lay_lane(ground: LaneGround, laying: Laying, goal: int) -> shapely.LineString | None:
     """A lane from a goal to the nearest road or lane, nothing where it would run into what is
     built; its cells join those used."""
-    raster, slow, radius = ground.raster, laying.tree.slow, ground.radius
     piece = trace(laying.tree.before, goal, laying.used)
-    joins = piece[-1] in laying.used
+    others = laying.laid if piece[-1] in laying.used else []
     laying.used.update(piece)
+    return draw_lane(ground, laying, piece, others)
+
+
+def draw_lane(
+    ground: LaneGround, laying: Laying, piece: Sequence[int], others: Sequence[shapely.LineString]
+) -> shapely.LineString | None:
+    """The middle line of a lane along the cells of a ``piece`` (k,), on to the nearest of the
+    ``others``, or out to a street where there are none; nothing where it would run into what is
+    built."""
+    raster, slow, radius = ground.raster, laying.tree.slow, ground.radius
     straight = straighten(piece, slow, raster.cell)
     line = raster.points_of(square_off(straight, slow))
     if len(line) < 2:
@@ -268,12 +269,10 @@ def lay_lane(ground: LaneGround, laying: Laying, goal: int) -> shapely.LineStrin
     dense = shapely.get_coordinates(shapely.segmentize(shapely.LineString(line), 0.5))
     lines = shapely.shortest_line(shapely.points(dense), laying.centres)
     moved = shapely.get_coordinates(lines)[1::2]
-    if joins:
-        end = shapely.Point(moved[-1])
-        laid = np.array(laying.laid, object)
-        if len(laid):
-            nearest = laid[int(np.argmin(shapely.distance(laid, end)))]
-            moved = np.vstack([moved, shapely.get_coordinates(shapely.shortest_line(end, nearest))])
+    if others:
+        end, laid = shapely.Point(moved[-1]), np.array(others, object)
+        nearest = laid[int(np.argmin(shapely.distance(laid, end)))]
+        moved = np.vstack([moved, shapely.get_coordinates(shapely.shortest_line(end, nearest))])
     else:
         moved[-2:] = dense[-2:]
         moved = lead_out(moved, ground.exits, 4.0 * raster.cell + radius)

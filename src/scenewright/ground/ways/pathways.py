@@ -19,7 +19,8 @@ from scenewright.ground.plan import SitePlan
 from scenewright.ground.streetside.border import find_exits, find_mouths, is_entered_anywhere
 from scenewright.ground.streetside.fronts import cover_lanes, list_ways
 from scenewright.ground.ways.front_lanes import lay_front_lanes, turn_fronts
-from scenewright.ground.ways.lanes import LaneGround, finish_lanes, laid_lanes, lay_lanes
+from scenewright.ground.ways.lane_finish import finish_lanes
+from scenewright.ground.ways.lanes import LaneGround, laid_lanes, lay_lanes
 from scenewright.ground.ways.path_raster import make_raster
 from scenewright.ground.ways.walks import COMFORT, Doors, find_doors, join_doors, lay_walks
 from scenewright.ground.works import Pathway

@@ -9,6 +9,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
 import shapely
+from numpy.typing import NDArray
 
 from scenewright.building.outlines import rings
 from scenewright.core.scene import GroundSurface
@@ -16,12 +17,21 @@ from scenewright.core.space import Points
 from scenewright.ground.outlines import GRID, MITRE
 from scenewright.ground.plan import SitePlan, Way
 from scenewright.ground.streetside.bays import list_bay_lines
+from scenewright.ground.ways.junctions import (
+    LANE_RADIUS,
+    STREET_RADIUS,
+    Crossing,
+    list_crossings,
+    paint,
+    round_corners,
+)
 from scenewright.ground.works import GroundWorks, Pathway
 
 HEIGHTS = {
     "asphalt": 0.03,
     "marking": 0.035,
     "lane": 0.036,
+    "park": 0.015,
     "court": 0.02,
     "parking": 0.032,
     "walk": 0.04,
@@ -36,39 +46,56 @@ SPECK = 0.02
 """Areas smaller than this, in square metres, are left out."""
 
 
-def surfaces(plans: Sequence[SitePlan], works: Sequence[GroundWorks]) -> tuple[GroundSurface, ...]:
+def surfaces(
+    plans: Sequence[SitePlan],
+    works: Sequence[GroundWorks],
+    built: Sequence[shapely.Geometry] | NDArray[np.object_] = (),
+) -> tuple[GroundSurface, ...]:
     """What lies on the ground of all sites, a row for each kind that occurs; ``works`` are the
-    ways laid out on each."""
-    return tuple(row for plan, one in zip(plans, works, strict=True) for row in _of_plan(plan, one))
+    ways laid out on each, and corners of ways are round where none of what is ``built`` stands."""
+    solids = shapely.STRtree(np.array(built, object))
+    pairs = zip(plans, works, strict=True)
+    return tuple(row for plan, one in pairs for row in _of_plan(plan, one, solids))
 
 
-def _of_plan(plan: SitePlan, works: GroundWorks) -> Iterator[GroundSurface]:
+def _of_plan(
+    plan: SitePlan, works: GroundWorks, solids: shapely.STRtree
+) -> Iterator[GroundSurface]:
     floor = shapely.Polygon(plan.outline, plan.holes)
     driven = [way for way in plan.roads if way.kind == "road"]
     roads, paths = (
         _union_areas(driven),
         _union_areas(way for way in plan.roads if way.kind == "path"),
     )
-    lanes = shapely.intersection(_lanes(driven), floor, grid_size=GRID)
+    lanes = round_corners(_lanes(driven), STREET_RADIUS, solids)
+    lanes = shapely.intersection(lanes, floor, grid_size=GRID)
     shapely.prepare(lanes)
+    roads = shapely.union(roads, lanes, grid_size=GRID)
     ways = shapely.union(roads, paths)
-    drives = shapely.difference(pave(works.pathways, "lane"), ways)
+    drives = shapely.union(pave(works.pathways, "lane"), ways)
+    drives = shapely.difference(round_corners(drives, LANE_RADIUS, solids), ways)
     squares = shapely.difference(_paved_areas(works, "square", "forecourt"), ways)
     lots = shapely.difference(_paved_areas(works, "parking"), ways)
     hard = shapely.union_all([ways, drives, squares, lots])
     strips = shapely.difference(pave(works.pathways, "walk"), hard)
-    courts = shapely.difference(_paved_areas(works, "court"), shapely.union(hard, strips))
+    hard = shapely.union(hard, strips)
+    courts = shapely.difference(_paved_areas(works, "court"), hard)
+    parks = shapely.difference(_paved_areas(works, "park"), shapely.union(hard, courts))
     drives = shapely.difference(drives, shapely.union(squares, lots))
+    zebras = list_zebras(plan)
     found = {
         "asphalt": lanes,
         "pavement": shapely.difference(roads, lanes, grid_size=GRID),
         "path": shapely.difference(paths, roads, grid_size=GRID),
         "lane": shapely.intersection(drives, floor, grid_size=GRID),
         "walk": shapely.intersection(strips, floor, grid_size=GRID),
-        "marking": shapely.union(_markings(driven, lanes), _bay_markings(works)),
+        "marking": shapely.union_all(
+            [_markings(driven, lanes, zebras), paint(zebras), _bay_markings(works)]
+        ),
         "square": shapely.intersection(squares, floor, grid_size=GRID),
         "parking": shapely.intersection(lots, floor, grid_size=GRID),
         "court": shapely.intersection(courts, floor, grid_size=GRID),
+        "park": shapely.intersection(parks, floor, grid_size=GRID),
     }
     for kind, shape in found.items():
         areas = tuple(rings(part) for part in _polygons(shape))
@@ -112,6 +139,12 @@ def kerb(width: float) -> float:
     return min(max(0.15 * width, 0.9), 3.0) if width >= 5.5 else 0.0
 
 
+def list_zebras(plan: SitePlan) -> list[Crossing]:
+    """The crossings of the streets of a site that have pavements."""
+    wide = [way.width - 2.0 * kerb(way.width) if kerb(way.width) else 0.0 for way in plan.roads]
+    return list_crossings(plan.roads, wide)
+
+
 def _union_areas(ways: Iterable[Way]) -> shapely.Geometry:
     """The ground of ways, inside the site."""
     parts = [shapely.Polygon(a.outline, a.holes) for way in ways for a in way.areas]
@@ -126,9 +159,11 @@ def _lanes(ways: Sequence[Way]) -> shapely.Geometry:
     return shapely.union_all(wide, grid_size=GRID)
 
 
-def _markings(ways: Sequence[Way], lanes: shapely.Geometry) -> shapely.Geometry:
-    """Dashes along the middle of roads of two lanes, none where another road crosses or the lanes
-    end."""
+def _markings(
+    ways: Sequence[Way], lanes: shapely.Geometry, zebras: Sequence[Crossing]
+) -> shapely.Geometry:
+    """Dashes along the middle of roads of two lanes, none where another road or a crossing lies or
+    the lanes end."""
     wide = [number for number, way in enumerate(ways) if way.width - 2 * kerb(way.width) >= 5.0]
     dashes = [_dashes(ways[number].line) for number in wide]
     if not sum(map(len, dashes)):
@@ -141,6 +176,10 @@ def _markings(ways: Sequence[Way], lanes: shapely.Geometry) -> shapely.Geometry:
     dash, road = shapely.STRtree(ground).query(stripes, predicate="intersects")
     drawn = shapely.covers(lanes, stripes)
     drawn[dash[road != owner[dash]]] = False
+    near = shapely.STRtree([row.area() for row in zebras]).query(
+        stripes, predicate="dwithin", distance=GAP / 2
+    )
+    drawn[near[0]] = False
     return shapely.multipolygons(stripes[drawn])
 
 

@@ -147,7 +147,7 @@ asphalt      asphalt; lane; parking; roofing felt
 gravel       gravel path; yard
 paving       pavement; garden walk
 setts        cobbles
-grass        grass; meadow; court lawn
+grass        grass; meadow; court lawn; park lawn
 leaves       hedge; crown; light crown; needles
 labels       printed card
 spines       book spines

@@ -49,13 +49,15 @@ def find_missing_areas(
 
 
 def measure_areas(works: GroundWorks, bodies: SiteBodies, grounds: JudgedSite) -> dict[str, float]:
-    """Bays, square metres of squares, and the share of courts asked for that are closed."""
+    """Bays, square metres of squares and of parks, the share of courts asked for that close."""
     squares = [shapely.Polygon(row.outline).area for row in works.areas if row.kind == "square"]
+    parks = [shapely.Polygon(row.outline).area for row in works.areas if row.kind == "park"]
     blocks = _court_blocks(grounds, bodies)
     closed = [len(_holes(grounds, bodies, rows)) > 0 for rows in blocks]
     return {
         "bays": sum(row.bays for row in works.areas if row.kind == "parking"),
         "squares": round(float(sum(squares)), 1),
+        "parks": round(float(sum(parks)), 1),
         "courts_closed": round(float(np.mean(closed)), 4) if closed else 1.0,
     }
 

@@ -9,6 +9,7 @@ import numpy as np
 import shapely
 
 from scenewright.core.report import Finding
+from scenewright.core.scene import GroundSurface
 from scenewright.core.space import Points
 from scenewright.domains.site.shapes import StandingBuilding
 from scenewright.drawing.houses import FAULT, GROUND
@@ -35,10 +36,19 @@ from scenewright.drawing.meanings import PieceMeaning
 from scenewright.ground.plan import SitePlan, Way
 from scenewright.ground.streetside.bays import list_bay_lines
 from scenewright.ground.streetside.border import cover_beside
-from scenewright.ground.works import GroundWorks
+from scenewright.ground.works import GREEN, GroundWorks
 
 ASPHALT, PAVING = "#d9d9d6", "#ece3d0"
 LANE, SQUARE, LOT, COURT = "#e2ded6", "#e3d6bd", "#d3d3d0", "#dcead0"
+PAVEMENT, PARK = "#e9e7e2", "#cfe3bd"
+FILLS = {
+    "walk": PAVING,
+    "lane": LANE,
+    "path": PAVING,
+    "pavement": PAVEMENT,
+    "asphalt": ASPHALT,
+    "marking": "#ffffff",
+}
 HATCH = "url(#hatch)"
 FAINT, FULL = np.array([236.0, 226.0, 240.0]), np.array([106.0, 27.0, 130.0])
 """Colours of what walkers see: nothing, and most."""
@@ -96,21 +106,31 @@ def setback_mark(view: PaperView, plan: SitePlan, setback: float) -> Mark:
     return group(rings, fill="none", stroke=GREY, stroke_width=LINE, stroke_dasharray="1.6 1")
 
 
-def ways_mark(view: PaperView, ways: Sequence[Way]) -> Mark:
-    """Paths, then roads over them with their middle line, those beside the site included."""
-    ordered = sorted(ways, key=lambda way: way.kind != "path")
+def surfaces_mark(view: PaperView, surfaces: Sequence[GroundSurface], *kinds: str) -> Mark:
+    """What lies on the ground, of some kinds, one over the other."""
+    return group(
+        [
+            shape([to_paper(view, ring) for ring in (outline, *holes)], fill=FILLS[kind])
+            for kind in kinds
+            for row in surfaces
+            if row.kind == kind
+            for outline, holes in row.areas
+        ],
+        fill_rule="evenodd",
+    )
+
+
+def beside_mark(view: PaperView, ways: Sequence[Way]) -> Mark:
+    """Streets and paths beside the site, with their middle line."""
     areas, middles = [], []
-    for way in ordered:
+    for way in sorted(ways, key=lambda way: way.kind != "path"):
         fill = ASPHALT if way.kind == "road" else PAVING
-        for area in way.areas:
-            rings = [to_paper(view, ring) for ring in (area.outline, *area.holes)]
-            areas.append(shape(rings, fill=fill, fill_rule="evenodd"))
         for part in shapely.get_parts(cover_beside(way)):
             around = [shapely.get_coordinates(ring) for ring in (part.exterior, *part.interiors)]
             rings = [to_paper(view, ring) for ring in around]
             areas.append(shape(rings, fill=fill, fill_rule="evenodd"))
         if way.kind == "road" and way.width * view.scale > 2.0:
-            middles += [line(to_paper(view, part)) for part in (*way.inside, *way.beside)]
+            middles += [line(to_paper(view, part)) for part in way.beside]
     dashed = group(
         middles, fill="none", stroke="#ffffff", stroke_width=0.25, stroke_dasharray="2.4 1.6"
     )
@@ -198,28 +218,11 @@ def model_of(row: StandingBuilding) -> str:
     return f"{row.name} · {row.floors} storeys · {row.high - row.low:.1f} m"
 
 
-def pathways_mark(view: PaperView, works: GroundWorks) -> Mark:
-    """Walks to the doors, and lanes over them."""
-    marks = []
-    for kind, colour in (("walk", PAVING), ("lane", LANE)):
-        rows = [row for row in works.pathways if row.kind == kind]
-        lines = [
-            line(to_paper(view, np.array(row.line)), stroke_width=max(row.width * view.scale, FINE))
-            for row in rows
-        ]
-        cap = "round" if kind == "lane" else "butt"
-        drawn = group(
-            lines, fill="none", stroke=colour, stroke_linejoin="round", stroke_linecap=cap
-        )
-        marks.append(drawn)
-    return group(marks)
-
-
 def areas_mark(view: PaperView, works: GroundWorks) -> Mark:
     """Squares, forecourts, car parks with their bays, and courts; squares with their names."""
-    fills = {"square": SQUARE, "forecourt": SQUARE, "parking": LOT, "court": COURT}
+    fills = {"square": SQUARE, "forecourt": SQUARE, "parking": LOT, "court": COURT, "park": PARK}
     shapes, words = [], []
-    for area in sorted(works.areas, key=lambda row: row.kind != "court"):
+    for area in sorted(works.areas, key=lambda row: row.kind not in GREEN):
         ring = np.array(area.outline)
         caption = f"{area.kind} {area.about}".strip()
         caption += (
@@ -231,6 +234,16 @@ def areas_mark(view: PaperView, works: GroundWorks) -> Mark:
             name = f"P {area.bays}" if area.kind == "parking" else area.about or "Square"
             words.append(_area_name(view, ring, name))
     return group([group(shapes, stroke=GREY, stroke_width=FINE), *words])
+
+
+def park_names_mark(view: PaperView, works: GroundWorks) -> Mark:
+    """The names of parks, to be read over their trees."""
+    marks = []
+    for area in (row for row in works.areas if row.kind == "park"):
+        circle = shapely.maximum_inscribed_circle(shapely.Polygon(area.outline), tolerance=0.5)
+        middle = shapely.get_coordinates(circle)[0]
+        marks.append(plate(area.about, to_paper(view, middle), LABEL, fill=INK))
+    return group(marks)
 
 
 def _area_name(view: PaperView, ring: Points, name: str) -> Mark:

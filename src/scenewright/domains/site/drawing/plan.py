@@ -29,9 +29,10 @@ from scenewright.drawing import sheet as sheets
 from scenewright.drawing.houses import FAULT, LEAF, trees_mark
 from scenewright.drawing.layers import PlanDrawing, PlanLayer, merge_layers
 from scenewright.drawing.legend import LegendRow, arrange, legend_mark
-from scenewright.drawing.marks import NOTHING, PaperView, clean, text
+from scenewright.drawing.marks import NOTHING, PaperView, clean, group, text
 from scenewright.ground.plan import SitePlan
 from scenewright.ground.streetside.border import cover_beside
+from scenewright.ground.ways.surfaces import kerb, surfaces
 from scenewright.ground.works import GroundWorks
 
 MARGIN, CAPTION = 6.0, 7.0
@@ -161,17 +162,32 @@ def _site_layers(
 ) -> list[PlanLayer]:
     """A site on paper, from the ground up."""
     plan, rows = drawing.plan, drawing.rows
+    built = [shapely.Polygon(row.footprint) for row in rows]
+    laid = surfaces((plan,), (drawing.works,), built)
     return [
         PlanLayer("Ground", marks.ground_mark(view, plan)),
         PlanLayer("Squares, parking and courts", marks.areas_mark(view, drawing.works)),
-        PlanLayer("Lanes and walks", marks.pathways_mark(view, drawing.works)),
-        PlanLayer("Roads and paths", marks.ways_mark(view, plan.roads)),
+        PlanLayer("Lanes and walks", marks.surfaces_mark(view, laid, "walk", "lane")),
+        PlanLayer(
+            "Roads and paths",
+            group(
+                [
+                    marks.beside_mark(view, plan.roads),
+                    marks.surfaces_mark(view, laid, "path", "pavement", "asphalt", "marking"),
+                ]
+            ),
+        ),
         PlanLayer("Views", marks.views_mark(view, *seen) if seen else NOTHING),
         PlanLayer("Names of ways", marks.way_names_mark(view, plan.roads)),
         PlanLayer("Setback", marks.setback_mark(view, plan, drawing.site.setback)),
         PlanLayer("Trees", trees_mark(view, drawing.trees)),
         PlanLayer("Buildings", marks.buildings_mark(view, rows)),
-        PlanLayer("Names", marks.labels_mark(view, rows, letters)),
+        PlanLayer(
+            "Names",
+            group(
+                [marks.labels_mark(view, rows, letters), marks.park_names_mark(view, drawing.works)]
+            ),
+        ),
         PlanLayer("Ways in", marks.entrances_mark(view, plan)),
         PlanLayer("Violations", marks.faults_mark(view, rows, drawing.findings)),
     ]
@@ -191,15 +207,18 @@ def legend(
     ways = {way.kind for d in drawings for way in d.plan.roads}
     laid = {path.kind for d in drawings for path in d.works.pathways}
     apart = {area.kind for d in drawings for area in d.works.areas}
+    kerbed = any(kerb(way.width) for d in drawings for way in d.plan.roads if way.kind == "road")
     drawn = any(f.piece in {row.id for row in d.rows} for d in drawings for f in d.findings)
     signs = (
         (any(r.landmark for d in drawings for r in d.rows), "swatch", "Landmark", marks.HATCH),
         ("road" in ways, "swatch", "Road", marks.ASPHALT),
+        (kerbed, "swatch", "Pavement", marks.PAVEMENT),
         ("lane" in laid, "swatch", "Lane", marks.LANE),
         ("path" in ways, "swatch", "Path", marks.PAVING),
         ("walk" in laid, "swatch", "Walk to a door", marks.PAVING),
         (bool(apart & {"square", "forecourt"}), "swatch", "Square, forecourt", marks.SQUARE),
         ("parking" in apart, "swatch", "Parking", marks.LOT),
+        ("park" in apart, "swatch", "Park", marks.PARK),
         ("court" in apart, "swatch", "Closed court", marks.COURT),
         (any(d.trees for d in drawings), "swatch", "Tree", LEAF),
         (any(d.site.setback for d in drawings), "border", "Setback", ""),

@@ -32,6 +32,7 @@ from scenewright.domains.site.solvers.distances import list_reserved_edges
 from scenewright.domains.site.solvers.front import list_square_lines, set_back
 from scenewright.domains.site.solvers.improve import improve_layout
 from scenewright.domains.site.solvers.interlock import interlock
+from scenewright.domains.site.solvers.loosen import loosen_buildings
 from scenewright.domains.site.solvers.outcome import SiteFound, SiteLayout
 from scenewright.domains.site.solvers.perimeter_block import list_front_lines, rim
 from scenewright.domains.site.solvers.schemes import (
@@ -75,7 +76,8 @@ def fill_site(
         if best.present.all() or watch.share(0) >= 1.0 or watch.cancelled():
             break
     assert best is not None
-    best, tries = interlock(problem, best, watch, rng, begun)
+    set_in, tries = interlock(problem, best, watch, rng, begun)
+    best = set_in if set_in is best else loosen_buildings(problem, set_in, watch, rng)
     better, more = improve_layout(problem, best, seed, watch, begun)
     return Found((better,), done + tries + more)
 

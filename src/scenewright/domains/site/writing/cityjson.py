@@ -42,7 +42,7 @@ from scenewright.ground.buildings.city_objects import (
 from scenewright.ground.buildings.city_roofs import add_flat_roof, add_roof
 from scenewright.ground.plan import SitePlan
 from scenewright.ground.ways.surfaces import pave
-from scenewright.ground.works import GroundWorks
+from scenewright.ground.works import GREEN, GroundWorks
 
 
 def write(solution: Solution, path: str | os.PathLike[str], plan: Plan | None = None) -> None:
@@ -90,7 +90,7 @@ def _laid_out(works: GroundWorks, vertices: Vertices) -> Iterator[tuple[str, dic
     for k, area in enumerate(works.areas, 1):
         attributes = {"name": area.about or area.kind, "class": area.kind}
         attributes |= {"bays": area.bays} if area.bays else {}
-        kind = "LandUse" if area.kind == "court" else "TransportSquare"
+        kind = "LandUse" if area.kind in GREEN else "TransportSquare"
         ring = [(np.array(area.outline),)]
         yield f"{works.site}/{area.kind}_{k}", flat_object(kind, ring, attributes, vertices)
 

@@ -28,6 +28,8 @@ from scenewright.domains.site.plan import plans_of
 from scenewright.domains.site.shapes import StandingBuilding, standing
 from scenewright.ground.maps.writing import bearing_of, write_feature, write_points, write_ring
 from scenewright.ground.plan import SitePlan, Way
+from scenewright.ground.ways.junctions import Crossing
+from scenewright.ground.ways.surfaces import kerb, list_zebras
 from scenewright.ground.works import Pathway, PavedArea
 
 FIELDS = (
@@ -53,6 +55,7 @@ AREA_TAGS = {
     "forecourt": {"highway": "pedestrian", "area": "yes"},
     "parking": {"amenity": "parking", "parking": "surface"},
     "court": {"leisure": "garden"},
+    "park": {"leisure": "park"},
 }
 """Tags of OpenStreetMap for what is laid out."""
 
@@ -74,6 +77,7 @@ def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
         map_ = _projection(site, in_degrees)
         features.append(_site(site, plan, map_))
         features += [_way(way, map_) for way in plan.roads]
+        features += [_crossing(one, plan.id, k, map_) for k, one in enumerate(list_zebras(plan), 1)]
         for works in (one for one in solution.detail or () if one.site == plan.id):
             features += [_path(path, plan.id, k, map_) for k, path in enumerate(works.pathways, 1)]
             features += [_area(area, plan.id, k, map_) for k, area in enumerate(works.areas, 1)]
@@ -122,7 +126,15 @@ def _site(site: Site, plan: SitePlan, map_: Projection) -> dict[str, Any]:
 def _way(way: Way, map_: Projection) -> dict[str, Any]:
     kind = "residential" if way.kind == "road" else "footway"
     tags = {"highway": kind, "name": way.name, "width": way.width}
+    tags |= {"sidewalk": "both"} if way.kind == "road" and kerb(way.width) else {}
     return write_feature(way.id, "LineString", write_points(way.line, map_), tags)
+
+
+def _crossing(one: Crossing, site: str, number: int, map_: Projection) -> dict[str, Any]:
+    """A zebra crossing, as a point of its street."""
+    tags = {"highway": "crossing", "crossing": "marked"}
+    (point,) = write_points(one.at[None], map_)
+    return write_feature(f"{site}/crossing_{number}", "Point", point, tags)
 
 
 def _path(path: Pathway, site: str, number: int, map_: Projection) -> dict[str, Any]:
