@@ -178,3 +178,19 @@ def test_pieces_are_edited_from_the_command_line(room: Solution, tmp_path: Path)
     assert any(p.asset.endswith("_retro") for p in after.pieces)
     for wrong in ("--resize=desk=1", "--exchange=desk", "--add=armchair"):
         assert run(["adjust", str(saved), "-o", str(out), wrong]) == 2
+
+
+def test_what_a_person_means_is_accepted_with_the_reason(room: Solution, tmp_path: Path) -> None:
+    saved, out = tmp_path / "room.json", tmp_path / "meant.json"
+    tree = next(p for p in room.pieces if p.category == "potted_tree")
+    x, y = room.brief.rooms[0].doors[0].at
+    sw.write(adjust(room, move={tree.id: (x, y + 0.5)}).solution, saved)
+    kinds = {f.kind for f in sw.check(solution_json.read(saved)).findings}
+    assert kinds, "the tree stands before the door"
+    verbs = [f"--accept={kind}=a show" for kind in sorted(kinds)]
+    assert run(["adjust", str(saved), "-o", str(out), "-q", *verbs]) == 0
+    report = sw.check(solution_json.read(out))
+    assert report.valid
+    assert {f.accepted for f in report.findings} == {"a show"}
+    for wrong in ("--accept=collision", "--accept=nonsense=why", "--accept=blocked_stairs=why"):
+        assert run(["adjust", str(saved), "-o", str(out), wrong]) == 2

@@ -47,6 +47,9 @@ Restyle = Annotated[
     Names,
     typer.Option(metavar="PIECE=STYLE", help="Exchange a piece, or all of a space, by style."),
 ]
+Accept = Annotated[
+    Names, typer.Option(metavar="KIND[:PIECE]=REASON", help="Accept findings of a kind, or of one.")
+]
 
 
 def adjust(
@@ -72,6 +75,7 @@ def adjust(
     restyle: Restyle = None,
     duplicate: Duplicate = None,
     add: Add = None,
+    accept: Accept = None,
     steps: Annotated[int | None, typer.Option(min=1, help="Search budget in steps.")] = None,
     seed: Annotated[int | None, typer.Option(min=0, help="Seed of the random numbers.")] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON document only.")] = False,
@@ -97,6 +101,7 @@ def adjust(
         "restyle": dict(read_word(text, "--restyle", "PIECE=STYLE") for text in restyle or ()),
         "duplicate": tuple(duplicate or ()),
         "add": tuple(map(read_addition, add or ())),
+        "accept": dict(read_word(text, "--accept", "KIND=REASON") for text in accept or ()),
     }
     edits = {verb: what for verb, what in asked.items() if what}
     return _run(AdjustRequest(file, tuple(outputs), edits, steps, seed), as_json, quiet)

@@ -29,6 +29,7 @@ from scenewright.studio.people import AUTHOR, EDIT, OWN, OWNER, RATE, Person, ma
 from scenewright.studio.photos import View
 from scenewright.studio.session import Session
 from scenewright.studio.shapes import Json
+from scenewright.workflow.accepting import accept_findings_by_hand
 from scenewright.workflow.editing import edit_pieces
 
 PIECE: Json = {"type": "string", "description": "id of a piece"}
@@ -122,6 +123,13 @@ def _add(session: Session, asked: Json) -> Json:
 def _resize(session: Session, asked: Json) -> Json:
     piece, size = read_text(asked, "piece"), list(read_pose(asked.get("size")))
     return session.change(f"resized {word_of(piece)}", {"resize": {piece: size}}, edit_pieces)
+
+
+def _accept(session: Session, asked: Json) -> Json:
+    kind, thing = read_text(asked, "kind"), read_text(asked, "piece") or read_text(asked, "space")
+    accept = {f"{kind}:{thing}" if thing else kind: read_text(asked, "reason")}
+    what = f"accepted {kind.replace('_', ' ')}"
+    return session.change(what, {"accept": accept}, accept_findings_by_hand)
 
 
 def _restyle(session: Session, asked: Json) -> Json:
@@ -245,6 +253,12 @@ VERBS: Mapping[str, Verb] = {
         {"piece": PIECE, "style": {"enum": STYLES}, "palette": TEXT},
         _restyle,
         ("style",),
+    ),
+    "accept": Verb(
+        "accept what the referee finds, with the reason",
+        {"kind": TEXT, "piece": PIECE, "space": TEXT, "reason": TEXT},
+        _accept,
+        ("kind", "reason"),
     ),
     "photo": Verb(
         "photograph the scene from a place in a room; a minute or less",

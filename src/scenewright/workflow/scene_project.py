@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from threading import RLock
 from typing import Any
@@ -16,12 +16,15 @@ from scenewright.core.solution import Solution
 from scenewright.domains import adjust, check, plan_of
 from scenewright.formats import solution_json
 from scenewright.workflow import project
+from scenewright.workflow.accepting import accept_findings_by_hand
 from scenewright.workflow.editing import edit_pieces
 
 BY_PLACE = ("move", "swap", "lock", "unlock", "again")
 BY_PIECE = ("remove", "exchange", "resize", "restyle", "duplicate", "add")
-"""Verbs by what does them: :func:`scenewright.domains.adjust`, and
-:func:`scenewright.edit_pieces`."""
+BY_FINDING = ("accept",)
+EDITS = BY_PLACE + BY_PIECE + BY_FINDING
+"""Verbs by what does them: :func:`scenewright.domains.adjust`, :func:`scenewright.edit_pieces`, and
+:func:`.accepting.accept_findings_by_hand`."""
 IN_MEMORY = Path(":memory:")
 
 
@@ -55,8 +58,9 @@ class Project:
 
     def edit(self, seed: int | None = None, **edits: Any) -> Adjusted:
         """Change the scene by verbs of :func:`scenewright.domains.adjust` (move, swap, lock,
-        unlock, again) and :func:`scenewright.edit_pieces` (remove, exchange, resize, restyle,
-        duplicate, add), all as one step; InputError, and nothing is kept, where one cannot be."""
+        unlock, again), :func:`scenewright.edit_pieces` (remove, exchange, resize, restyle,
+        duplicate, add) and ``accept`` (findings, with a reason each), all as one step;
+        InputError, and nothing is kept, where one cannot be."""
         with self._lock:
             number, before = self._shown()
             done = change_scene(before, edits, seed=seed)
@@ -166,23 +170,26 @@ def change_scene(
     seed: int | None = None,
 ) -> Adjusted:
     """A scene after edits by name: those of :func:`scenewright.domains.adjust` first, with its
-    ``steps`` and ``seed``, then those of :func:`scenewright.edit_pieces`. InputError for others."""
-    strange = [name for name in edits if name not in BY_PLACE + BY_PIECE]
+    ``steps`` and ``seed``, then those of :func:`scenewright.edit_pieces`, then what is accepted of
+    the answer. InputError for others."""
+    strange = [name for name in edits if name not in EDITS]
     if strange:
-        known = ", ".join(BY_PLACE + BY_PIECE)
-        raise InputError(f"unknown edit '{strange[0]}'", f"use one of: {known}")
+        raise InputError(f"unknown edit '{strange[0]}'", f"use one of: {', '.join(EDITS)}")
     plan = plan or plan_of(before.brief)
-    done = Adjusted(before, ())
-    by_place, by_piece = (
-        {name: edits[name] for name in names if edits.get(name)} for names in (BY_PLACE, BY_PIECE)
+    by_place, *others = (
+        {name: edits[name] for name in names if edits.get(name)}
+        for names in (BY_PLACE, BY_PIECE, BY_FINDING)
     )
-    if by_place or not by_piece:
+    done = Adjusted(before, ())
+    if by_place or not any(others):
         done = adjust(before, plan=plan, steps=steps, seed=seed, **by_place)
-    if by_piece:
-        after = done.solution
-        plan = plan if after.brief is before.brief else plan_of(after.brief)
-        more = edit_pieces(after, plan=plan, **by_piece)
-        done = Adjusted(more.solution, (*done.changes, *more.changes))
+    verbs: tuple[Callable[..., Adjusted], ...] = (edit_pieces, accept_findings_by_hand)
+    for change, asked in zip(verbs, others, strict=True):
+        if asked:
+            after = done.solution
+            plan = plan if after.brief is before.brief else plan_of(after.brief)
+            more = change(after, plan=plan, **asked)
+            done = Adjusted(more.solution, (*done.changes, *more.changes))
     return done
 
 

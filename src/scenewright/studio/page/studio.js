@@ -199,7 +199,19 @@ function inWords(text) {
 function listFinding(found) {
   const row = item(inWords(found.message), found.pieces, found.blamed), select = row.firstChild.onclick;
   row.firstChild.onclick = () => { select(); lookAt(found); };
+  if (found.blamed && !drag && ["edit", "own"].includes(document.body.dataset.right)) row.append(acceptButton(found));
   return row;
+}
+
+// A person who means it so says why; the brief keeps the reason.
+function acceptButton(found) {
+  const button = document.createElement("button");
+  button.textContent = t("Accept…"); button.className = "accept";
+  button.onclick = () => {
+    const reason = prompt(t("Why is this meant to be so?"))?.trim();
+    if (reason) change("accept", { kind: found.kind, piece: found.pieces[0] ?? "", space: found.space, reason });
+  };
+  return button;
 }
 
 // Before anything is arranged all is missing, which says nothing.
