@@ -8,7 +8,7 @@ same ground.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Container, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -21,48 +21,62 @@ from scenewright.domains.extend.given import wrap_angle
 from scenewright.ground.buildings.plain_buildings import fits_footprint
 from scenewright.ground.plan import SitePlan
 from scenewright.ground.streetside.fronts import find_fronting, list_ways
+from scenewright.ground.streetside.plots import OUTBUILDING
+from scenewright.ground.ways.door_walks import NARROW
 from scenewright.ground.ways.walks import find_doors
 
 QUARTERS = (0, 2, 1, 3)
 """Quarters of a turn that are tried for a front, in turn."""
-CLEAR, STARTS = 0.65, 1.3
-"""Metres that walks keep from houses, and from a street at which they begin."""
+CLEAR, STARTS, LED = 0.65, 1.3, 2
+"""Metres that walks keep from houses, and from a street at which they begin; what it is worth that
+a walk leads to a door."""
 
 
-def front_pieces(plan: SitePlan, pieces: Sequence[Piece]) -> tuple[Piece, ...]:
+def front_pieces(
+    plan: SitePlan, pieces: Sequence[Piece], counted: Container[str] = ()
+) -> tuple[Piece, ...]:
     """Pieces with the fronts of new buildings on a side that a walk leads to and that looks at the
-    street the building stands by, as far as there is one."""
+    street the building stands by, as far as there is one. Outbuildings that no passage leads to
+    are left out, but in areas (by id) whose buildings are ``counted``."""
     ways, found = list_ways(plan, ()), list(pieces)
     rows = [k for k, p in enumerate(pieces) if not p.fixed and fits_footprint(p.asset)]
     if not rows or not len(ways):
         return tuple(found)
-    reach = find_walkable(plan, ways, polygons_of(list(pieces)))
+    shapes = polygons_of(list(pieces))
+    reach = [find_walkable(plan, ways, shapes, clear) for clear in (CLEAR, NARROW)]
     sides = [[turn_front(pieces[k], quarters) for k in rows] for quarters in QUARTERS]
     worth = np.stack([rate_fronts(ways, reach, turned) for turned in sides])
     for number, best in enumerate(worth.argmax(0).tolist()):
         found[rows[number]] = sides[best][number]
-    return tuple(found)
+    small = shapely.area(shapes[rows]) < OUTBUILDING
+    shut = {rows[k] for k in np.flatnonzero(small & (worth.max(0) < LED)).tolist()}
+    shut = {k for k in shut if pieces[k].space not in counted}
+    return tuple(piece for k, piece in enumerate(found) if k not in shut)
 
 
 def rate_fronts(
-    ways: NDArray[np.object_], reach: shapely.Geometry, pieces: Sequence[Piece]
+    ways: NDArray[np.object_], reach: Sequence[shapely.Geometry], pieces: Sequence[Piece]
 ) -> NDArray[np.int64]:
-    """2 for a door (n,) that a walk leads to, and 1 more for one that looks at the way by it."""
+    """:data:`LED` for each way in which a door (n,) is within ``reach``, and 1 more for one that
+    looks at the way by it."""
     doors = find_doors(
         [outline_of(piece) for piece in pieces], np.array([p.pose.heading for p in pieces])
     )
     by, fronting = find_fronting(ways, polygons_of(list(pieces)), doors)
-    steps = shapely.points(doors.places + (CLEAR + 0.05) * doors.ways)
-    led = shapely.dwithin(reach, steps, 0.1)
-    return 2 * led.astype(np.int64) + (fronting | ~by)
+    worth = (fronting | ~by).astype(np.int64)
+    for area, clear in zip(reach, (CLEAR, NARROW), strict=True):
+        steps = shapely.points(doors.places + (clear + 0.05) * doors.ways)
+        worth += LED * shapely.dwithin(area, steps, 0.1)
+    return worth
 
 
 def find_walkable(
-    plan: SitePlan, ways: NDArray[np.object_], shapes: NDArray[np.object_]
+    plan: SitePlan, ways: NDArray[np.object_], shapes: NDArray[np.object_], clear: float
 ) -> shapely.Geometry:
-    """Where the middle of a walk from a street may lie between some buildings."""
+    """Where the middle of a walk from a street may lie between some buildings, ``clear`` of them by
+    metres."""
     floor, streets = shapely.Polygon(plan.outline, plan.holes), shapely.union_all(ways)
-    around = shapely.union_all(shapely.buffer(shapes, CLEAR, quad_segs=2))
+    around = shapely.union_all(shapely.buffer(shapes, clear, quad_segs=2))
     parts = shapely.get_parts(shapely.difference(floor, around))
     found = shapely.union_all(parts[shapely.dwithin(parts, streets, STARTS)])
     shapely.prepare(found)

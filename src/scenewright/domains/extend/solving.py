@@ -179,9 +179,12 @@ def assemble_solution(
     )
     new = tuple(piece for one in found for piece in one.pieces)
     pieces = (*new, *old_pieces(plan, brief.style, catalog))
+    if solver == "grow":
+        counted = {area.id for area in plan.areas if area.row.count is not None}
+        pieces = front_pieces(plan.ground, pieces, counted)
     return Solution(
         brief=with_source_models(brief, plan),
-        pieces=front_pieces(plan.ground, pieces) if solver == "grow" else pieces,
+        pieces=pieces,
         patches=(),
         terms=tuple(term for one in found for term in one.terms),
         left_out=(*(out for one in found for out in one.left_out), *skipped),

@@ -37,11 +37,11 @@ def lay_walks(plan: ExtendPlan, pieces: Sequence[Piece]) -> GroundWorks:
     if not houses or streets.is_empty:
         return GroundWorks("ground")
     floor = shapely.Polygon(plan.ground.outline, plan.ground.holes)
-    ground = WalkGround(floor, streets)
+    ground = WalkGround(floor, streets, joined=True)
     small = [p for p, shape in zip(houses, polygons_of(houses), strict=True) if _serves(shape)]
     large = [piece for piece in houses if piece not in small]
     lines = lay_walks_to_doors(ground, large, small)
-    nearer = WalkGround(floor, shapely.union_all([streets, *lines]))
+    nearer = ground._replace(goals=shapely.union_all([streets, *lines]))
     lines = (*lines, *lay_walks_to_doors(nearer, small, large))
     lines = (*lines, *lay_long_walks(ground, houses, lines))
     corners = (corners_of_line(line) for line in lines)
