@@ -10,9 +10,11 @@ import shapely
 
 import scenewright as sw
 from scenewright.core.piece_outlines import polygons_of
+from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains.extend.problem import GrownLayout
 from scenewright.domains.extend.solvers.fronts import turn_fronts
 from scenewright.ground.buildings.built import BuiltBuilding, BuiltScene, ground_of
+from scenewright.ground.ways.door_walks import WalkGround, lay_long_walks, lay_walks_to_doors
 
 
 @pytest.fixture(scope="module")
@@ -81,3 +83,38 @@ def test_places_apart_are_as_dense_as_one_of_them() -> None:
 
     near, far = BuiltScene("a", tuple(row(0))), BuiltScene("b", (*row(0), *row(5000.0)))
     assert ground_of(far).area == pytest.approx(ground_of(near).area, rel=0.05)
+
+
+def test_walks_join_one_another_and_none_crosses_another() -> None:
+    ground = WalkGround(shapely.box(0, 0, 60, 40), shapely.LineString([(0, 0), (0, 5)]), True)
+    houses = [_house(f"h{k}", 20.0 + 6.0 * k, 20.0) for k in range(4)]
+    walks = lay_walks_to_doors(ground, houses)
+    assert len(walks) == 4
+    assert sum(walk.length for walk in walks) < sum(
+        walk.length for walk in lay_walks_to_doors(ground._replace(joined=False), houses)
+    )
+    for k, walk in enumerate(walks):
+        assert not any(walk.crosses(other) for other in walks[:k])
+
+
+def test_a_passage_too_narrow_for_a_walk_leads_to_a_door_behind_it() -> None:
+    street = shapely.LineString([(0, 0), (30, 0)])
+    ground = WalkGround(shapely.box(0, 0, 30, 20), street, True)
+    wall = [_box("left", 7.0, 6.0, 14.0, 2.0), _box("right", 22.4, 6.0, 15.2, 2.0)]
+    hut = _box("hut", 14.5, 12.0, 3.0, 3.0)
+    walks = shapely.union_all(
+        lay_long_walks(ground, [*wall, hut], lay_walks_to_doors(ground, wall))
+    )
+    door = shapely.Point(14.5, 10.5)
+    assert walks.distance(street) < 1e-6
+    assert walks.distance(door) < 1e-6
+    assert min(walks.distance(shape) for shape in polygons_of(wall)) > 0.2
+
+
+def _house(name: str, x: float, y: float) -> Piece:
+    return _box(name, x, y, 4.0, 4.0)
+
+
+def _box(name: str, x: float, y: float, width: float, depth: float) -> Piece:
+    pose, size = Pose(x, y, 0.0, -np.pi / 2), Size(width, depth, 5.0)
+    return Piece(name, "building", "", "area-1", pose, size)

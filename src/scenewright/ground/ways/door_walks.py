@@ -102,7 +102,7 @@ def _go_round(
     if ground.joined:
         rows = grow_paths(slow, cell, starts, np.array([*places.values()], np.int32), before)
     else:
-        rows = [trace(before, nearest, ()) for nearest in places.values()]
+        rows = [np.array(trace(before, k, ()), np.int32) for k in places.values()]
     walks = []
     for k, row in enumerate(rows):
         line = cells[straighten(row, slow, cell)]
