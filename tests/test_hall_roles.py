@@ -92,3 +92,37 @@ def test_doors_called_after_who_works_there_are_not_the_way_in() -> None:
     assert math.hypot(desk.pose.x - 3.0, desk.pose.y) < math.hypot(
         desk.pose.x - 10, desk.pose.y - 9
     )
+
+
+def test_goods_that_staff_hands_over_stand_behind_its_counter() -> None:
+    bread = {"category": "wall_shelving", "name": "bread", "count": 3}
+    solution = lay([{"category": "counter", "count": 2}, bread], theme="food")
+    goods = [p for p in solution.pieces if p.category == "wall_shelving"]
+    desks = [p for p in solution.pieces if p.category == "counter"]
+    assert len(goods) == 3
+    for piece in goods:
+        near = min(desks, key=lambda d: math.dist(d.pose[:2], piece.pose[:2]))
+        ahead = np.array([math.cos(near.pose.heading), math.sin(near.pose.heading)])
+        off = np.subtract(near.pose[:2], piece.pose[:2])
+        assert piece.pose.heading == pytest.approx(near.pose.heading)
+        assert off @ ahead == pytest.approx(0.95 + 0.5 * (near.size.depth + piece.size.depth))
+    assert not check(solution).findings
+
+
+def test_a_box_of_ones_own_is_drawn_as_the_thing_it_is_called() -> None:
+    sizes = {"car": (4.4, 1.8, 1.5), "leather sofa": (2.0, 0.9, 0.8), "sofa": (0.3, 0.3, 0.3)}
+    boxes = [
+        {"category": "box", "id": f"own{k}", "name": name, "size": size}
+        for k, (name, size) in enumerate(sizes.items())
+    ]
+    drawn = {p.function: p.asset for p in lay(boxes).pieces}
+    assert drawn["own0"].startswith("exhibit_island_car")
+    assert drawn["own1"].startswith("sofa")
+    assert drawn["own2"] == "box"
+
+
+def test_a_hall_without_doors_is_walked_from_its_roomiest_floor() -> None:
+    shelves = {"category": "wall_shelving", "count": 26}
+    solution = lay([shelves, {"category": "checkout", "count": 3}], doors=[])
+    assert len([p for p in solution.pieces if p.category == "wall_shelving"]) == 26
+    assert not check(solution).findings

@@ -30,6 +30,25 @@ def suggest_kinds(name: str, kinds: Mapping[str, Kind]) -> list[str]:
     return list(dict.fromkeys(named or get_close_matches(name, spelt, MOST)))[:MOST]
 
 
+def list_called(name: str, kinds: Mapping[str, Kind]) -> list[str]:
+    """The categories a name, or else its last word, says exactly, in any language.
+
+    >>> from scenewright.catalog.kinds import KINDS
+    >>> [list_called(name, KINDS)[:1] for name in ("leather sofa", "Kleiderschrank", "kayak")]
+    [['sofa'], ['wardrobe'], []]
+    """
+    said = name.casefold().replace("_", " ").split() or [""]
+    for word in (" ".join(said), said[-1]):
+        found = [
+            key
+            for key, kind in kinds.items()
+            if word == key.replace("_", " ") or word in _phrases(kind)
+        ]
+        if found:
+            return found
+    return []
+
+
 def offer_kinds(name: str, kinds: Mapping[str, Kind]) -> str:
     """What to write instead of a name that is no kind.
 

@@ -40,6 +40,8 @@ LANDING = 1.5
 WINDOW = 0.3
 ZONE_SHARE, MOST_OF_ZONE = 0.75, 0.8
 """δ_min: this share of what its objects demand of a zone, and at most."""
+STARTS = 2.0
+"""How wide the floor is from which a walk begins in a hall without doors, in routes."""
 MARGIN = 0.1
 """Passages are planned this much wider than asked for, in metres."""
 EACH = 2.0
@@ -181,7 +183,7 @@ def _ground(
         edges=edges_of(hall.space),
         obstacles=_rows([box for piece in solid for box in boxes_of(piece)], 5),
         keep_free=_rows([*_kept_free(hall.space, seen), *map(list, hall.queues)], 5),
-        doors=_rows([throat(gate) for gate in doors], 5),
+        doors=_rows([throat(gate) for gate in doors] or _list_starts(hall), 5),
         zone_edges=np.concatenate(rings),
         zone_spans=np.stack([ends - [len(ring) for ring in rings], ends], 1),
         zone_areas=areas,
@@ -200,6 +202,18 @@ def _ground(
         standing=_rows([list(boxes_of(piece)[0]) for piece, _ in locked], 5),
         standing_access=_rows([[float(k in sides) for k in SIDES] for _, sides in locked], 4),
     )
+
+
+def _list_starts(hall: HallContext) -> list[list[float]]:
+    """Where a walk begins in a hall without doors, as maps draw some: the middle of its roomiest
+    floor, where the referee begins too; nowhere where groups stay as printed."""
+    solid = polygons_of([p for p in (*hall.fixed, *hall.beside) if _solid(p)])
+    floor = shapely.Polygon(hall.space.outline, hall.space.holes)
+    bare = floor.difference(shapely.union_all([*solid]))
+    if hall.settings.whole or bare.is_empty:
+        return []
+    circle = shapely.maximum_inscribed_circle(bare, tolerance=0.05)
+    return [[*circle.coords[0], 0.0, STARTS * hall.route, STARTS * hall.route]]
 
 
 def _find_locked(hall: HallContext, catalog: Catalog) -> list[tuple[Piece, tuple[str, ...]]]:

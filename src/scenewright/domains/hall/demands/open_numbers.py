@@ -25,6 +25,7 @@ from scenewright.domains.hall.demands.checked import (
 from scenewright.domains.hall.demands.holdings import fill_defaults
 from scenewright.domains.hall.demands.programme import (
     AT_WALLS,
+    CASES_BETWEEN,
     CROSS_AISLE,
     LONGEST_RUN,
     PLAYED,
@@ -37,6 +38,7 @@ from scenewright.domains.hall.demands.programme import (
 )
 from scenewright.domains.hall.demands.themes import (
     LINED,
+    RETAIL,
     THEMES,
     USUAL_ROLES,
     Role,
@@ -233,7 +235,8 @@ def _front(demand: Demand) -> float:
     """Metres of wall that one object of a demand takes."""
     filled = fill_defaults(demand, "")
     apart = any(filled.clearance[1::2]) and demand.category not in PLAYED
-    return filled.sizes[0].width + WALL_BETWEEN * apart
+    between = CASES_BETWEEN if demand.category in RETAIL else WALL_BETWEEN
+    return filled.sizes[0].width + between * apart
 
 
 def zones_of(demand: Demand, hall: HallContext) -> Floats:

@@ -16,8 +16,9 @@ from scenewright.domains.hall.demands.themes import THEME_OF, THEMES, USUAL_ROLE
 LONGEST_RUN, CROSS_AISLE, RUNS = 10.0, 1.5, 8
 """Metres of goods in a row between two aisles across it, at most, how wide these are, and how many
 such runs there are at least: of less goods the search makes shorter rows (measured, 2026)."""
-WALL_BETWEEN = 1.0
-"""Metres of wall between pictures (George 2015, The Curator's Handbook)."""
+WALL_BETWEEN, CASES_BETWEEN = 1.0, 0.4
+"""Metres of wall between pictures (George 2015, The Curator's Handbook), and for each case of goods
+beside it, with its part of the corners."""
 WALLS_OF_FILL = 0.75
 """Share of what may stand on the floor that stands at walls, at most."""
 SMALLEST_SHOP = 30.0

@@ -30,7 +30,8 @@ class Role(NamedTuple):
     (``out``). It stands ``across`` the way, ``beside`` the door at walls, ``far`` from it, or is a
     desk at which people are ``served``: between ``least`` and ``within`` metres from the door,
     looking there as far as it ``faces`` matters, near a door at the ``back`` for those who serve,
-    and with ``queue`` metres of free floor before it."""
+    with ``queue`` metres of free floor before it, and with the goods ``behind`` it at the wall that
+    are handed over there, by words in their names."""
 
     category: str
     door: str
@@ -40,8 +41,12 @@ class Role(NamedTuple):
     faces: float = 1.0
     back: float = 0.0
     queue: float = 1.5
+    behind: str = ""
 
 
+KEPT = "cigarette tobacco spirits zigarette tabac"
+HANDED = f"bread loave bottle medicine drugs brot brötchen flasche pain bouteille {KEPT}"
+"""Goods that staff hands over: at a till those that are locked away, at a counter bread too."""
 USUAL_ROLES = (
     Role("ticket_gate", "out", "across", 3.0),
     Role("cash_machine", "in", "beside", 5.0, least=0.5),
@@ -49,8 +54,8 @@ USUAL_ROLES = (
     Role("vending_machine", "in", "beside", 12.0, least=1.5),
     Role("fitting_room", "in", "far", 1000.0),
     Role("info_desk", "in", "served", 4.0, least=2.5, faces=1.6),
-    Role("checkout", "out", "served", 3.5, least=2.0, faces=1.4),
-    Role("counter", "in", "served", 9.0, least=2.5, faces=2.0, back=1.0),
+    Role("checkout", "out", "served", 3.5, least=2.0, faces=1.4, behind=KEPT),
+    Role("counter", "in", "served", 9.0, least=2.5, faces=2.0, back=1.0, behind=HANDED),
 )
 """Where visitors ask, pay and are served: desks to ask at and to pay at are at hand beside the way
 in and out, counters are seen from it and near the room behind (Neufert 2012, shops, banks,

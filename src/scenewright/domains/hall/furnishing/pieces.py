@@ -9,6 +9,7 @@ from collections.abc import Iterator
 import numpy as np
 import shapely
 
+from scenewright.catalog.suggestions import list_called
 from scenewright.core.catalog import Asset, Catalog, footprint_of
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.domains.hall.build_problem import HallContext
@@ -24,6 +25,8 @@ from scenewright.domains.hall.terms.state import Kept
 from scenewright.domains.hall.zoning.assign import Unit
 
 NAMES = tuple(PATTERNS)
+OWN, SHOWN = "box", "exhibit_island"
+"""The kind of things of one's own, and that of large things that are shown, as cars."""
 
 
 def furnish_hall(
@@ -102,10 +105,24 @@ def _model_of(
 ) -> Asset | None:
     """The model that draws an object: one that is called as the demand or else its ``hall`` is (a
     bakery), another for the next object where there are several (paintings, cars), else one of its
-    kind and size."""
+    kind and size. A box of one's own called as a known thing of its size is drawn as that."""
+    known = _list_known(wish.name, number, size, catalog) if wish.category == OWN else ()
+    for asset in known:
+        return asset
     names = (f"{wish.id} {wish.name}", hall)
     called = (catalog.choose_called(wish.category, name, number - 1) for name in names)
     return next((one for one in called if one), None) or catalog.choose(wish.category, size)
+
+
+def _list_known(name: str, number: int, size: Size, catalog: Catalog) -> Iterator[Asset]:
+    """The models of the things a name says that are drawn at a size."""
+    shown = catalog.choose_called(SHOWN, name.split()[-1] if name.split() else "", number - 1)
+    kinds = (catalog.choose(kind, size) for kind in list_called(name, catalog.kinds))
+    for asset in (shown, *kinds):
+        if asset is not None and asset.category != OWN:
+            limits = zip(asset.smallest, size, asset.largest, strict=True)
+            if all(low <= side <= high for low, side, high in limits):
+                yield asset
 
 
 def placed_groups(

@@ -48,6 +48,8 @@ ROPE, LANE_ROPES = "rope_barrier", 4
 """Barriers of a queue, and the most of them that make one straight lane before desks."""
 STOOLS_DEEP, TILLS_APART = 0.9, 1.0
 """Metres before a counter with stools, and between tills with belts."""
+BEHIND = "/behind"
+"""What the group of goods behind a line is called after that of the others."""
 BESIDE_OFF, ALONG_STEP = 0.02, 0.3
 """Metres off the wall of what stands beside a door, and between the places tried."""
 
@@ -69,6 +71,7 @@ def set_at_doors(
     with their staff and queue, where they and the route beside them find free floor."""
     before, lines = asked, list[Service]()
     by_kind, rest, used = {r.category: r for r in roles}, list[HallDemand](), set[str]()
+    taken = dict[str, int]()
     found, doors = list[Piece](), {gate.opening.id: gate for gate in gates(hall.space)}
     for way in ways_in(hall.space)[: bool(roles)]:
         asked, pieces = furnish_nave(hall, asked, doors[way.id], catalog)
@@ -89,14 +92,19 @@ def set_at_doors(
             role = role._replace(queue=STOOLS_DEEP)
         near = _find_doors(hall, wish, role, boards) if role else []
         free = [door for door in near if door.opening.id not in used or wish.category != GATE]
-        made = _set_one(hall, wish, role, free, catalog) if role else None
+        goods = _find_goods(asked, role, taken) if role else None
+        made = _set_one(hall, wish, role, free, catalog, goods) if role else None
         if made is None:
             rest.append(wish)
             continue
         hall, pieces, door, line = made
+        if goods and line:
+            taken[goods.id] = len(line.goods)
         found += pieces
         used.add(door)
         lines += [line] if line and wish.category in QUEUED_AT else []
+    rest = [w._replace(sizes=w.sizes[taken.get(w.id, 0) :]) for w in rest]
+    rest = [w for w in rest if w.sizes]
     names = {wish.id: wish.name for wish in asked}
     desks = tuple(piece for piece in found if piece.function in names)
     chairs = desk_chairs(desks, names, (), tuple(found), catalog)
@@ -109,14 +117,28 @@ def set_at_doors(
 def _set_ropes(
     hall: HallContext, asked: list[HallDemand], lines: list[Service], catalog: Catalog
 ) -> tuple[HallContext, list[HallDemand], tuple[Piece, ...]]:
-    """Ropes two by two before the first line of desks people queue at, with a lane between them."""
+    """Ropes two by two before the first line of desks people queue at, with a lane between them, on
+    floor that stays free."""
     wish = next((w for w in asked if w.category == ROPE and w.unstated), None)
     row = place_ropes(hall, lines[0], wish) if wish and lines else None
     if wish is None or row is None:
         return hall, asked, ()
     pieces = _make_row(hall, wish, row, catalog)
     rest = [other for other in asked if other is not wish]
-    return hall._replace(fixed=(*hall.fixed, *pieces)), rest, pieces
+    lane = box_round(row) + np.array([0.0, 0.0, 0.0, hall.route, hall.route])
+    queues = (*hall.queues, tuple(lane.tolist()))
+    return hall._replace(fixed=(*hall.fixed, *pieces), queues=queues), rest, pieces
+
+
+def _find_goods(asked: list[HallDemand], role: Role, taken: dict[str, int]) -> HallDemand | None:
+    """Goods at walls that are handed over where people are served by a role, as bread: by their
+    names."""
+    for wish in asked:
+        said = f"{wish.id} {wish.name}".casefold()
+        mine = wish.at_wall and wish.unstated and wish.id not in taken and not wish.zones
+        if mine and any(word in said for word in role.behind.split()):
+            return wish
+    return None
 
 
 def _has_belts(wish: HallDemand) -> bool:
@@ -126,16 +148,25 @@ def _has_belts(wish: HallDemand) -> bool:
 
 
 def _set_one(
-    hall: HallContext, wish: HallDemand, role: Role, doors: list[DoorApproach], catalog: Catalog
+    hall: HallContext,
+    wish: HallDemand,
+    role: Role,
+    doors: list[DoorApproach],
+    catalog: Catalog,
+    goods: HallDemand | None,
 ) -> tuple[HallContext, tuple[Piece, ...], str, Service | None] | None:
     """The hall with a demand at the first door that has room for it, its pieces, that door, and the
     line of desks they are."""
     for door in doors:
         if role.stands == "served":
-            place = find_service(hall, wish, role, door)
+            place = find_service(hall, wish, role, door, goods.sizes if goods else ())
+            if place is None:
+                place = find_service(hall, wish, role, door, ())
             if place is None:
                 continue
             pieces, stand = furnish_service(hall, wish, place, catalog)
+            if goods:
+                pieces = (*pieces, *_make_row(hall, goods, place.goods, catalog, BEHIND))
             free = (tuple(place.queue), *map(tuple, place.way))
             hall = hall._replace(fixed=(*hall.fixed, *stand), queues=(*hall.queues, *free))
             return hall, pieces, door.opening.id, place
@@ -268,13 +299,13 @@ def _lay_rails(
 
 
 def _make_row(
-    hall: HallContext, wish: HallDemand, row: Floats, catalog: Catalog
+    hall: HallContext, wish: HallDemand, row: Floats, catalog: Catalog, beside: str = ""
 ) -> tuple[Piece, ...]:
-    """The pieces of some gates at their boxes (n, 5)."""
-    group = f"{hall.space.id}/{wish.id}"
+    """The pieces of some gates, or the first of some goods, at their boxes (n, 5)."""
+    group = f"{hall.space.id}/{wish.id}{beside}"
     return tuple(
         make_piece(hall, wish, group, number, (Pose(x, y, 0.0, turn), size), catalog)
         for number, (size, (x, y, turn, *_)) in enumerate(
-            zip(wish.sizes, row.tolist(), strict=True), 1
+            zip(wish.sizes, row.tolist(), strict=False), 1
         )
     )

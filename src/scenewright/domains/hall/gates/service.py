@@ -38,27 +38,30 @@ OPEN_END, PER_METRE, PER_BACK = 0.8, 0.8, 0.06
 the nearest door at the back."""
 ROPES_OFF, ROPE_LANE = 1.0, 1.2
 """Metres from a desk to the ropes before it, and between two."""
-LOOKS_AWAY, JUST_INSIDE = -0.3, 1.0
-"""The least cosine between a front and the way to who comes in, so many metres inside the door."""
+LOOKS_AWAY, JUST_INSIDE = -0.45, 1.0
+"""The least cosine between the front of each desk and the way to the door; who comes in is looked
+at so many metres inside it."""
 
 
 class Service(NamedTuple):
     """A line of desks: boxes (n, 5) of these, the floor of the line with its staff and that of its
-    queue (5,), boxes (k, 5) of what shuts its ends off, that one comes in by first, and (1, 5) of
-    the floor before that."""
+    queue (5,), boxes (k, 5) of what shuts its ends off, that one comes in by first, (1, 5) of
+    the floor before that, and (g, 5) of goods at the wall behind."""
 
     row: Floats
     body: Floats
     queue: Floats
     ends: Floats
     way: Floats
+    goods: Floats
 
 
 def find_service(
-    hall: HallContext, wish: HallDemand, role: Role, door: DoorApproach
+    hall: HallContext, wish: HallDemand, role: Role, door: DoorApproach, goods: tuple[Size, ...]
 ) -> Service | None:
-    """The best free place of a line of desks by its role at a door; None where there is none."""
-    ranked = sorted(_list_places(hall, wish, role, door), key=lambda one: one[0])
+    """The best free place of a line of desks by its role at a door, with as many ``goods`` behind
+    it as it is long; None where there is none."""
+    ranked = sorted(_list_places(hall, wish, role, door, goods), key=lambda one: one[0])
     floor = shapely.Polygon(hall.space.outline, hall.space.holes)
     way = before(door, max(WAY_WIDTH, door.opening.width), CLEAR_OF_WAY)
     taken = shapely.polygons(corners(taken_floor(hall)))
@@ -68,7 +71,7 @@ def find_service(
 
 
 def _list_places(
-    hall: HallContext, wish: HallDemand, role: Role, door: DoorApproach
+    hall: HallContext, wish: HallDemand, role: Role, door: DoorApproach, goods: tuple[Size, ...]
 ) -> Iterator[tuple[float, Service]]:
     """Places of a line along the walls of its zones with what each costs."""
     wide = sum(size.width for size in wish.sizes)
@@ -87,9 +90,9 @@ def _list_places(
         for at in np.unique(
             [0.02, *np.arange(SERVICE_STEP, spare, SERVICE_STEP), max(spare - 0.02, 0.0)]
         ):
-            place = _stand(wish, role, start + at * along, along, left)
             if at > spare:
                 continue
+            place = _stand(wish, role, start + at * along, along, left, goods)
             shut = [_meets_wall(floor, place, along, left, side) for side in (-1, 1)]
             if not all(shut):
                 ends = _list_ends(place, along, left, shut)
@@ -97,27 +100,59 @@ def _list_places(
                 yield cost, place._replace(ends=ends, way=_find_way(hall, place.body, ends[0]))
 
 
-def _stand(wish: HallDemand, role: Role, start: Floats, along: Floats, left: Floats) -> Service:
+def _stand(
+    wish: HallDemand,
+    role: Role,
+    start: Floats,
+    along: Floats,
+    left: Floats,
+    goods: tuple[Size, ...],
+) -> Service:
     """A line that begins at a point of a wall; right of its fronts is where the wall begins."""
-    turn, rows, at = float(np.arctan2(left[1], left[0])), list[list[float]](), 0.0
-    deep = max(size.depth for size in wish.sizes)
-    for size in reversed(wish.sizes):
-        x, y = (
-            start + (at + 0.5 * size.width) * along + (STAFF_FLOOR + deep - 0.5 * size.depth) * left
+    turn = float(np.arctan2(left[1], left[0]))
+    wide = sum(size.width for size in wish.sizes)
+    held = _count_fitting(goods, wide - 2.0 * END_RAIL)
+    behind = max((size.depth for size in goods[:held]), default=0.0)
+    back = STAFF_FLOOR + behind
+    body = back + max(size.depth for size in wish.sizes)
+
+    def line(sizes: tuple[Size, ...], at: float, fronts: float) -> Floats:
+        """Boxes (n, 5) side by side, their fronts so far from the wall, the first one last."""
+        rows = list[list[float]]()
+        for size in reversed(sizes):
+            x, y = start + (at + 0.5 * size.width) * along + (fronts - 0.5 * size.depth) * left
+            rows.append([float(x), float(y), turn, size.width, size.depth])
+            at += size.width
+        return np.array(rows[::-1]).reshape(-1, 5)
+
+    def floor(low: float, deep: float) -> Floats:
+        """The box (5,) of the floor from so far off the wall on."""
+        return np.array(
+            [*(start + 0.5 * wide * along + (low + 0.5 * deep) * left), turn, wide, deep]
         )
-        rows.append([float(x), float(y), turn, size.width, size.depth])
-        at += size.width
-    middle = start + 0.5 * at * along
-    body = np.array([*(middle + 0.5 * (STAFF_FLOOR + deep) * left), turn, at, STAFF_FLOOR + deep])
-    ahead = STAFF_FLOOR + deep + 0.5 * role.queue
-    queue = np.array([*(middle + ahead * left), turn, at, max(role.queue, 0.01)])
-    return Service(np.array(rows[::-1]), body, queue, np.zeros((0, 5)), np.zeros((0, 5)))
+
+    stored = sum(size.width for size in goods[:held])
+    return Service(
+        row=line(wish.sizes, 0.0, body),
+        body=floor(0.0, body),
+        queue=floor(body, max(role.queue, 0.01)),
+        ends=np.zeros((0, 5)),
+        way=np.zeros((0, 5)),
+        goods=line(goods[:held], 0.5 * (wide - stored), behind),
+    )
+
+
+def _count_fitting(goods: tuple[Size, ...], wide: float) -> int:
+    """How many of some goods stand side by side on so many metres."""
+    ends = np.cumsum([size.width for size in goods])
+    return int((ends <= wide).sum())
 
 
 def _side(place: Service, along: Floats, left: Floats, side: int) -> Floats:
     """The middle (2,) of the open end of the floor of staff on one side."""
-    deep = place.body[4] - STAFF_FLOOR
-    middle: Floats = place.body[:2] - 0.5 * deep * left + side * 0.5 * place.body[3] * along
+    goods = float(place.goods[:, 4].max(initial=0.0))
+    off = 0.5 * (goods + STAFF_FLOOR + goods - place.body[4])
+    middle: Floats = place.body[:2] + off * left + side * 0.5 * place.body[3] * along
     return middle
 
 
@@ -154,8 +189,9 @@ def _weigh(row: Floats, role: Role, door: DoorApproach, backs: list[Floats]) -> 
         float(np.hypot(*(door.face - middle))),
         door.face + JUST_INSIDE * door.inward - middle,
     )
-    facing = float(way @ (cos(turn), sin(turn))) / max(float(np.hypot(*way)), 1e-9)
-    if facing < LOOKS_AWAY:
+    ahead, to_door = np.array([cos(turn), sin(turn)]), door.face - row[:, :2]
+    facing = float(way @ ahead) / max(float(np.hypot(*way)), 1e-9)
+    if (to_door @ ahead < LOOKS_AWAY * np.hypot(*to_door.T)).any():
         return float("inf")
     off = max(far - role.within, 0.0) + max(role.least - far, 0.0)
     back = min((float(np.hypot(*(at - middle))) for at in backs), default=0.0)

@@ -28,7 +28,7 @@ from scenewright.domains.home.walking.remove_blockers import Opened
 LEAST = 3.0  # by how much a room is to cost less, where nothing is found less
 BUDGET = 150  # rooms that are weighed
 MOVES_OF = {
-    "near": ("elsewhere", "amid", "other table", "fewer"),
+    "near": ("elsewhere", "amid", "pair", "other table", "lounge", "fewer"),
     "far fridge": ("remake",),
     "loose cabinet": ("join",),
     "window": ("elsewhere", "reorder", "pair", "amid", "remake"),

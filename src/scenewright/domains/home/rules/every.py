@@ -111,13 +111,8 @@ EVERY = (
         0.5, 6.0, _OPENS, NEUFERT, late=True,
     ),
     Row(
-        "shelves_front", stand("a bookcase or shoe cabinet", "shoe_cabinet", "bookcase"),
+        "shelves_front", stand("shelves", "shoe_cabinet", "bookcase", "storage_shelf"),
         clear(FRONT, each=True), ANYTHING, 0.4, 5.0, _OPENS, NEUFERT, late=True,
-    ),
-    Row(
-        "storage_front", stand("open shelves", "storage_shelf"), clear(FRONT, each=True),
-        stand("a chest", "chest_of_drawers", "console_table", "sideboard", "vanity"), 0.3, 6.0,
-        _OPENS, NEUFERT, late=True,
     ),
     Row(
         "wardrobe_wall", stand("a wardrobe", "wardrobe"), clear(FRONT, 0.15), BY_WALLS, 0.45, 8.0,

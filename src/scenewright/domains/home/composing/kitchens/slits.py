@@ -25,10 +25,11 @@ from scenewright.domains.home.attempts.attempt import (
 from scenewright.domains.home.composing.case_faults import find_neighbour
 from scenewright.domains.home.composing.places.moving import dress_group, with_margin
 from scenewright.domains.home.composing.places.wall_stretch import find_stretch, list_taken
+from scenewright.domains.home.composing.spacing.rules import measure_closeness
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.domains.home.groups.classes import RUNS
 from scenewright.domains.home.groups.kitchen import UNIT_DEPTH, WORKTOP_HEIGHT
-from scenewright.domains.home.measures import RAISED
+from scenewright.domains.home.measures import HAIR, RAISED
 
 SLIT = (0.03, 0.25)  # between these a gap is a slit, metres
 WIDEST = 1.0  # greatest width of a cabinet that grows, metres
@@ -44,8 +45,9 @@ class Slit(NamedTuple):
 
 
 def close_slits(task: RoomTask, answer: RoomAnswer, barred: frozenset[str]) -> RoomAnswer:
-    """The answer with the slits at the ends of its kitchen closed where that bars no way; as it
-    was where something was taken off the kitchen: laid out anew it would be back."""
+    """The answer with the slits at the ends of its kitchen closed where that bars no way and brings
+    it no nearer to what keeps off; as it was where something was taken off the kitchen: laid out
+    anew it would be back."""
     run = next((p for p in answer.placed if p.wish.group in RUNS and p.pieces), None)
     if run is None or not may_grow(task, run):
         return answer
@@ -58,7 +60,9 @@ def close_slits(task: RoomTask, answer: RoomAnswer, barred: frozenset[str]) -> R
                 break
             at = answer.placed.index(run)
             placed = (*answer.placed[:at], closed, *answer.placed[at + 1 :])
-            if not bars_no_more(with_margin(task), placed, barred):
+            rooms = (placed, answer.placed)
+            near, before = (measure_closeness(r, task.fixed, task.ground) for r in rooms)
+            if near > before + HAIR or not bars_no_more(with_margin(task), placed, barred):
                 break
             answer, run = answer._replace(placed=placed), closed
     return answer
