@@ -28,7 +28,7 @@ from scenewright.domains.home.walking.remove_blockers import Opened
 LEAST = 3.0  # by how much a room is to cost less, where nothing is found less
 BUDGET = 150  # rooms that are weighed
 MOVES_OF = {
-    "near": ("elsewhere", "amid", "pair", "other table", "lounge", "fewer"),
+    "near": ("elsewhere", "swap", "amid", "pair", "other table", "lounge", "fewer"),
     "far fridge": ("remake",),
     "loose cabinet": ("join",),
     "window": ("elsewhere", "reorder", "pair", "amid", "remake"),
@@ -36,8 +36,8 @@ MOVES_OF = {
     "door": ("elsewhere", "exchange", "leave out"),
     "wardrobe": ("elsewhere", "pair", "exchange", "spare"),
     "seats": ("elsewhere",),
-    "unseen": ("lounge", "elsewhere", "amid"),
-    "off axis": ("lounge", "elsewhere"),
+    "unseen": ("lounge", "swap", "elsewhere", "amid"),
+    "off axis": ("lounge", "swap", "elsewhere"),
     "one_side": ("elsewhere", "pair"),
     "closed bed": ("elsewhere", "pair"),
 }

@@ -37,6 +37,7 @@ from scenewright.domains.home.composing.placed_faults import (
 from scenewright.domains.home.composing.places.forms import list_forms
 from scenewright.domains.home.composing.places.moving import make_unplaced
 from scenewright.domains.home.composing.places.pairs import find_pair, furnish_pairs
+from scenewright.domains.home.composing.places.swapped import swap_along_wall
 from scenewright.domains.home.composing.places.walked_places import try_places
 from scenewright.domains.home.composing.seats.lounge_places import list_lounges
 from scenewright.domains.home.composing.spacing.leave_out import may_leave_out
@@ -127,6 +128,20 @@ def _list_elsewhere(task: RoomTask, answer: RoomAnswer, row: str) -> Iterator[Ro
         forms = dict.fromkeys((placed[at].dressed.case, *list_forms(task, placed[at])))
         for judged in try_places(judge, placed, at, forms, most, 0.0, STEP):
             yield answer._replace(placed=judged.placed)
+
+
+def _list_swapped(task: RoomTask, answer: RoomAnswer, row: str) -> Iterator[RoomAnswer]:
+    """The room with one of the groups at fault and another at its wall in each other's place."""
+    placed, judge = answer.placed, judge_of(task, answer.placed)
+    most = judge.cost_of(placed).cost + WORTH
+    own = task.library.own.keys()
+    for at in list_subjects(task, placed, row):
+        for other, group in enumerate(placed):
+            if other == at or group.wish.group not in MOVED or group.wish.group in own:
+                continue
+            swapped = swap_along_wall(task, placed, at, other)
+            if swapped is not None and judge.cost_of(swapped).cost <= most:
+                yield answer._replace(placed=swapped)
 
 
 def _list_amid(task: RoomTask, answer: RoomAnswer, row: str) -> Iterator[RoomAnswer]:
@@ -281,6 +296,7 @@ def _leave_out(answer: RoomAnswer, at: int, reason: str) -> RoomAnswer:
 
 MOVES: dict[str, Callable[[RoomTask, RoomAnswer, str], Iterator[RoomAnswer]]] = {
     "elsewhere": _list_elsewhere,
+    "swap": _list_swapped,
     "amid": _list_amid,
     "reorder": _list_reordered,
     "remake": list_remade,
