@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 import shapely
 
-from scenewright.arranging.verdict import better
 from scenewright.building.door_approach import gates
 from scenewright.building.plan import spaces
 from scenewright.catalog.loading import catalog_of
@@ -18,7 +17,6 @@ from scenewright.domains.home.attempts.attempt import Missing, RoomAnswer, find_
 from scenewright.domains.home.attempts.bed_first import with_narrow_ways
 from scenewright.domains.home.cases.library import cases
 from scenewright.domains.home.composing.bed_sides import count_closed_beds
-from scenewright.domains.home.composing.kitchens.hob_places import find_line, lay_out, list_orders
 from scenewright.domains.home.composing.mend_rooms import mend_rooms
 from scenewright.domains.home.composing.placed_faults import (
     list_adrift,
@@ -27,6 +25,7 @@ from scenewright.domains.home.composing.placed_faults import (
 )
 from scenewright.domains.home.composing.places.forms import list_further
 from scenewright.domains.home.composing.places.moving import dress_group, make_unplaced
+from scenewright.domains.home.composing.places.swapped import swap_along_wall
 from scenewright.domains.home.composing.verdict import judge_room
 from scenewright.domains.home.furnishing.obstacles import flat_kinds, standing_of
 from scenewright.domains.home.presets import PRESETS
@@ -176,44 +175,15 @@ def test_a_side_of_a_bed_is_closed_by_a_wall_and_by_a_chest():
     assert count_closed_beds((bed._replace(pieces=(aside,)),), task.ground) == 1
 
 
-def find_run(task):
-    """A run with the hob before the window, its sink beside it, drawers between and at its end."""
-    forms = (*cases("kitchen").groups, *list_further("kitchen"))
-    wide = [c for c in forms if len(find_line(c)) >= 4 and c.width < 3.1]
-    for case in wide:
-        group = make_unplaced(task, (), Wish("kitchen", 0), case)
-        box = np.array([1.6, 2.6 - case.depth / 2, -NORTH, case.width, case.depth])
-        dressed = dress_group(task, group, case, box, standing_of((), flat_kinds(task.catalog)))
-        if dressed is not None and dark(task, (dressed,)):
-            return dressed
-    return None
-
-
-def list_units(run):
-    return sorted(p.category for p in run.pieces if p.pose.z < 0.1)
-
-
-def test_a_hob_before_a_window_changes_its_place_in_the_line():
-    for at in (0.9, 1.2, 2.0, 2.3):
-        task = task_of(ROOM | {"function": "kitchen", "windows": [{"at": [at, 2.6], "width": 0.8}]})
-        run = find_run(task)
-        moved = clear(task, run)[0] if run else None
-        if run and moved is not run:
-            break
-    assert dark(task, (moved,)) == 0
-    assert np.array_equal(moved.dressed.box, run.dressed.box)
-    assert list_units(moved) == list_units(run)
-    assert len(moved.pieces) >= len(run.pieces)
-    assert better(judge_room(task, answer_of(moved)), judge_room(task, answer_of(run)))
-
-
-def test_a_line_in_another_order_is_as_long_and_has_no_gaps():
-    case = next(c for c in cases("kitchen").groups if len(find_line(c)) >= 4)
-    line = find_line(case)
-    orders = list_orders(line)
-    assert orders
-    for order in orders[:40]:
-        laid = find_line(lay_out(case, line, order))
-        assert len(laid) == len(line)
-        assert sum(m.size.width for m in laid) == pytest.approx(sum(m.size.width for m in line))
-        assert min(m.size.width for m in laid) >= min(0.3, min(m.size.width for m in line)) - 1e-9
+def test_two_groups_at_one_wall_change_places():
+    task = task_of()
+    chest = stand(task, "chest", 1.4, 0.0, NORTH, lambda c: c.width <= 0.8)
+    wide = stand(task, "chest", 2.5, 0.0, NORTH, lambda c: 0.9 < c.width < 1.3)
+    swapped = swap_along_wall(task, (chest, wide), 0, 1)
+    assert swapped is not None
+    before, after = (np.array([p.dressed.box for p in pair]) for pair in ((chest, wide), swapped))
+    assert after[0, 0] > after[1, 0]
+    ends = [((b[:, 0] - b[:, 3] / 2).min(), (b[:, 0] + b[:, 3] / 2).max()) for b in (before, after)]
+    assert ends[0] == pytest.approx(ends[1])
+    beside = stand(task, "chest", 0.0, 1.7, 0.0, lambda c: c.width <= 0.8)
+    assert swap_along_wall(task, (chest, beside), 0, 1) is None

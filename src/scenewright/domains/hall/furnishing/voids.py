@@ -24,6 +24,8 @@ from scenewright.domains.hall.visit.doors import ways_in
 EMPTY_RADIUS, VOID_GRID, MOST_ISLANDS, LARGE_HALL = 2.4, 0.5, 16, 1000.0
 """Radius of a circle of floor that stays empty at most, metres between the points looked at, the
 most islands, and square metres of halls from which on none are set."""
+SEEN_FROM, BACK_SEEN = 7.0, 0.5
+"""Metres from a door within which a back is seen, and the cosine from which on it is one."""
 ISLAND_OFF_WAY, ISLAND_ASIDE, FUNCTION = 3.0, 0.9, "island"
 """Metres of the way in that stay free, around an island at least, and its function."""
 
@@ -55,6 +57,8 @@ def fill_voids(
             at = shapely.get_coordinates(points[k])[0]
             axes = (along, along + 0.5 * np.pi)[: 2 if backed else 1]
             axis = min(axes, key=partial(_look_to, at, ways))
+            if backed and _look_to(at, ways, axis) > BACK_SEEN:
+                continue
             island = _make_island(hall, at, axis, number, catalog)
             around = shapely.union_all(polygons_of(island))
             if free.covers(around) and taken.disjoint(around.buffer(ISLAND_ASIDE)):
@@ -68,9 +72,11 @@ def fill_voids(
 
 
 def _look_to(at: Floats, ways: list[Floats], axis: float) -> float:
-    """The cosine between an axis and the way from a point to the main entrance."""
-    off = [way - at for way in ways[:1]]
-    return sum(abs(float(x * cos(axis) + y * sin(axis))) for x, y in off)
+    """The largest cosine between an axis and the way from a point to the main entrance, or to any
+    other from which one sees it."""
+    off = [way - at for k, way in enumerate(ways) if not k or np.hypot(*(way - at)) < SEEN_FROM]
+    ahead = np.array([cos(axis), sin(axis)])
+    return max((abs(float(way @ ahead) / float(np.hypot(*way))) for way in off), default=0.0)
 
 
 def _list_points(floor: shapely.Polygon) -> Floats:

@@ -28,10 +28,10 @@ from scenewright.domains.home.walking.remove_blockers import Opened
 LEAST = 3.0  # by how much a room is to cost less, where nothing is found less
 BUDGET = 150  # rooms that are weighed
 MOVES_OF = {
-    "near": ("elsewhere", "swap", "amid", "pair", "other table", "lounge", "fewer"),
+    "near": ("elsewhere", "swap", "amid", "other table", "pair", "lounge", "fewer"),
     "far fridge": ("remake",),
     "loose cabinet": ("join",),
-    "window": ("elsewhere", "reorder", "pair", "amid", "remake"),
+    "window": ("elsewhere", "pair", "amid", "remake"),
     "adrift": ("elsewhere", "pair"),
     "door": ("elsewhere", "exchange", "leave out"),
     "wardrobe": ("elsewhere", "pair", "exchange", "spare"),

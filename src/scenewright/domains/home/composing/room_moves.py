@@ -24,7 +24,6 @@ from scenewright.domains.home.composing.bedrooms.clothes import (
 )
 from scenewright.domains.home.composing.case_faults import find_case_faults
 from scenewright.domains.home.composing.judging import Placed, judge_of
-from scenewright.domains.home.composing.kitchens.hob_places import move_hob
 from scenewright.domains.home.composing.kitchens.loose_cabinets import list_joined
 from scenewright.domains.home.composing.kitchens.remade import list_remade
 from scenewright.domains.home.composing.placed_faults import (
@@ -44,7 +43,7 @@ from scenewright.domains.home.composing.spacing.leave_out import may_leave_out
 from scenewright.domains.home.composing.spacing.rules import list_close
 from scenewright.domains.home.composing.spacing.shifts import list_shifted
 from scenewright.domains.home.composing.verdict import FEWER, STUCK
-from scenewright.domains.home.groups.classes import BED_GROUPS, RUNS, SITTING, TABLES
+from scenewright.domains.home.groups.classes import BED_GROUPS, SITTING, TABLES
 from scenewright.domains.home.groups.least import LEAST as LEAST_FORMS
 from scenewright.domains.home.least_sizes import BED
 from scenewright.domains.home.measures import HAIR
@@ -196,14 +195,6 @@ def _list_kinds(form: Group) -> Iterator[str]:
     return (m.category for m in form.members)
 
 
-def _list_reordered(task: RoomTask, answer: RoomAnswer, _: str) -> Iterator[RoomAnswer]:
-    """The room with the units of its kitchen in another order."""
-    for at, group in enumerate(answer.placed):
-        if group.wish.group in RUNS and group.wish.group not in task.library.own:
-            for placed in move_hob(task, answer.placed, at):
-                yield answer._replace(placed=placed)
-
-
 def _list_pairs(task: RoomTask, answer: RoomAnswer, _: str) -> Iterator[RoomAnswer]:
     """The room with its bed and its wardrobe, or chest of drawers, at other pairs of places."""
     placed, own = answer.placed, task.library.own
@@ -298,7 +289,6 @@ MOVES: dict[str, Callable[[RoomTask, RoomAnswer, str], Iterator[RoomAnswer]]] = 
     "elsewhere": _list_elsewhere,
     "swap": _list_swapped,
     "amid": _list_amid,
-    "reorder": _list_reordered,
     "remake": list_remade,
     "join": list_joined,
     "pair": _list_pairs,

@@ -112,7 +112,7 @@ EVERY = (
     ),
     Row(
         "shelves_front", stand("shelves", "shoe_cabinet", "bookcase", "storage_shelf"),
-        clear(FRONT, each=True), ANYTHING, 0.4, 5.0, _OPENS, NEUFERT, late=True,
+        clear(FRONT, each=True), ANYTHING, 0.4, 5.5, _OPENS, NEUFERT, late=True,
     ),
     Row(
         "wardrobe_wall", stand("a wardrobe", "wardrobe"), clear(FRONT, 0.15), BY_WALLS, 0.45, 8.0,

@@ -27,7 +27,7 @@ OF_ENTRY = frozenset(("shoes", "coats"))
 SHELVES, OF_ROOM = "storage", frozenset(("chest", "console", "sideboard", "vanity"))
 """What of a room goes where it stands before open shelves."""
 REASON = "it would stand too near to what else is here"
-MUCH = 2.8
+MUCH = 3.0
 """Least cost of standing too near for which a group is left out."""
 
 
