@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 import shapely
+from scipy.stats import spearmanr
 
 import scenewright as sw
 from benchmarks.ground_measures import Ground, counts_of, read_ground
@@ -28,6 +29,7 @@ FIGURES = (
     "long dead ends without a head",
     "doors with their walk",
     "rim of squares fronted",
+    "heights step up to squares and landmarks",
 )
 
 
@@ -47,12 +49,29 @@ def _records(group: str, briefs: Sequence[tuple[str, Brief]], seeds: int) -> Ite
         for seed in range(seeds):
             solution = sw.solve(brief, seed=seed)
             counts = counts_of(ground_of_site(solution))
+            counts |= {FIGURES[-1]: measure_skyline(solution)}
             faulty += not check(solution).valid
             for name in FIGURES:
                 sums[name] += counts[name]
     for name, (part, whole) in sums.items():
         yield _record(group, name, part / whole if whole else float("nan"), int(whole))
     yield _record(group, "scenes with faults", float(faulty), seeds * len(briefs))
+
+
+def measure_skyline(solution: sw.Solution) -> tuple[float, float]:
+    """How the heights of buildings go with their nearness to the squares of a site, without any to
+    its landmarks: Spearman's rank correlation, and 1; 0 and 0 where there is neither."""
+    works, houses = solution.detail or (), [p for p in solution.pieces if p.category == "building"]
+    squares = [shapely.Polygon(a.outline) for w in works for a in w.areas if a.kind == "square"]
+    marks = [shapely.Point(p.pose[:2]) for p in houses if p.function == "landmark"]
+    free = [p for p in houses if p.function != "landmark"]
+    high = np.array([p.size.height for p in free])
+    if not (squares or marks) or len(set(high)) < 2:
+        return 0.0, 0.0
+    far = shapely.distance(
+        shapely.points([p.pose[:2] for p in free]), shapely.union_all(squares or marks)
+    )
+    return float(-spearmanr(high, far).statistic), 1.0
 
 
 def ground_of_site(solution: sw.Solution) -> Ground:

@@ -114,6 +114,12 @@ def test_ground_far_from_any_building_is_a_park_with_a_walk_and_trees() -> None:
     inside = [shape.contains(shapely.Point(t.pose[:2])) for t in trees if t.category == "tree"]
     assert sum(inside) >= 12
     assert not lay_parks(plan, (), (), [np.array(plan.outline)])[0]
+    around = [
+        np.array([(x, y), (x + 9, y), (x + 9, y + 9), (x, y + 9)]) for x, y in ((95, 60), (9, 9))
+    ]
+    parks = [shapely.Polygon(row.outline) for row in lay_parks(plan, (), (), around)[0]]
+    assert all(row.distance(shapely.Polygon(ring)) > 7.0 for row in parks for ring in around)
+    assert len(parks) > 1
 
 
 def test_what_is_missing_or_built_over_is_named(solved: Solution) -> None:

@@ -13,6 +13,7 @@ from scenewright.core.brief import Brief
 from scenewright.core.layout import corners
 from scenewright.domains import check, plan_of
 from scenewright.domains.site.facing import face_ways, find_box_doors
+from scenewright.domains.site.solvers.fill import list_edges, order_blocks
 from scenewright.domains.site.solvers.front import on_square
 from scenewright.domains.site.solving import problems
 from scenewright.ground.streetside.fronts import find_fronting, list_ways
@@ -85,6 +86,15 @@ def test_a_landmark_has_its_walk_and_nothing_breaks_a_rule() -> None:
     mark = shapely.Polygon(plan.landmarks[0].footprint)
     assert min(mark.distance(way) for way in [*ways, *streets]) < 0.5
     assert check(solution).valid
+
+
+def test_the_skyline_steps_up_to_the_square_or_the_landmark() -> None:
+    roads = [{"line": [[x, -5], [x, 90]], "width": 6} for x in (40, 80)]
+    square = [{"name": "Market", "area": 400, "at": [118, 40]}]
+    for asked in ({"squares": square}, {"landmarks": [{"model": "villa", "at": [100, 40]}]}):
+        (problem,) = problems(ground(roads=roads, **asked))
+        middles = [list_edges(problem, b)[:, 0].mean() for b in order_blocks(problem)]
+        assert middles == sorted(middles)
 
 
 def test_a_row_that_shows_its_side_to_the_street_gets_a_lane_before_its_fronts() -> None:

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 import shapely
+import shapely.ops
 from numpy.typing import NDArray
 
 from scenewright.core.space import Points
@@ -54,8 +55,9 @@ def lay_parks(
         open_, shapely.union_all([walls, *map(shapely.Polygon, plan.waters)])
     )
     grown = shapely.intersection(shapely.union_all(parts).buffer(REACH), open_)
-    grounds = [p for p in _parts(grown.buffer(-NARROW).buffer(NARROW)) if p.area >= LEAST]
-    grounds = [shapely.simplify(p, PLAIN) for p in sorted(grounds, key=lambda p: -p.area)]
+    plain = shapely.simplify(grown.buffer(-NARROW).buffer(NARROW), PLAIN)
+    grounds = [p for whole in _parts(plain) for p in _cut_at_holes(whole) if p.area >= LEAST]
+    grounds.sort(key=_area, reverse=True)
     names = ["Park"] if len(grounds) == 1 else [f"Park {k + 1}" for k in range(len(grounds))]
     parks = [
         PavedArea("park", _corners(ground.exterior), 0, name)
@@ -78,6 +80,15 @@ def _cover_ways(
 
 def _parts(shape: shapely.Geometry) -> list[shapely.Polygon]:
     return [part for part in shapely.get_parts(shape) if part.geom_type == "Polygon"]
+
+
+def _cut_at_holes(ground: shapely.Polygon) -> list[shapely.Polygon]:
+    """Ground as parts without holes: cut along the meridian of each."""
+    if not len(ground.interiors):
+        return [ground]
+    x, low, high = ground.interiors[0].centroid.x, ground.bounds[1] - 1.0, ground.bounds[3] + 1.0
+    halves = shapely.ops.split(ground, shapely.LineString([(x, low), (x, high)]))
+    return [part for half in _parts(halves) for part in _cut_at_holes(half)]
 
 
 def _lay_walks(

@@ -102,9 +102,10 @@ def cover_ways(works: GroundWorks) -> NDArray[np.object_]:
 def _rim_of_squares(works: GroundWorks) -> Floats:
     """Places (n, 2) of trees round the rim of squares and parks."""
     found = [np.zeros((0, 2))]
-    for area in works.areas:
-        inner = shapely.Polygon(area.outline).buffer(-RIM, join_style="mitre")
-        if area.kind in ("square", "park") and inner.area > RIM * RIM:
+    planted = [row for row in works.areas if row.kind in ("square", "park")]
+    rims = [shapely.Polygon(row.outline).buffer(-RIM, join_style="mitre") for row in planted]
+    for inner in shapely.get_parts(np.array(rims, object)):
+        if inner.area > RIM * RIM:
             count = max(round(inner.exterior.length / AVENUE), 4)
             at = np.arange(count) / count
             points = inner.exterior.interpolate(at, normalized=True)

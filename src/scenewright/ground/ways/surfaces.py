@@ -87,15 +87,15 @@ def _of_plan(
         "asphalt": lanes,
         "pavement": shapely.difference(roads, lanes, grid_size=GRID),
         "path": shapely.difference(paths, roads, grid_size=GRID),
-        "lane": shapely.intersection(drives, floor, grid_size=GRID),
-        "walk": shapely.intersection(strips, floor, grid_size=GRID),
+        "lane": _lie_on(drives, floor),
+        "walk": _lie_on(strips, floor),
         "marking": shapely.union_all(
             [_markings(driven, lanes, zebras), paint(zebras), _bay_markings(works)]
         ),
-        "square": shapely.intersection(squares, floor, grid_size=GRID),
-        "parking": shapely.intersection(lots, floor, grid_size=GRID),
-        "court": shapely.intersection(courts, floor, grid_size=GRID),
-        "park": shapely.intersection(parks, floor, grid_size=GRID),
+        "square": _lie_on(squares, floor),
+        "parking": _lie_on(lots, floor),
+        "court": _lie_on(courts, floor),
+        "park": _lie_on(parks, floor),
     }
     for kind, shape in found.items():
         areas = tuple(rings(part) for part in _polygons(shape))
@@ -137,6 +137,12 @@ def kerb(width: float) -> float:
     (0.0, 1.5)
     """
     return min(max(0.15 * width, 0.9), 3.0) if width >= 5.5 else 0.0
+
+
+def _lie_on(shape: shapely.Geometry, floor: shapely.Polygon) -> shapely.Geometry:
+    """The part of some ground on a floor, without lines and points that overlays leave."""
+    ground = shapely.union_all(np.array(_polygons(shape), object))
+    return shapely.intersection(ground, floor, grid_size=GRID)
 
 
 def list_zebras(plan: SitePlan) -> list[Crossing]:

@@ -29,7 +29,7 @@ from scenewright.domains.site.solvers.block import (
 )
 from scenewright.domains.site.solvers.closed_court import close_court
 from scenewright.domains.site.solvers.distances import list_reserved_edges
-from scenewright.domains.site.solvers.front import list_square_lines, set_back
+from scenewright.domains.site.solvers.front import list_focus, list_square_lines, set_back
 from scenewright.domains.site.solvers.improve import improve_layout
 from scenewright.domains.site.solvers.interlock import interlock
 from scenewright.domains.site.solvers.loosen import loosen_buildings
@@ -189,9 +189,15 @@ def _record_block(
 
 
 def order_blocks(problem: SiteProblem) -> list[int]:
-    """Blocks from the side the fronts look to; first those whose courts are to close."""
+    """Blocks in the order in which buildings, the lowest first, are given to them: the farthest
+    from a square or landmark first, so that the skyline steps up to it; without one from the side
+    the fronts look to. Those whose courts are to close come before all."""
     front = np.array([math.cos(problem.facing), math.sin(problem.facing)])
-    middles = [list_edges(problem, b)[:, :2].mean(0) @ front for b in range(len(_areas(problem)))]
+    places = [list_edges(problem, b)[:, :2].mean(0) for b in range(len(_areas(problem)))]
+    focus = list_focus(problem)
+    middles = [float(place @ front) for place in places]
+    if len(focus):
+        middles = [float(np.hypot(*(focus - place).T).min()) for place in places]
     closing = [problem.court_gap > 0.0 and form == "peripheral" for form in problem.block_forms]
     closing += [False] * (len(middles) - len(closing))
     return sorted(range(len(middles)), key=lambda b: (not closing[b], -middles[b]))
