@@ -1,5 +1,5 @@
 """What people do with the studio, from the first click, in a headless browser: by mouse, keyboard
-and touch. Whatever the browser complains of is a failure."""
+and touch. Whatever the browser complains of, or asks of another machine, is a failure."""
 
 from __future__ import annotations
 
@@ -77,15 +77,45 @@ def browser() -> Iterator[Any]:
 
 @contextmanager
 def visiting(browser: Any, link: str, **how: Any) -> Iterator[Any]:
-    """A page of its own browser context; it must not complain."""
+    """A page of its own browser context; it must not complain, nor ask anything of another
+    machine."""
     with browser.new_context(viewport={"width": 1280, "height": 800}, **how) as context:
         context.set_default_timeout(SOON)
         page, complaints = context.new_page(), list[str]()
+        home = link.partition("?")[0]
+        page.on("request", lambda r: None if at_home(r.url, home) else complaints.append(r.url))
         page.on("console", lambda m: complaints.append(m.text) if m.type == "error" else None)
         page.on("pageerror", lambda error: complaints.append(str(error)))
         page.goto(link)
         yield page
         assert complaints == []
+
+
+def at_home(address: str, home: str) -> bool:
+    """Whether what a page asks for is the studio's own, or lies in the page."""
+    return address.startswith((home, "data:", f"blob:{home}"))
+
+
+def begin_drawing(page: Any, kind: str) -> None:
+    page.click("#draw")
+    page.click(f"[data-kind={kind}]")
+    page.locator("#draft").wait_for()
+
+
+def name_it(page: Any, name: str, box: str = "#room-name") -> None:
+    """Name what was drawn just now; the drawing has the keys again."""
+    page.locator(f"{box}:focus").wait_for()
+    page.fill(box, name)
+    page.keyboard.press("Enter")
+    page.locator("#draft:focus").wait_for()
+
+
+def furnish_drawing(page: Any) -> None:
+    page.locator("#faults", has_text="nothing").wait_for()
+    page.locator("#furnish:enabled").wait_for()
+    page.click("#furnish")
+    page.locator("#plan .piece").nth(4).wait_for()
+    page.locator("#stop").wait_for(state="hidden")
 
 
 def furnish(page: Any) -> None:
@@ -113,26 +143,75 @@ def drag(page: Any, start: tuple[float, float], end: tuple[float, float]) -> Non
 
 def test_a_flat_is_drawn_and_furnished(browser: Any, tmp_path: Path) -> None:
     with started(tmp_path) as studio, visiting(browser, studio.link) as page:
-        page.click("#draw")
-        page.locator("#draft").wait_for()
+        begin_drawing(page, "home")
         for x, name in ((300, "Living room"), (580, "Bedroom")):
-            page.keyboard.press("Escape")
             page.keyboard.press("r")
             drag(page, (x, 300), (x + 280, 600))
-            page.locator("#room-name").wait_for()
-            page.fill("#room-name", name)
-            page.keyboard.press("Enter")
-            page.locator("#draft text", has_text=name).wait_for()
+            name_it(page, name)
         for key, at in (("d", (580, 450)), ("d", (360, 600)), ("w", (300, 450)), ("w", (720, 300))):
+            count = page.locator("#draft g[data-id]").count()
             page.keyboard.press(key)
             page.mouse.click(*at)
-            time.sleep(1.0)
-        page.locator("#faults", has_text="nothing").wait_for()
-        page.click("#furnish")
-        page.locator("#plan .piece").nth(4).wait_for()
-        page.locator("#stop").wait_for(state="hidden")
+            page.locator("#draft g[data-id]").nth(count).wait_for()
+        page.screenshot(path=tmp_path / "draft.png")
+        furnish_drawing(page)
         page.screenshot(path=tmp_path / "drawn.png")
         assert page.locator("#plan .piece").count() > 5
+
+
+def test_a_hall_is_drawn_with_zones_and_asked_for_by_form(browser: Any, tmp_path: Path) -> None:
+    with started(tmp_path) as studio, visiting(browser, studio.link) as page:
+        begin_drawing(page, "hall")
+        drag(page, (150, 250), (700, 600))
+        name_it(page, "Corner shop")
+        for left, right, name in ((150, 400, "Tills"), (400, 700, "Groceries")):
+            page.keyboard.press("z")
+            drag(page, (left, 250), (right, 600))
+            name_it(page, name)
+        page.keyboard.press("d")
+        page.mouse.click(300, 600)
+        page.fill("#opening-width", "2")
+        page.keyboard.press("Tab")
+        page.locator("#draft").focus()
+        page.keyboard.press("Escape")
+        page.fill("#wish-keys [name=theme]", "grocery")
+        page.keyboard.press("Tab")
+        page.locator("#wish-head").click()
+        page.fill("#wish [name=category]", "gondola")
+        page.fill("#wish [name=count]", "12")
+        page.select_option("#wish [name=zone]", label="Groceries")
+        page.click("#wish button.main")
+        page.locator("#wish-list li", has_text="Groceries").wait_for()
+        page.screenshot(path=tmp_path / "hall-draft.png")
+        furnish_drawing(page)
+        page.screenshot(path=tmp_path / "hall.png")
+        gondolas = page.locator("#plan .piece:has(title:text-matches('gondola', 'i'))")
+        assert gondolas.count() == 12
+        page.click("#draw")
+        page.locator("#draft .zone").nth(1).wait_for()
+
+
+def test_a_site_is_drawn_and_its_length_typed(browser: Any, tmp_path: Path) -> None:
+    with started(tmp_path) as studio, visiting(browser, studio.link) as page:
+        begin_drawing(page, "site")
+        for at in ((200, 250), (760, 230), (800, 520), (520, 640), (180, 600), (200, 250)):
+            page.mouse.move(*at)
+            page.mouse.click(*at)
+        name_it(page, "Mill field")
+        page.keyboard.press("t")
+        for at in ((120, 430), (500, 420), (860, 440)):
+            page.mouse.move(*at)
+            page.mouse.click(*at)
+        page.keyboard.press("Enter")
+        name_it(page, "Mill Lane", "#street-name")
+        page.keyboard.press("v")
+        page.locator("#draft .length[data-row=street-1]").first.click()
+        page.keyboard.type("80")
+        page.keyboard.press("Enter")
+        page.locator("#draft .length", has_text="80.00").wait_for()
+        page.screenshot(path=tmp_path / "site-draft.png")
+        furnish_drawing(page)
+        page.screenshot(path=tmp_path / "site.png")
 
 
 def test_a_home_is_brought_moved_undone_and_taken_away(browser: Any, tmp_path: Path) -> None:
@@ -165,10 +244,10 @@ def test_a_sofa_moves_a_television_is_forbidden_and_all_is_exported(
         page.click("#undo")
         page.locator("#redo:enabled").wait_for()
         page.locator("#plan .piece:has(title:text-matches('television', 'i'))").first.focus()
-        page.locator("#wishing summary").click()
+        page.locator("#wish-head").click()
         page.fill("#wish [name=what]", "tv")
         page.check("#wish [name=forbid]")
-        page.click("#wish button")
+        page.click("#wish button.main")
         page.locator("#wish-list li", has_text="tv").wait_for()
         furnish(page)
         assert page.locator("#plan .piece:has(title:text-matches('television', 'i'))").count() == 0
@@ -183,9 +262,12 @@ def test_a_sofa_moves_a_television_is_forbidden_and_all_is_exported(
         assert {"scene.json", "scene.glb", "scene.svg", "scene.png"} <= {*names}
 
 
-def test_a_room_is_walked_through(browser: Any, tmp_path: Path) -> None:
+def test_a_room_is_walked_through_and_photographed(browser: Any, tmp_path: Path) -> None:
     with started(tmp_path, "sample:home-room") as studio, visiting(browser, studio.link) as page:
         furnish(page)
+        page.click("#dress")
+        page.locator("#looks button", has_text="teal").click()
+        page.locator("#history li", has_text="restyled, retro teal").wait_for()
         page.click("#walk")
         page.locator("#minimap .here").wait_for()
         before = page.locator("#minimap .here").get_attribute("transform")
@@ -201,6 +283,15 @@ def test_a_room_is_walked_through(browser: Any, tmp_path: Path) -> None:
         page.click("#picture")
         page.locator("#shown[open]").wait_for()
         assert str(page.locator("#keep-picture").get_attribute("href")).startswith("blob:")
+        page.locator("#shown form button").click()
+        page.click("#photo")
+        page.locator("#photo", has_text="%").wait_for()
+        page.click("#photo")
+        page.locator("#note", has_text="stopped").wait_for()
+        page.click("#photo")
+        page.locator("#shown[open]").wait_for()
+        assert "/photo.png" in str(page.locator("#keep-picture").get_attribute("href"))
+        page.screenshot(path=tmp_path / "photographed.png")
 
 
 @pytest.mark.parametrize("source", ["sample:hall-exhibition", "plots.geojson"])

@@ -16,6 +16,8 @@ from scenewright.core.errors import InputError
 from scenewright.core.extras import require
 
 PORT, LOCAL = 8420, "127.0.0.1"
+BACKLOG = 128
+"""Connections that wait until they are taken."""
 
 
 def studio(
@@ -79,11 +81,13 @@ def _stem(source: str) -> str:
 
 
 def _listen(host: str, port: int) -> socket.socket:
-    """A socket at an address of this machine, at a port or, where that is taken, at any."""
+    """A socket at an address of this machine, at a port or, where that is taken, at any; a browser
+    that comes before the server waits there."""
     listening = socket.socket()
     for tried in (port, 0):
         try:
             listening.bind((host, tried))
+            listening.listen(BACKLOG)
         except OSError:
             continue
         return listening

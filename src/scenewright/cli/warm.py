@@ -23,16 +23,6 @@ from rich.console import Console
 from scenewright.cli import completion, tables, terminal
 from scenewright.core.errors import InputError
 
-SAMPLES = {
-    "home": ("home-flat", "home-attic"),
-    "hall": ("hall-reading-room", "hall-exhibition"),
-    "site": ("site-30", "site-landmarks"),
-    "village": ("village-hamlet",),
-    "extend": ("extend-terrace",),
-}
-"""The briefs solved to compile a kind of scene."""
-STEPS = {"village": 2, "extend": 2}
-"""How long, in steps (else 200): where one makes a whole layout."""
 OUTPUTS = ("scene.glb", "plan.svg", "picture.png", "solution.json")
 
 
@@ -52,6 +42,8 @@ class Warmed(NamedTuple):
 
 def check_kinds(kinds: Sequence[str]) -> tuple[str, ...]:
     """The kinds given, each once; all if none is given."""
+    from scenewright.workflow.warming import SAMPLES
+
     for kind in kinds:
         if kind not in SAMPLES:
             raise InputError(f"unknown kind of scene {kind!r}", f"give {', '.join(SAMPLES)}")
@@ -62,20 +54,20 @@ def warm_here(kind: str) -> Warmed:
     """Compile one kind in this process."""
     begun = time.perf_counter()
     from scenewright.geometry.compile_clock import compile_clock
+    from scenewright.workflow.warming import SAMPLES
 
     with compile_clock() as clock, tempfile.TemporaryDirectory() as folder:
         for name in SAMPLES[kind]:
-            _run_once(name, STEPS.get(kind, 200), Path(folder))
+            _run_once(kind, name, Path(folder))
     seconds = round(time.perf_counter() - begun, 2)
     return Warmed(kind, clock.kernels, round(clock.seconds, 2), seconds)
 
 
-def _run_once(name: str, steps: int, folder: Path) -> None:
-    from scenewright import domains, formats
-    from scenewright.domains import check
+def _run_once(kind: str, name: str, folder: Path) -> None:
+    from scenewright import formats
+    from scenewright.workflow.warming import solve_briefly
 
-    solution = domains.solve(formats.read(f"sample:{name}"), steps=steps)
-    check(solution)
+    solution = solve_briefly(kind, name)
     for output in OUTPUTS:
         formats.write(solution, folder / output)
 

@@ -14,6 +14,7 @@ from scenewright.studio.guard import LOCAL, App, Keys, guarded
 from scenewright.studio.limits import bounded_connections
 from scenewright.studio.server import Listeners, studio_app
 from scenewright.studio.session import Session
+from scenewright.studio.shapes import Json
 
 PATIENCE = 1
 """Seconds that pages which still listen are given at the end."""
@@ -33,6 +34,14 @@ def serve(
     session = Session(db, listeners.tell)
     if source:
         session.open(source)
+
+    def tell(event: Json) -> None:
+        listeners.tell(event)
+        if "changed" in event:
+            session.readiness.begin(session.kind())
+
+    session.tell = tell
+    session.readiness.begin(session.kind())
     keys = Keys(listening.getsockname()[1], session.people.find, (host, *LOCAL))
     app = guarded(studio_app(session, listeners, folder), keys)
     ready(keys.token or "")

@@ -129,6 +129,7 @@ TOLD: Mapping[str, Callable[[Session, Person, Query], Any]] = {
     "/ratings": _ratings,
     "/shelf": lambda session, *_: session.shelf(),
     "/wish.schema.json": lambda _session, _person, query: ask_schema(query.get("of", "home")),
+    "/ready": lambda session, *_: session.readiness.state(),
     "/looks": lambda session, *_: session.looks(),
     "/cards": _cards,
     "/symbols": _symbols,

@@ -27,6 +27,7 @@ from scenewright.studio.drawable import describe_finding, draw, tell_by_key
 from scenewright.studio.people import AUTHOR, RATE, People, Person
 from scenewright.studio.photos import Photos, View
 from scenewright.studio.raters import RaterDesk, Raters
+from scenewright.studio.readiness import Readiness
 from scenewright.studio.shapes import Json, Shapes
 from scenewright.studio.shelf import draw_shelf, list_shelf
 from scenewright.studio.solid import tell_solid
@@ -73,7 +74,7 @@ class Session:
         beside, self.shapes = project.path_of(db), Shapes()
         self.breeding = Breeding(beside, tell, self.shapes)
         self.people = People(db)
-        self.photos = Photos(tell)
+        self.photos, self.readiness = Photos(tell), Readiness(tell)
         self.raters = Raters(self.people, beside, tell, self.shapes)
         self.shown: Shown | None = None
         self.mover: MoveJudge | None = None
@@ -99,6 +100,12 @@ class Session:
             scene["name"], scene["draft"] = drawn.draft["name"], drawn.draft
             scene["faults"] = [one._asdict() for one in drawn.faults]
         return {"running": self.running, **where, **scene}
+
+    def kind(self) -> str:
+        """The kind of scene that is open or drawn; a home if nothing is."""
+        if self.shown:
+            return self.shown.solution.brief.domain
+        return str(self.drawn.draft["domain"]) if self.drawn else "home"
 
     def _draw(self, shown: Shown) -> Json:
         """What is shown, drawn once a version."""
@@ -196,6 +203,7 @@ class Session:
     def close(self) -> None:
         """Stop what runs; all is kept."""
         self.stop()
+        self.readiness.stop()
         self.breeding.close()
         self.raters.close()
         self.people.close()

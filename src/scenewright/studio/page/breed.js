@@ -12,9 +12,9 @@ export async function showBreeding(back) {
   leave = back;
   for (const id of ["breeding", "taste"]) $(id).hidden = false;
   $("facts").hidden = true; $("breed").ariaPressed = true;
+  $("breeding").focus();
   await send("breed");
   await refreshBreeding();
-  $("next").focus();
 }
 
 export function hideBreeding() {

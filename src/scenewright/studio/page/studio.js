@@ -538,12 +538,19 @@ async function bring(file) {
   await refresh();
 }
 
+// What is made ready meanwhile: the first search need not wait for it, but will.
+function noteReady({ kind, first }) {
+  $("ready").hidden = !kind;
+  $("ready").textContent = !kind ? "" : first ? t("compiling, once on this machine: the first search waits for it …") : t("getting ready …");
+}
+
 const events = new EventSource("/events");
 events.onmessage = (message) => {
   const event = JSON.parse(message.data);
   if (event.changed && doc.me?.right !== "rate") refresh();
   if (event.bred) { refreshBreeding(); refreshPeople(); }
   if (event.rated) refreshPeople();
+  if (event.ready) noteReady(event.ready);
   if (event.photo !== undefined && !["rate", "view"].includes(document.body.dataset.right)) notePhoto(event.photo);
   if (event.fault || event.notice) say(event.fault ?? event.notice);
   if (event.boxes) { streamed.set(event.space, event.boxes); if (doc.running) drawStreamed(); }
@@ -554,6 +561,7 @@ events.onerror = () => say(t("the studio does not answer; start it again and use
 $("invite-people").onclick = () => openPeople(refresh);
 
 for (const name of await read("/samples")) $("samples").append(new Option(name.replace("sample:", ""), name));
+noteReady(await read("/ready"));
 await refresh();
 // Whoever has a link to rate sees the sheets, and nothing else.
 if (doc.me?.right === "rate") { $("plan").setAttribute("hidden", ""); await showBreeding(async () => {}); }
