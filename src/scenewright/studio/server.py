@@ -27,6 +27,7 @@ from scenewright.studio.shapes import Json
 from scenewright.studio.texture_files import texture_file
 from scenewright.studio.verbs import do_verb
 from scenewright.studio.wishing import ask_schema
+from scenewright.workflow.dressing import list_looks
 
 SCRIPT = "text/javascript"
 PAGES = {
@@ -130,7 +131,7 @@ TOLD: Mapping[str, Callable[[Session, Person, Query], Any]] = {
     "/shelf": lambda session, *_: session.shelf(),
     "/wish.schema.json": lambda _session, _person, query: ask_schema(query.get("of", "home")),
     "/ready": lambda session, *_: session.readiness.state(),
-    "/looks": lambda session, *_: session.looks(),
+    "/looks": lambda session, *_: list_looks(session.kind()),
     "/cards": _cards,
     "/symbols": _symbols,
     "/solid": lambda session, *_: session.solid(),

@@ -35,7 +35,7 @@ from scenewright.studio.streaming import stream_layouts
 from scenewright.studio.taking import pack_scene, write_scene
 from scenewright.studio.wishing import list_wishes, with_wishes
 from scenewright.workflow import project
-from scenewright.workflow.dressing import change_look, list_looks
+from scenewright.workflow.dressing import change_look
 from scenewright.workflow.fitting import find_nearest_fit
 from scenewright.workflow.judging import MoveJudge
 from scenewright.workflow.scene_project import describe_result, dump_edits
@@ -299,10 +299,6 @@ class Session:
     def shelf(self) -> list[Json]:
         """What can be put in, by the catalog of the brief."""
         return list_shelf(self.must_show().solution.brief) if self.shown else []
-
-    def looks(self) -> dict[str, dict[str, list[str]]]:
-        """Styles the scene can be given, with the palettes of each."""
-        return list_looks(self.must_show().solution.brief.domain) if self.shown else {}
 
     def thumb(self, asset: str) -> bytes:
         """The picture of a model of the shelf."""
