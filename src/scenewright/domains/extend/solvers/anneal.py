@@ -46,8 +46,10 @@ def anneal(
     rng: np.random.Generator,
     steps: int,
     cancelled: Callable[[], bool] = lambda: False,
+    hear: Callable[[GrownLayout], None] = lambda _: None,
 ) -> GrownLayout:
-    """The best layout of ``steps`` moves, or of those made until ``cancelled``."""
+    """The best layout of ``steps`` moves, or of those made until ``cancelled``; ``hear`` is given
+    each that is better than all before."""
     best = canvas.layout()
     if len(canvas.movable()) < 3 or len(best.poses) > LARGEST:
         return best
@@ -67,6 +69,7 @@ def anneal(
             energy = now
             if now < least:
                 best, least = made, now
+                hear(best)
         else:
             take_back(canvas, undo)
     return best

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
 
 import numpy as np
@@ -19,7 +20,7 @@ from scenewright.domains.extend.solvers.neighbours import grow_neighbours
 from scenewright.domains.extend.solvers.patches import lay_patch
 from scenewright.domains.extend.solvers.repair import repair_coverage, take_away
 from scenewright.engine.growing import OnGrowth, tell_growth
-from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Found, Progress
+from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Found, Progress, Report
 
 LAYOUTS = 4
 """Layouts grown where no budget is given."""
@@ -62,8 +63,11 @@ def grow_area(
         if watch.over(steps, found[0].score["energy"], partial(_first, found)):
             if watch.cancelled():
                 return Found(tuple(found), len(found))
+            hear = partial(_tell, progress, found[0].score["energy"])
             best = [
-                polish(problem, layout, np.random.default_rng([seed, 1, 1 + k]), watch.cancelled)
+                polish(
+                    problem, layout, np.random.default_rng([seed, 1, 1 + k]), watch.cancelled, hear
+                )
                 for k, layout in enumerate(found[: 1 if each == 1 else POLISHED])
             ]
             best.sort(key=lambda layout: layout.score["energy"])
@@ -82,6 +86,12 @@ def expected_count(problem: ExtendProblem) -> float:
     pattern = problem.pattern
     area = float(np.average(np.asarray(shapely.area(pattern.shapes)), weights=pattern.weight))
     return problem.coverage * problem.outline.area / max(area, 1.0)
+
+
+def _tell(progress: Progress | None, energy: float, layout: GrownLayout) -> None:
+    """Show a layout that is being annealed, while the search is over."""
+    if progress is not None:
+        progress(Report(1.0, energy, lambda: layout))
 
 
 def _first(found: list[GrownLayout]) -> GrownLayout:
@@ -121,8 +131,10 @@ def polish(
     layout: GrownLayout,
     rng: np.random.Generator,
     cancelled: Cancel = lambda: False,
+    hear: Callable[[GrownLayout], None] = lambda _: None,
 ) -> GrownLayout:
-    """The layout annealed, if that is better, until ``cancelled``."""
+    """The layout annealed, if that is better, until ``cancelled``; ``hear`` is given better and
+    better ones meanwhile."""
     if not problem.settings.polish:
         return layout
     canvas = Canvas(problem)
@@ -130,5 +142,5 @@ def polish(
         canvas.add(pose, origin, how)
     many = max(len(layout.poses), 1)
     moves = round(problem.settings.polish * np.clip((ANNEALED / many) ** 1.5, 1.0, MOST_TIMES))
-    made = rate_layout(problem, turn_fronts(problem, anneal(canvas, rng, moves, cancelled)))
+    made = rate_layout(problem, turn_fronts(problem, anneal(canvas, rng, moves, cancelled, hear)))
     return made if made.score["energy"] < layout.score["energy"] else layout
