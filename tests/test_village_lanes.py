@@ -9,6 +9,7 @@ import shapely
 
 import scenewright as sw
 from scenewright.core.piece_outlines import polygons_of
+from scenewright.domains import adjust
 from scenewright.domains.village.check.judge import judge_blocks
 from scenewright.domains.village.check.lanes import find_on_lanes
 from scenewright.domains.village.plan import plan_village
@@ -112,3 +113,32 @@ def test_service_roads_of_a_map_are_lanes(tmp_path):
     assert block.lanes.area > 150.0
     solution = sw.solve(read, preset="quick", seed=0)
     assert [f.message for f in sw.check(solution).findings if f.kind == "blocked_path"] == []
+
+
+@pytest.fixture(scope="module")
+def inner_lanes():
+    """A block deep enough for lanes of its own, as built once."""
+    deep = brief(outline=[[0, 0], [160, 0], [160, 120], [0, 120]], count=24)
+    return sw.solve(deep, steps=1, seed=1)
+
+
+def adjust_house(before, at):
+    """The lanes after the first house is moved, and the ids of what stands elsewhere then."""
+    house = next(p for p in before.pieces if p.category == "building")
+    x, y = (house.pose.x + 0.1, house.pose.y) if at is None else at
+    after = adjust(before, move={house.id: (x, y)}).solution
+    stood = {p.id: p.pose for p in before.pieces}
+    elsewhere = {p.id for p in after.pieces if stood.get(p.id) != p.pose}
+    return [lane.line.tolist() for lane in after.detail or ()], elsewhere - {house.id}
+
+
+def test_a_house_moved_a_little_leaves_lanes_and_trees_where_they_are(inner_lanes):
+    lanes = [lane.line.tolist() for lane in inner_lanes.detail]
+    assert lanes
+    assert adjust_house(inner_lanes, None) == (lanes, set())
+
+
+def test_lanes_are_laid_anew_where_a_house_is_put_on_one(inner_lanes):
+    lanes = [lane.line.tolist() for lane in inner_lanes.detail]
+    middle = shapely.LineString(lanes[0]).interpolate(0.5, normalized=True)
+    assert adjust_house(inner_lanes, (middle.x, middle.y))[0] != lanes

@@ -4,12 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import numpy as np
+import shapely
+
 from scenewright.arranging.hand_rules import HandRules
 from scenewright.core.edits import Adjusted, Cancel, Edits
 from scenewright.core.piece_edits import find_piece
+from scenewright.core.piece_outlines import polygons_of
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
+from scenewright.domains.village.lanes import VillageLane
 from scenewright.domains.village.locks import WORDS, lock_village
 from scenewright.domains.village.plan import plan_village
 from scenewright.domains.village.solvers import VILLAGE_SOLVERS
@@ -18,6 +23,7 @@ from scenewright.engine.rows import solver_again
 from scenewright.ground.edits.adjusting import GroundRules, adjust_ground, find_overlapped
 from scenewright.ground.edits.by_hand import ground_rules
 from scenewright.ground.edits.locks import check_lockable, count_buildings
+from scenewright.ground.ways.inner_lanes import LaidLane, area_of
 
 APART = 2.0
 """Metres kept between buildings where one is put in by hand."""
@@ -48,8 +54,24 @@ def _fill_again(standing: Solution, steps: int | None, seed: int, cancel: Cancel
     counted = brief.model_copy(update={"part": brief.part.model_copy(update={"blocks": blocks})})
     solver = solver_again(VILLAGE_SOLVERS, standing.solver)
     return solve(
-        counted, preset=standing.preset, solver=solver, steps=steps, seed=seed, cancel=cancel
+        counted,
+        preset=standing.preset,
+        solver=solver,
+        steps=steps,
+        seed=seed,
+        cancel=cancel,
+        lanes=_free_lanes(standing),
     )
+
+
+def _free_lanes(standing: Solution) -> tuple[VillageLane, ...] | None:
+    """The lanes that were laid into a village; none where a house that stays stands on one, as
+    they are laid anew then."""
+    lanes: tuple[VillageLane, ...] = standing.detail or ()
+    houses = [p for p in standing.pieces if p.category == "building" and p.fixed]
+    grounds = [area_of(LaidLane(lane.line, lane.width, lane.head)) for lane in lanes]
+    met = shapely.intersects(polygons_of(houses)[:, None], np.array(grounds, object)[None])
+    return None if met.any() else lanes
 
 
 def _find_house(pieces: Sequence[Piece], name: str) -> tuple[Piece, ...]:

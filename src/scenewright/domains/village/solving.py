@@ -69,16 +69,19 @@ def solve(
     cancel: Cancel | None = None,
     watch: Watch | None = None,
     hear: Hear | None = None,
+    lanes: tuple[VillageLane, ...] | None = None,
 ) -> Solution:
     """Fill every block of a brief.
 
     ``steps`` are layouts of each block, ``seconds`` are for each; the same seed and steps give the
     same answer. ``plan`` is that of the brief (made unless given). ``watch`` gets the best
     layout of each block, as boxes by the names of houses; ``hear`` the steps of a traced solver.
+    ``lanes`` are those laid into the blocks before, if they are to stay.
     """
     started = time.perf_counter()
     chosen, village = preset_named(PRESETS, preset), (plan or plan_village(brief)).detail
-    lanes = lay_village_lanes(village) if chosen.settings.composed else ()
+    if lanes is None:
+        lanes = lay_village_lanes(village) if chosen.settings.composed else ()
     village = with_lanes(village, lanes)
     named = solver or chosen.solver
     given = chosen.steps if steps is None and seconds is None else steps
