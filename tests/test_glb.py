@@ -32,7 +32,7 @@ from scenewright.render.textures.projection import coordinates_of
 from scenewright.render.textures.table import texture_of
 
 GREY = Material("grey", (0.5, 0.5, 0.5))
-COMPONENTS = {5126: np.float32, 5123: np.uint16, 5125: np.uint32}
+COMPONENTS = {5120: np.int8, 5126: np.float32, 5123: np.uint16, 5125: np.uint32}
 
 
 @pytest.fixture(scope="module")
@@ -68,10 +68,11 @@ def numbers(document: dict[str, Any], buffer: bytes, index: int) -> Any:
     row = document["accessors"][index]
     view = document["bufferViews"][row["bufferView"]]
     wide = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}[row["type"]]
-    start = view["byteOffset"] + row["byteOffset"]
-    found = np.frombuffer(buffer, COMPONENTS[row["componentType"]], row["count"] * wide, start)
+    start, kind = view["byteOffset"] + row["byteOffset"], np.dtype(COMPONENTS[row["componentType"]])
+    stride = view.get("byteStride", wide * kind.itemsize) // kind.itemsize
+    found = np.frombuffer(buffer, kind, row["count"] * stride, start)
     assert start + found.nbytes <= view["byteOffset"] + view["byteLength"]
-    return found.reshape(-1, wide)
+    return found.reshape(-1, stride)[:, :wide]
 
 
 def test_everything_has_a_node_of_its_name(scene: Scene, document: dict[str, Any]) -> None:
@@ -110,8 +111,9 @@ def test_extras_tell_what_a_piece_is(document: dict[str, Any]) -> None:
     assert {"asset", "author", "function"} <= set(extras)
 
 
-def test_the_bytes_follow_the_specification(scene: Scene) -> None:
-    document, buffer = chunks(encode_scene(scene, shipped()))
+@pytest.mark.parametrize("batched", [True, False])
+def test_the_bytes_follow_the_specification(scene: Scene, batched: bool) -> None:
+    document, buffer = chunks(encode_scene(scene, shipped(), batched=batched))
     assert document["asset"]["generator"].startswith("Scenewright ")
     for mesh in document["meshes"]:
         for primitive in mesh["primitives"]:
@@ -119,9 +121,10 @@ def test_the_bytes_follow_the_specification(scene: Scene) -> None:
             points = numbers(document, buffer, place)
             normals = numbers(document, buffer, primitive["attributes"]["NORMAL"])
             indices = numbers(document, buffer, primitive["indices"])
-            assert np.allclose(np.linalg.norm(normals, axis=1), 1, atol=1e-4)
-            assert document["accessors"][place]["min"] == points.min(0).tolist()
-            assert document["accessors"][place]["max"] == points.max(0).tolist()
+            long = np.linalg.norm(normals / (127 if batched else 1), axis=1)
+            assert np.allclose(long, 1, atol=0.01 if batched else 1e-4)
+            bounds = [np.float32(document["accessors"][place][end]) for end in ("min", "max")]
+            assert np.array_equal(bounds, [points.min(0), points.max(0)])
             assert indices.max() == len(points) - 1
             assert primitive["material"] < len(document["materials"])
 

@@ -30,6 +30,7 @@ from scenewright.formats.gltf.handover import add_forms, extensions_used, name_f
 from scenewright.formats.gltf.instances import INSTANCING, add_instances
 from scenewright.formats.gltf.lights import LIGHTS, add_lamps, add_rows, add_sun
 from scenewright.formats.gltf.meshes import make_meshes
+from scenewright.formats.gltf.surfaces import QUANTISED
 from scenewright.formats.gltf.tree import Drawn, build_tree, name_safely
 from scenewright.geometry.prisms import face_normals
 from scenewright.render.items import RenderItem, things
@@ -118,7 +119,7 @@ def document_of(
     numbers = {key: number for number, key in enumerate(unique)}
     for number, one in tree.drawn.items():
         tree.nodes[number]["mesh"] = numbers[one.key]
-    meshes = make_meshes([(one.name, one.parts) for one in unique.values()])
+    meshes = make_meshes([(one.name, one.parts) for one in unique.values()], small=batched)
     lights: list[Json] = []
     add_lamps(tree, lights, found, catalog)
     add_rows(tree, lights, rows)
@@ -141,16 +142,17 @@ def document_of(
         "bufferViews": views,
         "buffers": [{"byteLength": len(buffer)}],
     }
-    return document | _extensions(tree.drawn.values(), lights, extensions_used(added)), buffer
+    many = any(one.places for one in tree.drawn.values())
+    needs = [INSTANCING] * many + [QUANTISED] * batched
+    return document | _extensions(needs, lights, extensions_used(added)), buffer
 
 
-def _extensions(drawn: Iterable[Drawn], lights: list[Json], others: Iterable[str]) -> Json:
-    """What of glTF's extensions is used; a reader that knows no instances cannot show them."""
-    many = any(one.places for one in drawn)
-    used = [LIGHTS] * bool(lights) + [INSTANCING] * many + [*others]
+def _extensions(needs: list[str], lights: list[Json], others: Iterable[str]) -> Json:
+    """What of glTF's extensions is used, and what of them a reader ``needs`` to know."""
+    used = [LIGHTS] * bool(lights) + needs + [*others]
     found: Json = {"extensionsUsed": used} if used else {}
-    if many:
-        found["extensionsRequired"] = [INSTANCING]
+    if needs:
+        found["extensionsRequired"] = needs
     return found | ({"extensions": {LIGHTS: {"lights": lights}}} if lights else {})
 
 

@@ -22,7 +22,7 @@ from scenewright.render.items import RenderItem, things, to_level_coordinates
 from scenewright.render.observations.ceilings import ceilings
 from scenewright.render.public_rooms import fittings
 from scenewright.render.skirting import skirting
-from scenewright.render.textures.table import WOOD, texture_of
+from scenewright.render.textures.table import texture_of
 from scenewright.studio.mesh_bytes import encode_mesh
 from scenewright.studio.shapes import Json, Shapes
 from scenewright.studio.texture_files import describe_texture
@@ -129,7 +129,7 @@ def _add_model(told: _Told, one: RenderItem, palette: str) -> int:
 
 def _is_textured(part: Part, kept: bool) -> bool:
     row = texture_of(part.material.name)
-    return row is not None and (kept or row.metres == WOOD)
+    return row is not None and (kept or row.banded)
 
 
 def _describe(material: Material, textured: bool) -> Json:

@@ -34,9 +34,9 @@ class GlbMeshes(NamedTuple):
     materials: MaterialTable
 
 
-def make_meshes(named: Sequence[tuple[str, Sequence[Part]]]) -> GlbMeshes:
+def make_meshes(named: Sequence[tuple[str, Sequence[Part]]], small: bool = False) -> GlbMeshes:
     """Meshes of lists of parts, each with a name: a primitive for the sheet and for every material
-    of its own."""
+    of its own; ``small``: normals as bytes."""
     parts = [part for _, listed in named for part in listed]
     own = [kept for _, listed in named for kept in keep_textures(listed)]
     sheet = lay_out(part for part, kept in zip(parts, own, strict=True) if not kept)
@@ -55,7 +55,7 @@ def make_meshes(named: Sequence[tuple[str, Sequence[Part]]]) -> GlbMeshes:
         ]
         joined += [join_surfaces(found) for found in mine.values()]
         meshes.append({"name": name, "primitives": primitives})
-    packed = pack_surfaces(joined)
+    packed = pack_surfaces(joined, small)
     for mesh in meshes:
         for primitive in mesh["primitives"]:
             primitive |= packed.primitives[primitive.pop("part")]

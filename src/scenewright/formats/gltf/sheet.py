@@ -1,4 +1,5 @@
-"""The sheet: one picture with a band of every wood and a cell of every plain colour of a scene.
+"""The sheet: one picture with a band of every wood (and of the backs of books) and a cell of
+every plain colour of a scene.
 
 What wears nothing else is one material with it, so that a piece of many colours is drawn at once.
 Across, a band repeats as its wood does; up and down each board keeps within it. Roughness, metal
@@ -19,7 +20,7 @@ from scenewright.core.catalog import Material, Part
 from scenewright.render.colour import coded_of, linear_of
 from scenewright.render.textures.pictures import as_pixels, code_pixels, to_jpeg
 from scenewright.render.textures.projection import boards_of, coordinates_of
-from scenewright.render.textures.table import SHEET, WOOD, bake, texture_of
+from scenewright.render.textures.table import SHEET, bake, texture_of
 
 Floats = NDArray[np.float64]
 WIDE = SHEET[1]
@@ -75,7 +76,7 @@ def keep_textures(parts: Sequence[Part]) -> list[bool]:
 
 def _is_large(part: Part, shares: Mapping[Material, float], least: float) -> bool:
     row = texture_of(part.material.name)
-    if row is None or row.metres == WOOD:
+    if row is None or row.banded:
         return False
     return row.always or shares[part.material] >= least
 
@@ -86,7 +87,7 @@ def lay_out(parts: Iterable[Part]) -> Sheet:
     cells: dict[Material, int] = {}
     for part in parts:
         row = texture_of(part.material.name)
-        held = bands if row is not None and row.metres == WOOD else cells
+        held = bands if row is not None and row.banded else cells
         held.setdefault(part.material, len(held))
     return Sheet(bands, cells)
 
@@ -96,18 +97,21 @@ def places_on(sheet: Sheet, part: Part) -> Floats:
     if part.material in sheet.cells:
         middle = np.array(_cell(sheet, part.material)) + CELL / 2
         return np.broadcast_to(middle / (WIDE, sheet.height), (len(part.faces), 3, 2))
-    across, up = np.moveaxis(coordinates_of(part, "grain"), -1, 0)
+    row = texture_of(part.material.name)
+    assert row is not None
+    tall, wide = row.metres
+    across, up = np.moveaxis(coordinates_of(part, row.laying), -1, 0)
     board = boards_of(part.faces, len(part.vertices))[part.faces[:, 0]]
     low, high = (np.full(int(board.max()) + 1, sign * np.inf) for sign in (1, -1))
     np.minimum.at(low, board, up.min(1))
     np.maximum.at(high, board, up.max(1))
     span = (high - low)[board][:, None]
-    within = (up - low[board][:, None]) * np.minimum(1.0, WOOD[0] / np.maximum(span, 1e-9))
-    slack = np.maximum(WOOD[0] - span, 0.0)
+    within = (up - low[board][:, None]) * np.minimum(1.0, tall / np.maximum(span, 1e-9))
+    slack = np.maximum(tall - span, 0.0) * (row.laying == "grain")
     shift = slack * np.modf(0.754877666 * (board + 1))[0][:, None]
     top = sheet.bands[part.material] * BAND + EDGE
-    down = top + SHEET[0] * (1.0 - (within + shift) / WOOD[0])
-    return np.stack([across / WOOD[1], down / sheet.height], -1)
+    down = top + SHEET[0] * (1.0 - (within + shift) / tall)
+    return np.stack([across / wide, down / sheet.height], -1)
 
 
 def draw_sheet(sheet: Sheet) -> SheetPictures:

@@ -8,7 +8,6 @@ its ceilings and its skirting each are one mesh, and nodes of their names hang b
 from __future__ import annotations
 
 import re
-from collections import Counter
 from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
@@ -24,16 +23,22 @@ RESERVED = re.compile(r"[\[\].:/%@\"\\]+")
 """What three.js and Godot drop from the names of nodes."""
 LONGEST = 63
 """Bytes of a name that Blender keeps."""
-MANY, FEW, CROWD = 8, 3, 40
-"""From this number on, equal pieces of a room are instances of one node; in a room that holds a
-crowd of pieces, small ones and fixed ones apart, from a few on."""
 SMALL = 0.45
 """Longest side, in metres, of what is drawn with the other small things of a room."""
-TOGETHER, HUNG = 2, 0.25
-"""From this number on, small or fixed things of a room are drawn as one; what begins so far above
-the floor, in metres, and stands on nothing is fixed."""
+TOGETHER, MANY, HUNG = 2, 8, 0.25
+"""From this number on, small or fixed things of a room are drawn as one, and equal pieces are
+instances of one node; so are small or fixed ones where they are many and alike. What begins so far
+above the floor, in metres, and stands on nothing is fixed."""
 FIXED = RUN | {"curtain", "blind", "toilet", "basin", "pedestal_basin", "double_basin", "bathtub"}
 """Kinds that are fixed to a building and stand on its floor."""
+WHOLE: dict[Hashable, str] = {
+    SMALL: "small things",
+    FIXED: "fixtures",
+    "surface": "grounds",
+    "tree": "planting",
+}
+"""What of a room is drawn as one, and how the node that draws it is called: of trees those of
+which there are not many alike."""
 BRANCHES = {
     "wall": "walls",
     "opening": "openings",
@@ -168,20 +173,18 @@ def _shape_key(body: Body) -> Hashable:
 def _add_pieces(
     tree: Tree, found: Sequence[RenderItem], pieces: Mapping[str, Piece], batched: bool
 ) -> None:
-    """Pieces below their rooms. Many of one kind are instances of a node, small ones and those
-    fixed to the building are drawn as a whole; all have named nodes of their own."""
+    """Pieces below their rooms. Equal ones are instances of a node; small ones, those fixed to the
+    building and the ground are drawn as a whole; all have named nodes of their own."""
     rooms = {node["name"]: number for number, node in enumerate(tree.nodes)}
     batches: dict[tuple[str, Hashable], list[RenderItem]] = {}
     for thing in found:
         batches.setdefault(_batch_key(thing, pieces.get(thing.name)), []).append(thing)
-    large = Counter[str]()
-    for (space, what), group in batches.items():
-        large[space] += len(group) * (what not in (SMALL, FIXED))
+    for key, group in [*batches.items()]:
+        if len(group) < MANY and group[0].extras.get("category") == "tree" and key[1] not in WHOLE:
+            batches.setdefault((key[0], "tree"), []).extend(batches.pop(key))
     for key, group in batches.items():
         parent = rooms.get(group[0].space, 1)
-        alike = FEW if large[key[0]] > CROWD else MANY
-        least = TOGETHER if key[1] in (SMALL, FIXED) else alike
-        held = batched and len(group) >= least and bool(group[0].parts)
+        held = batched and len(group) >= TOGETHER and bool(group[0].parts)
         if held:
             _add_batch(tree, parent, group, key)
         for thing in group:
@@ -193,7 +196,7 @@ def _batch_key(thing: RenderItem, piece: Piece | None) -> tuple[str, Hashable]:
     """What things of a room have in common that may be drawn at once: being small, being fixed to
     the building, or the key."""
     if piece is None:
-        return thing.space, thing.key
+        return thing.space, thing.kind
     if max(piece.size) <= SMALL and not split_bodies(thing.parts)[1]:
         return thing.space, SMALL
     hung = piece.on is None and piece.pose.z >= HUNG
@@ -205,8 +208,8 @@ def _add_batch(
 ) -> None:
     """A node that draws a group: instances of one mesh, or different things as one."""
     first = group[0]
-    if key[1] in (SMALL, FIXED) and (len({t.key for t in group}) > 1 or len(group) < MANY):
-        kind = "fixtures" if key[1] == FIXED else "small things"
+    if key[1] in WHOLE and (len({t.key for t in group}) > 1 or len(group) < MANY):
+        kind = WHOLE[key[1]]
         name = tree.free(f"{kind} of {first.space}")
         drawn = Drawn(key, name, tuple(_in_level(group)))
         extras: Json = {"category": kind, "space": first.space, "holds": len(group)}

@@ -39,6 +39,11 @@ class Texture:
     always: bool = False
     settings: Mapping[str, Any] = field(default_factory=dict, hash=False)
 
+    @property
+    def banded(self) -> bool:
+        """Whether it is a band of the sheet: woods and the backs of books."""
+        return self.pixels == SHEET
+
 
 class Baked(NamedTuple):
     """A texture as drawn: multipliers of linear colour (h, w, 3) of mean 1, and heights (h, w) in
