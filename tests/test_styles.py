@@ -164,6 +164,11 @@ def test_two_seeds_are_two_families(homes: tuple[Solution, Solution]) -> None:
         style, name = scene.palette.split("/")
         assert f"wall plaster, {style} {name}" in names
     assert styles[0] != styles[1]
+    abroad = homes[0].brief.model_copy(update={"style": "mediterranean boho"})
+    scene = scene_of(replace(homes[0], brief=abroad))
+    assert scene.palette.startswith("boho/")
+    names = {p.material.name for t in things(scene, shipped()) for p in t.parts}
+    assert {"terracotta floor", "lime wash"} <= names
 
 
 def test_a_style_that_means_nothing_is_refused_as_an_option_and_noted_in_a_brief() -> None:

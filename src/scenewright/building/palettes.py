@@ -15,6 +15,7 @@ from typing import NamedTuple
 from zlib import crc32
 
 from scenewright.building.finishes import PLASTER, WOOD_FLOOR
+from scenewright.building.regions import REGIONS, region_of
 from scenewright.catalog.assets import materials as m
 from scenewright.core.catalog import Material, Part
 
@@ -183,15 +184,19 @@ def _coat(material: Material, colour: Colour, palette: Palette) -> Material:
 
 
 def paint(parts: tuple[Part, ...], palette: str) -> tuple[Part, ...]:
-    """Parts in the colours of a palette by its id; as they are for none.
+    """Parts in the colours of a palette by its id, in the finishes of the region that stands after
+    it; as they are for none.
 
     >>> chair = (Part(m.OAK, None, None), Part(m.STEEL, None, None))
     >>> [part.material.name for part in paint(chair, "retro/teal")]
     ['oak, retro teal', 'brushed steel']
     """
-    if palette not in PALETTES:
+    name, _, region = palette.partition(" ")
+    if name not in PALETTES:
         return parts
-    coats = list_coats(PALETTES[palette])
+    coats = list_coats(PALETTES[name])
+    if region in REGIONS:
+        coats = {**coats, **REGIONS[region].finishes}
     return tuple(
         replace(part, material=coats[part.material]) if part.material in coats else part
         for part in parts
@@ -209,14 +214,14 @@ def style_of(words: str) -> str:
 
 
 def answers(words: str) -> bool:
-    """Whether some words name a style, a palette or its hue.
+    """Whether some words name a style, a region, a palette or its hue.
 
     >>> answers("Scandinavian, light"), answers("fjord"), answers("cosy")
     (True, True, False)
     """
     asked = set(words.casefold().replace(",", " ").replace("/", " ").split())
     hues = {word for row in PALETTES.values() for word in (row.name, *row.hues.split(","))}
-    return bool(style_of(words) or asked & hues)
+    return bool(style_of(words) or region_of(words) or asked & hues)
 
 
 def choose_palette(style: str, colour: str, name: str, seed: int) -> Palette:

@@ -115,10 +115,11 @@ class Terrain(NamedTuple):
 @dataclass(frozen=True, slots=True, repr=False)
 class Scene:
     """Everything that is drawn: the shell (levels, spaces, walls, openings), what lies on open
-    ground, the pieces, and the stairs; ``palette`` names the colours it is drawn in (empty: those
-    of the models), ``hour`` the time of day it is lit for (empty: none); ``sources`` the author and
-    licence of data that the layout was learned from, and what was learned; ``terrain`` the heights
-    of its ground, on which surfaces lie and pieces stand (none: it is flat)."""
+    ground, the pieces, and the stairs; ``palette`` names the colours it is drawn in and the region
+    of its finishes (empty: those of the models), ``hour`` the time of day it is lit for (empty:
+    none); ``sources`` the author and licence of data that the layout was learned from, and what was
+    learned; ``terrain`` the heights of its ground, on which surfaces lie and pieces stand (none: it
+    is flat)."""
 
     name: str
     levels: tuple[Level, ...]

@@ -28,9 +28,12 @@ AT_ONCE = 50_000
 """Triangles that are prepared together."""
 
 PATTERNS = {
-    "oak floor": finish.PLANKS,
-    "stone floor": finish.SLABS,
-    "tile floor": finish.TILES,
+    **{
+        f"{wood} floor": finish.PLANKS
+        for wood in ["oak", "pine", "cedar", "hinoki", "hickory", "larch"]
+    },
+    **{f"{stone} floor": finish.SLABS for stone in ("stone", "slate", "limestone")},
+    **{f"{clay} floor": finish.TILES for clay in ("tile", "terracotta", "quarry tile")},
     "deck floor": finish.DECK,
     "page": finish.PAGE,
     "grass": finish.GRASS,

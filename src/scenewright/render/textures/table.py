@@ -129,25 +129,27 @@ teak         teak
 planks       oak floor
 herringbone  oak floor/classic; oak floor/retro
 wide boards  oak floor/nordic; oak floor/industrial
-strips       oak floor/japandi
+wide boards  pine floor; larch floor; hickory floor
+strips       oak floor/japandi; cedar floor; hinoki floor
 deck         deck floor
-slabs        stone floor
-tiles        tile floor
-mosaic       turquoise tiles
+slabs        stone floor; slate floor; limestone floor
+tiles        tile floor; terracotta floor; quarry tile floor
+mosaic       turquoise tiles; mosaic floor; penny tile floor
 terrazzo     terrazzo floor
 stone        light stone; slate
 concrete     concrete; slab concrete; screed floor
 plaster      plaster; wall plaster; white render; pale rose render; ochre render
-plaster      garden wall, white
+plaster      garden wall, white; lime wash; clay wall
 weave        warm grey fabric; light fabric; linen; duvet; terracotta fabric; sage fabric
 weave        denim; navy fabric; mustard fabric; charcoal fabric; burgundy velvet; sheer curtain
-cane         rattan
+cane         rattan; tatami floor
 leather      cognac leather
-carpet       wool; carpet, grey; carpet, sand; carpet, sage
+carpet       wool; carpet, grey; carpet, sand; carpet, sage; carpet floor
 bricks       brick
 ashlar       limestone; sandstone; grey masonry; garden wall, stone
 roof tiles   clay tiles; glazed tiles
 shingles     dark tiles; tile coping
+boarding     larch wall
 asphalt      asphalt; lane; parking; roofing felt
 gravel       gravel path; yard
 paving       pavement; garden walk

@@ -7,6 +7,7 @@ from dataclasses import replace
 from functools import lru_cache
 
 from scenewright.building.palettes import STYLES, Palette, choose_palette, style_of
+from scenewright.building.regions import REGIONS, region_of
 from scenewright.building.shell import scene_of_rooms
 from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief
@@ -51,7 +52,7 @@ def refuse_style(brief: Brief) -> None:
     if not knows_style(brief.style, catalog_of(brief.catalogs)):
         raise InputError(
             f"'{brief.style[:40]}' is no style of homes",
-            f"use one of: {', '.join(STYLES)}, or none: then the seed draws one",
+            f"use one of: {', '.join((*STYLES, *REGIONS))}, or none: then the seed draws one",
             place="style",
         )
 
@@ -85,6 +86,7 @@ def _models(catalog: Catalog, style: str) -> dict[str, str]:
 
 
 def scene_of_home(solution: Solution, plan: Plan) -> Scene:
-    """The scene of a home, in its palette."""
+    """The scene of a home, in its palette and the finishes of its region."""
     palette = palette_of(solution.brief, solution.seed)
-    return replace(scene_of_rooms(solution, plan), palette=palette.id)
+    look = f"{palette.id} {region_of(solution.brief.style)}".rstrip()
+    return replace(scene_of_rooms(solution, plan), palette=look)
