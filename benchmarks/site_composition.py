@@ -6,6 +6,7 @@ Measured on footprints alone, of the designer and of ours alike; nothing is shar
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 import shapely
@@ -23,17 +24,23 @@ SMOOTH = 1.0
 
 
 def measure_composition(
-    outline: shapely.Polygon, shapes: NDArray[np.object_], headings: Floats
+    outline: shapely.Polygon,
+    shapes: NDArray[np.object_],
+    headings: Floats,
+    parks: Sequence[shapely.Polygon] = (),
 ) -> dict[str, float]:
-    """The figures of some footprints (n,) with ``headings`` (n,) on the ground of an outline."""
+    """The figures of some footprints (n,) with ``headings`` (n,) on the ground of an outline;
+    ``parks`` are void that is made something of."""
     near = share_along_border(outline, shapes, headings)
     far = shapely.union_all(shapely.buffer(shapes, FAR))
     ground = shapely.make_valid(outline)
+    void = shapely.difference(ground, far)
     return {
         "directions": entropy(headings, math.pi),
         "grids": entropy(headings, math.pi / 2),
         "along_border": near,
-        "void": float(shapely.difference(ground, far).area / ground.area),
+        "void": float(void.area / ground.area),
+        "bare": float(shapely.difference(void, shapely.union_all(parks)).area / ground.area),
     }
 
 

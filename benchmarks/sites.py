@@ -47,6 +47,7 @@ FIGURES = (
     Figure("grids", "entropy of directions by quarters, median", "nat", statistics.median),
     Figure("along_border", "buildings along the border, median", "share", statistics.median),
     Figure("void", "ground over 25 m from a building, median", "share", statistics.median),
+    Figure("bare", "of it no park, median", "share", statistics.median),
     Figure("south", "fronts to the south, mean", "share", statistics.fmean),
     Figure("coverage", "coverage, median", "share", statistics.median),
     Figure("sun", "hours of sun, median", "h", statistics.median),
@@ -94,6 +95,12 @@ def figures_of(pair: Pair) -> tuple[Record, Record]:
         outline,
         np.array(moved_footprints(designed, placed), object),
         np.array([p.pose.heading for p in placed]),
+        [
+            shapely.Polygon(area.outline)
+            for works in pair.solution.detail or ()
+            for area in works.areas
+            if area.kind == "park"
+        ],
     )
     theirs = measure_composition(
         outline, np.array(designed.footprints, object), designed.boxes[:, 2]

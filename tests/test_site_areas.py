@@ -122,6 +122,30 @@ def test_ground_far_from_any_building_is_a_park_with_a_walk_and_trees() -> None:
     assert len(parks) > 1
 
 
+def test_a_quad_round_a_named_object_closes_with_its_fronts_to_it() -> None:
+    chapel = {"id": "chapel", "model": "pavilion", "at": [80, 72], "quad": 14}
+    ground = site(
+        160.0,
+        130.0,
+        setback=3.0,
+        spacing=6.0,
+        roads=[{"line": [[-10, 10], [170, 12]], "width": 8}],
+        landmarks=[chapel],
+        buildings=[{"model": "row_houses", "count": 6}, {"model": "villa", "count": 3}],
+    )
+    found = sw.solve(Brief(domain="site", name="Close", sites=[ground]))
+    assert check(found).valid
+    middle = np.array([80.0, 72.0])
+    near = [p for p in found.pieces if p.asset == "row_houses"]
+    near = sorted(near, key=lambda p: float(np.hypot(*(middle - p.pose[:2]))))[:4]
+    for piece in near:
+        ahead = np.array([np.cos(piece.pose.heading), np.sin(piece.pose.heading)])
+        step = middle - piece.pose[:2]
+        assert step @ ahead > 0.9 * np.hypot(*step)
+    gone = replace(found, pieces=tuple(p for p in found.pieces if p is not near[0]))
+    assert "open_court" in kinds_of(gone)
+
+
 def test_what_is_missing_or_built_over_is_named(solved: Solution) -> None:
     (works,) = solved.detail
 

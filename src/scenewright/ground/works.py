@@ -41,8 +41,8 @@ class PavedArea(NamedTuple):
     about: str = ""
 
 
-GREEN = ("court", "park")
-"""Kinds of areas that are planted, not paved."""
+GREEN, FRONTED = ("court", "park"), ("square", "court")
+"""Kinds of areas that are planted, not paved; and of those set apart that fronts look at."""
 
 
 class GroundWorks(NamedTuple):

@@ -67,9 +67,10 @@ class Landmark(StrictModel):
     """A building that stands where it stands: a shipped style or a model of the brief's
     ``catalogs``, as large as it is unless ``size`` (width, depth, height) is given, or just a
     footprint with a height. ``forecourt`` metres before its front are paved and kept free, as wide
-    as it is; its front stays in sight from ``view`` metres of the street before it, to either
-    side. ``use`` (``church``, ``school``, ``warehouse`` …), ``levels`` and ``roof`` say what draws
-    one that names no model."""
+    as it is; ``quad`` metres all round it are a court that buildings close, their fronts to it;
+    its front stays in sight from ``view`` metres of the street before it, to either side. ``use``
+    (``church``, ``school``, ``warehouse`` …), ``levels`` and ``roof`` say what draws one that names
+    no model."""
 
     id: str = ""
     name: str = ""
@@ -80,6 +81,7 @@ class Landmark(StrictModel):
     outline: Outline | None = None
     height: Length | None = None
     forecourt: Annotated[Depth | None, Field(exclude_if=is_left_out)] = None
+    quad: Annotated[Depth | None, Field(exclude_if=is_left_out)] = None
     view: Annotated[Depth | None, Field(exclude_if=is_left_out)] = None
     use: Annotated[str, Field(max_length=80, exclude_if=not_)] = ""
     levels: Annotated[Whole | None, Field(ge=1, le=300, exclude_if=is_left_out)] = None

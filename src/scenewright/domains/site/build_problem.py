@@ -15,6 +15,7 @@ from scenewright.domains.site.brief import Site
 from scenewright.domains.site.holdings import BuildingDemand
 from scenewright.domains.site.problem import Buildings, Floats, SiteGround, SiteProblem
 from scenewright.ground.plan import Block, SitePlan
+from scenewright.ground.works import FRONTED
 
 PACE = 5.0
 """Distance of the points from which people look, along ways, in metres."""
@@ -83,6 +84,8 @@ def _ground(plan: SitePlan, least: float, verge: float) -> SiteGround:
     ways = [line for way in plan.roads for line in (*way.inside, *way.beside)]
     outline = _rings(plan.outline, plan.holes)
     low, high = plan.outline.min(0), plan.outline.max(0)
+    middles = [np.mean(a.outline, axis=0) for a in plan.areas if a.kind == "square"]
+    marks = [row.box[:2] for row in plan.landmarks]
     return SiteGround(
         edges=outline,
         block_edges=np.concatenate([np.zeros((0, 4)), *rings]),
@@ -110,9 +113,10 @@ def _ground(plan: SitePlan, least: float, verge: float) -> SiteGround:
         squares=np.concatenate(
             [
                 np.zeros((0, 4)),
-                *(edges(np.array(a.outline)) for a in plan.areas if a.kind == "square"),
+                *(edges(np.array(a.outline)) for a in plan.areas if a.kind in FRONTED),
             ]
         ),
+        focus=np.array(middles or marks).reshape(-1, 2),
     )
 
 

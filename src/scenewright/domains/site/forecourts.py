@@ -1,4 +1,4 @@
-"""The forecourt of a landmark, and the ground over which it is seen from along the street.
+"""The forecourt and quad of a landmark, and the ground over which it is seen along the street.
 
 The street of a landmark is the first way ahead of its front, else the nearest one that its front
 looks towards. The forecourt is as wide as the landmark and reaches to that street if it comes
@@ -43,6 +43,23 @@ def lay_forecourt(
         [corners[0], corners[0] + deep[0] * ahead, corners[1] + deep[1] * ahead, corners[1]]
     )
     return found if shapely.Polygon(found).exterior.is_ccw else found[::-1]
+
+
+def lay_quad(
+    landmark: Standing, wide: float, floor: shapely.Polygon, ways: Sequence[Way]
+) -> shapely.Polygon:
+    """The ground ``wide`` metres all round the box of a landmark, as far as it is on the site and
+    no way leads over it."""
+    front, ahead, aside = _front_of(landmark)
+    _, _, _, width, depth = landmark.box
+    u, v = (0.5 * depth + wide) * ahead, (0.5 * width + wide) * aside
+    middle = front - 0.5 * depth * ahead
+    whole = shapely.Polygon([middle - u - v, middle + u - v, middle + u + v, middle - u + v])
+    streets = [shapely.Polygon(a.outline, a.holes) for way in ways for a in way.areas]
+    parts = shapely.difference(shapely.intersection(whole, floor), shapely.union_all(streets))
+    found = [part for part in shapely.get_parts(parts) if part.geom_type == "Polygon"]
+    at = shapely.Point(middle)
+    return shapely.Polygon(min(found or [whole], key=lambda part: part.distance(at)).exterior)
 
 
 def find_sight(

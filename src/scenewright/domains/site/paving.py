@@ -18,7 +18,7 @@ import shapely
 
 from scenewright.core.errors import InputError
 from scenewright.domains.site.brief import Landmark, Site
-from scenewright.domains.site.forecourts import find_sight, lay_forecourt
+from scenewright.domains.site.forecourts import find_sight, lay_forecourt, lay_quad
 from scenewright.domains.site.problem import Floats
 from scenewright.ground.plan import Standing, Way
 from scenewright.ground.streetside.bays import BAY_DEPTH, BAY_WIDTH, DRIVE
@@ -71,7 +71,7 @@ def reserve_areas(
 ) -> Reserved:
     """The ground a site sets apart; what finds no room is not in it. ``standing`` are its
     landmarks, in the order of the brief, and buildings that stay; ``blocks`` can be built on."""
-    asked = [row for row in site.landmarks if row.forecourt or row.view]
+    asked = [row for row in site.landmarks if row.forecourt or row.view or row.quad]
     if not (asked or site.squares or site.parking):
         return Reserved()
     found = _lay_forecourts(site.landmarks, standing, floor, ways)
@@ -118,7 +118,7 @@ def _lay_forecourts(
     floor: shapely.Polygon,
     ways: Sequence[Way],
 ) -> Reserved:
-    """Forecourts and sight lines of the landmarks that ask for them."""
+    """Forecourts, quads and sight lines of the landmarks that ask for them."""
     found = Reserved()
     for row, there in zip(rows, standing, strict=False):
         if row.forecourt:
@@ -126,6 +126,12 @@ def _lay_forecourts(
             area = PavedArea("forecourt", _ring(court), 0, there.id)
             kept = (*found.kept, shapely.Polygon(court))
             found = found._replace(areas=(*found.areas, area), kept=kept)
+        if row.quad:
+            quad = lay_quad(there, row.quad, floor, ways)
+            area = PavedArea(
+                "court", _ring(shapely.get_coordinates(quad.exterior)[:-1]), 0, there.id
+            )
+            found = found._replace(areas=(*found.areas, area), kept=(*found.kept, quad))
         if row.view:
             found = found._replace(kept=(*found.kept, find_sight(there, row.view, floor, ways)))
     return found

@@ -31,7 +31,8 @@ class SiteGround(NamedTuple):
     ``landmarks`` (l, 5) boxes and ``landmark_heights`` (l,), ``landmark_quality`` (l,),
     ``landmark_sides`` (l, 5) as those of buildings.
     ``eyes`` (k, 2): points along roads and paths where people walk, about 5 m apart.
-    ``bounds`` (4,), ``area`` of the site in square metres; ``squares`` (s, 4) edges of squares.
+    ``bounds`` (4,), ``area`` of the site in square metres; ``squares`` (s, 4) edges of squares and
+    quads; ``focus`` (k, 2) the middles of squares, without any of landmarks.
     """
 
     edges: Floats
@@ -47,6 +48,7 @@ class SiteGround(NamedTuple):
     area: float
     landmark_sides: Floats = NONE
     squares: Floats = np.zeros((0, 4))
+    focus: Floats = np.zeros((0, 2))
 
 
 class Buildings(NamedTuple):

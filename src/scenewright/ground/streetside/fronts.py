@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from scenewright.ground.outlines import way as cover
 from scenewright.ground.plan import SitePlan
 from scenewright.ground.ways.walks import Doors
-from scenewright.ground.works import Pathway, middle_lines
+from scenewright.ground.works import FRONTED, Pathway, middle_lines
 
 Flags = NDArray[np.bool_]
 Floats = NDArray[np.float64]
@@ -31,7 +31,7 @@ def list_ways(plan: SitePlan, pathways: Sequence[Pathway]) -> Shapes:
     """The ground of streets, paths, squares and lanes, one a row."""
     areas = [shapely.Polygon(a.outline, a.holes) for way in plan.roads for a in way.areas]
     beside = [cover(line, way.width)[1] for way in plan.roads for line in way.beside]
-    squares = [shapely.Polygon(a.outline) for a in plan.areas if a.kind == "square"]
+    squares = [shapely.Polygon(a.outline) for a in plan.areas if a.kind in FRONTED]
     return np.array([*areas, *beside, *squares, *cover_lanes(pathways)], object)
 
 

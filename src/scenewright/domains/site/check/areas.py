@@ -21,6 +21,8 @@ BAY = 12.0
 NEAR, SHARE, COMPACT = 0.1, 0.97, 0.35
 """Metres between areas that adjoin; share of what is asked that counts as all; least radius of the
 largest circle in a square, in shares of the root of its area."""
+QUAD_GAP = 12.0
+"""Metres of the widest opening of a quad where no other is stated."""
 COURT, PACE, ASIDE, AHEAD = 25.0, 2.0, 0.2, 200.0
 """Least court in square metres; metres between the points of a street that look at a landmark, the
 cosine of how far aside they may stand, and how far ahead of it its street is."""
@@ -45,6 +47,7 @@ def find_missing_areas(
         *_find_blocked_forecourts(grounds, bodies, laid),
         *_find_blocked_views(grounds, bodies),
         *_find_open_courts(grounds, bodies),
+        *_find_open_quads(grounds, bodies),
     ]
 
 
@@ -232,6 +235,20 @@ def _find_open_courts(grounds: JudgedSite, bodies: SiteBodies) -> list[Finding]:
             names = ", ".join(bodies.ids[row] for row in rows[:3])
             message = f"the court of {names} … is open: no opening may be wider than {gap:g} m"
             found.append(_site_finding("open_court", grounds, message, bodies.ids[rows[0]]))
+    return found
+
+
+def _find_open_quads(grounds: JudgedSite, bodies: SiteBodies) -> list[Finding]:
+    """Landmarks round which a quad is asked for that no buildings close."""
+    gap, found = grounds.site.court_gap or QUAD_GAP, []
+    own = bodies.footprints[~bodies.landmark]
+    grown = shapely.get_parts(shapely.union_all(shapely.buffer(own, 0.5 * gap + TOLERANCE)))
+    holes = [shapely.Polygon(ring) for part in grown for ring in part.interiors]
+    for row, there in zip(grounds.site.landmarks, grounds.plan.landmarks, strict=True):
+        middle = shapely.Point(there.box[:2])
+        if row.quad and not any(hole.intersects(middle) for hole in holes):
+            message = f"the quad round {there.id} is open: no opening may be wider than {gap:g} m"
+            found.append(_site_finding("open_court", grounds, message, there.id))
     return found
 
 

@@ -29,7 +29,7 @@ from scenewright.domains.site.solvers.block import (
 )
 from scenewright.domains.site.solvers.closed_court import close_court
 from scenewright.domains.site.solvers.distances import list_reserved_edges
-from scenewright.domains.site.solvers.front import list_focus, list_square_lines, set_back
+from scenewright.domains.site.solvers.front import list_square_lines, set_back
 from scenewright.domains.site.solvers.improve import improve_layout
 from scenewright.domains.site.solvers.interlock import interlock
 from scenewright.domains.site.solvers.loosen import loosen_buildings
@@ -194,7 +194,7 @@ def order_blocks(problem: SiteProblem) -> list[int]:
     the fronts look to. Those whose courts are to close come before all."""
     front = np.array([math.cos(problem.facing), math.sin(problem.facing)])
     places = [list_edges(problem, b)[:, :2].mean(0) for b in range(len(_areas(problem)))]
-    focus = list_focus(problem)
+    focus = problem.ground.focus
     middles = [float(place @ front) for place in places]
     if len(focus):
         middles = [float(np.hypot(*(focus - place).T).min()) for place in places]

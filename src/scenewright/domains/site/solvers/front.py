@@ -121,15 +121,6 @@ def list_square_lines(problem: SiteProblem, lines: Floats) -> Floats:
     return lines[_find_square(problem, 0.5 * (lines[:, :2] + lines[:, 2:]), out)]
 
 
-def list_focus(problem: SiteProblem) -> Floats:
-    """The middles (k, 2) of squares, without any those of landmarks: what a skyline rises to."""
-    squares, marks = problem.ground.squares, problem.ground.landmarks
-    if not len(squares):
-        return marks[:, :2]
-    first = np.flatnonzero((squares[1:, :2] != squares[:-1, 2:]).any(1)) + 1
-    return np.array([ring[:, :2].mean(0) for ring in np.split(squares, first)])
-
-
 def on_square(problem: SiteProblem, boxes: Floats) -> Flags:
     """Which boxes (k, 5) look at a square before them."""
     ahead = np.stack([np.cos(boxes[:, 2]), np.sin(boxes[:, 2])], 1)
