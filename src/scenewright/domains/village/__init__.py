@@ -30,6 +30,7 @@ DOMAIN = Domain(
         "scene": ".furnish:scene_of_village",
         "draw": ".drawing.plan:draw",
         "adjust": ".adjust:adjust",
+        "breeder": ".breeding:make_breeder",
         "editing": ".adjust:rules_of",
         "styles": ".library:list_looks",
         "learn_style": ".learning.learn:learn_style",
