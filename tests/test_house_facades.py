@@ -1,135 +1,76 @@
-"""Facades of village houses over random footprints: doors, windows and eaves know each other."""
+"""Facades of houses over random footprints, in every style and form: doors, windows and eaves know
+each other."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 import numpy as np
 import pytest
-import shapely
+from benchmarks.facades import count_blank_models, count_faults, has_orphan_eave, widest_blank
 
-from scenewright.catalog.assets.buildings.house_shapes import inset
-from scenewright.catalog.assets.buildings.house_walls import front_of, openings
-from scenewright.catalog.assets.buildings.rural_houses import LOOKS, SHED, build_house
-from scenewright.catalog.assets.materials import TILES
-from scenewright.core.footprint import Footprint, read_footprint
+from scenewright.catalog.assets.buildings.house_fronts import openings
+from scenewright.catalog.assets.buildings.house_looks import FORMS, LOOKS
+from scenewright.catalog.assets.buildings.house_walls import front_bays
+from scenewright.catalog.assets.buildings.rural_houses import build_house
+from scenewright.catalog.assets.materials import PANE, RENDER, TILES
+from scenewright.core.catalog import Part
 from scenewright.core.scene import Size
-from scenewright.geometry import rays
+from scenewright.geometry.solids import block
 
-COUNT = 200
-
-
-def footprints(seed: int) -> Iterator[tuple[Footprint, Size]]:
-    """Rectangles, terraces of 4 to 6 m, L, U and T shapes, and convex polygons, with sizes."""
-    rng = np.random.default_rng(seed)
-    for number in range(COUNT):
-        w, d = rng.uniform(3.2, 22.0), rng.uniform(3.2, 16.0)
-        a, b = rng.uniform(0.25, 0.6) * w, rng.uniform(0.25, 0.6) * d
-        w = rng.uniform(4.0, 6.0) if number % 6 == 1 else w
-        a = min(a, 0.6 * w)
-        ring = np.array(shapes_of(number % 6, w / 2, d / 2, a, b, rng), float)
-        low, high = ring.min(0), ring.max(0)
-        ring, (w, d) = ring - (low + high) / 2, (high - low).tolist()
-        height = float(rng.integers(1, 4) * 2.7 + 0.4 + 0.3 * min(w, d))
-        yield read_footprint([(float(x), float(y)) for x, y in ring], w, d), Size(w, d, height)
+SOME = 12
+"""Footprints of a style here; `bench ground` looks at 200."""
 
 
-def shapes_of(kind: int, w: float, d: float, a: float, b: float, rng: np.random.Generator):
-    box = [(-w, -d), (w, -d), (w, d), (-w, d)]
-    if kind == 2:
-        return [(-w, -d), (w, -d), (w, d - b), (w - a, d - b), (w - a, d), (-w, d)]
-    if kind == 3:
-        c = a / 2
-        notch = [(c, d), (c, d - b), (-c, d - b), (-c, d)]
-        return [(-w, -d), (w, -d), (w, d), *notch, (-w, d)]
-    if kind == 4:
-        return [(-w, -d), (w - a, -d), (w - a, b - d), (w, b - d), (w, d), (-w, d)]
-    if kind == 5:
-        turns = (np.arange(6) + rng.uniform(-0.3, 0.3, 6)) * np.pi / 3
-        return np.stack([w * np.cos(turns), d * np.sin(turns)], 1)
-    return box
+@pytest.mark.parametrize("style", list(LOOKS))
+def test_no_facade_of_a_style_has_a_fault(style: str) -> None:
+    assert count_faults(style, seed=3, count=SOME) == (0, 0, 0)
 
 
-def outline_of(footprint: Footprint, size: Size) -> Footprint:
-    w, d = size.width / 2, size.depth / 2
-    return footprint or ((-w, -d), (w, -d), (w, d), (-w, d))
+@pytest.mark.parametrize("form", [form for form in FORMS if form != "house"])
+def test_no_facade_of_a_form_has_a_fault(form: str) -> None:
+    style = list(LOOKS)[list(FORMS).index(form) % len(LOOKS)]
+    assert count_faults(style, form, seed=5, count=SOME) == (0, 0, 0)
 
 
-@pytest.mark.parametrize("look", list(LOOKS))
-def test_no_door_stands_over_a_window_and_every_front_has_one(look: str) -> None:
-    faults = []
-    for number, (footprint, size) in enumerate(footprints(3)):
-        outline = inset(outline_of(footprint, size), LOOKS[look].overhang)
-        shed = shapely.Polygon(outline).area < SHED
-        gate = min(2.4, 0.6 * size.width) if shed else 0.0
-        found = openings(outline, size.height - 2.0, LOOKS[look].windows, gate)
-        (door,) = (spans(mesh, outline) for mesh in found.doors)
-        panes = [spans(mesh, outline) for mesh in found.panes]
-        panes = [row for row in panes if row is not None]
-        beside = [row for row in panes if not shares(door, row, -0.3)]
-        shutters = [spans(mesh, outline) for mesh in found.shutters]
-        over = [row for row in (*beside, *filter(None, shutters)) if shares(door, row, 0.0)]
-        faults += [f"{number}: door over a window"] * bool(over)
-        faults += [f"{number}: front without a window"] * (not panes)
-    assert not faults, faults[:8]
+def test_no_model_is_blank_where_it_is_wide() -> None:
+    assert count_blank_models()[0] == 0
 
 
-def spans(mesh, outline: Footprint):
-    """Where a mesh is on the front, along it and upwards; None if it is on another side."""
-    ring = np.array(outline)
-    k = front_of(outline)
-    start, way = ring[k], ring[(k + 1) % len(ring)] - ring[k]
-    way = way / np.hypot(*way)
-    out = np.array([way[1], -way[0]])
-    points = mesh.vertices[:, :2] - start
-    if np.abs(points @ out).max() > 0.4:
-        return None
-    along = points @ way
-    if along.max() - along.min() < 0.15:
-        return None
-    return along.min(), along.max(), mesh.vertices[:, 2].min(), mesh.vertices[:, 2].max()
+def test_a_wall_without_windows_is_blank_and_an_eave_before_a_wall_an_orphan() -> None:
+    wall = Part(RENDER, *block((-20, 20), (-5, 5), (0, 9)))
+    pane = Part(PANE, *block((4, 6), (5, 5.1), (1, 2)))
+    assert widest_blank((wall,)) == pytest.approx(40.0, abs=0.3)
+    assert widest_blank((wall, pane)) == pytest.approx(24.0, abs=0.5)
+    eave = Part(TILES, *block((-20, 20), (5, 5.3), (4, 4.2)))
+    outline = ((-20.0, -5.0), (20.0, -5.0), (20.0, 5.0), (-20.0, 5.0))
+    assert has_orphan_eave((wall, eave), outline, "rural")
+    assert not has_orphan_eave((wall,), outline, "rural")
 
 
-def shares(one, other, slack: float) -> bool:
-    across = min(one[1], other[1]) - max(one[0], other[0])
-    up = min(one[3], other[3]) - max(one[2], other[2])
-    inside = slack < 0 and one[0] < other[0] and other[1] < one[1] and other[3] < one[3]
-    return inside if slack < 0 else across > slack + 1e-6 and up > slack + 1e-6
+def test_a_front_has_its_door_in_a_bay_of_its_own() -> None:
+    for length in np.arange(3.0, 30.0, 0.7).tolist():
+        rows = front_bays(length, 2.7)
+        assert len(rows) == 2 or len(rows) % 2 == 1
+        assert all(b - a >= 0.6 for a, b in rows)
+    box = ((-2.7, -4.5), (2.7, -4.5), (2.7, 4.5), (-2.7, 4.5))
+    row = openings(box, 5.4, LOOKS["rural"], FORMS["row"])
+    sides = [mesh for mesh in row.panes if np.abs(mesh.vertices[:, 0]).max() > 2.72]
+    assert not sides
+    assert openings(box, 5.4, LOOKS["rural"]).panes
 
 
-@pytest.mark.parametrize("roof", ["gabled", "hipped"])
-def test_no_eave_runs_across_a_wall(roof: str) -> None:
-    faults = []
-    for number, (footprint, size) in enumerate(footprints(5)):
-        built = build_house(size, footprint, "rural", roof)
-        if eaves_across_walls(built, outline_of(footprint, size)):
-            faults.append(number)
-    assert not faults, faults[:8]
+def test_a_shop_has_its_panes_and_its_sign_on_the_front_alone() -> None:
+    box = ((-5.0, -4.5), (5.0, -4.5), (5.0, 4.5), (-5.0, 4.5))
+    found = openings(box, 5.4, LOOKS["brick"], FORMS["shop"])
+    assert found.shops
+    assert all(mesh.vertices[:, 1].min() > 4.4 for mesh in found.shops)
+    low = [mesh for mesh in found.panes if mesh.vertices[:, 2].max() < 2.7]
+    front = [mesh for mesh in low if mesh.vertices[:, 1].min() > 4.4]
+    area = sum(np.ptp(mesh.vertices[:, 0]) * np.ptp(mesh.vertices[:, 2]) for mesh in front)
+    assert area > 0.3 * 10.0 * 2.7
 
 
-def eaves_across_walls(parts, outline: Footprint) -> bool:
-    """Whether somewhere before a facade roof is seen with its wall above it, looked at square
-    on; not within 1.2 m of corners."""
-    is_roof = np.concatenate([np.full(len(p.faces), p.material == TILES) for p in parts])
-    shift = np.cumsum([0, *(len(p.vertices) for p in parts)])[:-1]
-    faces = np.concatenate([p.faces + s for p, s in zip(parts, shift, strict=True)])
-    scene = rays.build(np.concatenate([p.vertices for p in parts]), faces)
-    ring, by = np.array(outline), LOOKS["rural"].overhang
-    for a, b in zip(ring, np.roll(ring, -1, axis=0), strict=True):
-        long = float(np.hypot(*(b - a)))
-        way = (b - a) / long
-        out = np.array([way[1], -way[0]])
-        at = np.arange(1.2, long - 1.2, 0.4)
-        up = np.arange(0.6, 14.0, 0.2)
-        spots = a + at[:, None] * way + 2.0 * out
-        eyes = np.array([(*spot, z) for spot in spots for z in up])
-        if not len(eyes):
-            continue
-        distance, face, _ = rays.hits(scene, eyes, np.tile((*-out, 0.0), (len(eyes), 1)))
-        roof = (face >= 0) & is_roof[np.maximum(face, 0)] & (distance < 2.0 + by - 0.05)
-        wall = (face >= 0) & ~is_roof[np.maximum(face, 0)] & (distance < 2.0 + by + 0.1)
-        roof, wall = roof.reshape(len(at), -1), wall.reshape(len(at), -1)
-        above = np.flip(np.cumsum(np.flip(wall, 1), 1), 1)
-        if (roof[:, :-1] & (above[:, 1:] >= 2)).any():
-            return True
-    return False
+@pytest.mark.parametrize("style", list(LOOKS))
+def test_the_walls_of_a_row_meet_its_neighbours(style: str) -> None:
+    drawn = build_house(Size(5.4, 9.0, 8.4), (), style, "gabled", "row")
+    wall = max(drawn, key=lambda part: float(np.ptp(part.vertices[:, 2])))
+    assert np.ptp(wall.vertices[:, 0]) == pytest.approx(5.4, abs=0.05)

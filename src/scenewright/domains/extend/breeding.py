@@ -119,7 +119,8 @@ def _develop(
     areas: tuple[AreaPlan, ...] = plan.detail.areas
     rows = zip(areas, posed, layouts, strict=True)
     found: list[FilledArea] = [
-        furnish_area(brief, area, problem, layout, catalog, 1) for area, problem, layout in rows
+        furnish_area(brief, plan.detail, area, problem, layout, catalog, 1)
+        for area, problem, layout in rows
     ]
     return assemble_solution(brief, plan.detail, found, catalog, "quick", "grow", seed, 0.0)
 

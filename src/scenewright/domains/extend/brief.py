@@ -26,20 +26,26 @@ from scenewright.core.brief.fields import (
     is_left_out,
 )
 from scenewright.core.brief.terrain import TerrainBrief
+from scenewright.core.brief.uses import UseName, UseWish
 
+RoofName = Literal["gabled", "hipped", "flat"]
 Span = Annotated[Number, Field(gt=0, le=BUILDING)]
 
 
 class SourceBuilding(StrictModel):
-    """A building of a source: its ``outline`` in metres, ``height``, ``heading`` of its front in
-    radians (left out: the side facing the nearest street), the ``model`` that draws it."""
+    """A building of a source: its ``outline`` in metres, ``height`` (or ``levels``), ``heading`` of
+    its front in radians (left out: the side facing the nearest street), the ``model`` that draws
+    it, else its ``use`` and ``roof``."""
 
     id: Annotated[str, Field(max_length=200)] = ""
     name: Annotated[str, Field(max_length=80)] = ""
     outline: Outline
     height: Span = 7.5
+    levels: Annotated[Whole | None, Field(ge=1, le=130, exclude_if=is_left_out)] = None
     heading: Heading | None = None
     model: Annotated[str, Field(max_length=500)] = ""
+    use: Annotated[UseName | None, Field(exclude_if=is_left_out)] = None
+    roof: Annotated[RoofName | None, Field(exclude_if=is_left_out)] = None
 
 
 class StreetLine(StrictModel):
@@ -96,9 +102,10 @@ class GrowthArea(StrictModel):
     """Ground to fill. ``count`` buildings, or as many as cover the share ``coverage`` (both left
     out: the share that the sources cover). ``roads`` are drawn there; ``continue_streets`` runs
     those on that end at its border. ``use`` says which models stand there: the ``source``'s own,
-    or of a like size from the brief's ``catalogue``. ``rows`` are built first. ``fixed`` stays and
-    counts. ``storeys``: how many storeys copies are taller (or lower) than their
-    originals."""
+    or of a like size from the brief's ``catalogue``. ``rows`` are built first. ``uses`` says
+    how many new buildings of a use there are to be, or of how much floor (left out: as in the
+    source). ``fixed`` stays and counts. ``storeys``: how many storeys copies are taller (or lower)
+    than their originals."""
 
     id: str = ""
     name: str = ""
@@ -111,6 +118,7 @@ class GrowthArea(StrictModel):
     storeys: Annotated[int, Field(strict=True, ge=-20, le=60)] = 0
     use: Literal["source", "catalogue"] = "source"
     rows: Annotated[list[DrawnRow], Field(max_length=200)] = []
+    uses: Annotated[dict[UseName, UseWish], Field(exclude_if=not_)] = {}
     fixed: Annotated[list[LockedGrowth], Field(max_length=5000)] = []
 
 

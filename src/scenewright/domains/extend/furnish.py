@@ -31,7 +31,8 @@ def new_pieces(
         while f"{area.id}/{kind.name}_{counts[kind.name]}" in taken:
             counts[kind.name] += 1
         size = grow_upwards(Size(*kind.size), area.row.storeys)
-        asset = model_of(kind._replace(size=(*size,)), style, catalog)
+        told = pattern.told[origin] if pattern.told else ("", "")
+        asset = model_of(kind._replace(size=(*size,)), style, catalog, told)
         found.append(
             Piece(
                 id=f"{area.id}/{kind.name}_{counts[kind.name]}",
@@ -62,8 +63,8 @@ def grow_upwards(size: Size, storeys: int) -> Size:
 def old_pieces(plan: ExtendPlan, style: str, catalog: Catalog) -> tuple[Piece, ...]:
     """The buildings of the sources that stand, with the models that draw them."""
     return tuple(
-        replace(piece, asset=model_of(kind, style, catalog))
-        for kind, piece in source_pieces(plan, catalog)
+        replace(piece, asset=model_of(kind, style, catalog, plan.pattern.told[number]))
+        for number, kind, piece in source_pieces(plan, catalog)
     )
 
 

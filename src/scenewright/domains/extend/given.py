@@ -25,7 +25,7 @@ BOXY = 0.985
 def given_pieces(_brief: Brief, plan: Plan, kinds: Catalog) -> tuple[Piece, ...]:
     """What stood before and what stays in the areas of a plan, by its brief alone."""
     stay = (piece for area in plan.detail.areas for piece in standing_pieces(area))
-    return (*stay, *(piece for _, piece in source_pieces(plan.detail, kinds)))
+    return (*stay, *(piece for *_, piece in source_pieces(plan.detail, kinds)))
 
 
 def standing_pieces(area: AreaPlan) -> tuple[Piece, ...]:
@@ -47,9 +47,9 @@ def standing_pieces(area: AreaPlan) -> tuple[Piece, ...]:
     )
 
 
-def source_pieces(plan: ExtendPlan, catalog: Catalog) -> Iterator[tuple[BuildingKind, Piece]]:
-    """The buildings of the sources that stand, each with its kind; they belong to no area. Which
-    model draws each is not said here."""
+def source_pieces(plan: ExtendPlan, catalog: Catalog) -> Iterator[tuple[int, BuildingKind, Piece]]:
+    """The buildings of the sources that stand, each with its number and kind; they belong to
+    no area. Which model draws each is not said here."""
     pattern = plan.pattern
     for number, (box, k) in enumerate(zip(pattern.boxes.tolist(), pattern.kind, strict=True)):
         source = int(pattern.source[number])
@@ -72,7 +72,7 @@ def source_pieces(plan: ExtendPlan, catalog: Catalog) -> Iterator[tuple[Building
             fixed=True,
             footprint=footprint_within(local, size, catalog.assets.get(kind.model)),
         )
-        yield kind, piece
+        yield number, kind, piece
 
 
 def footprint_within(local: Points, size: Size, asset: Asset | None) -> Footprint:

@@ -102,7 +102,7 @@ def make_matrix_breeder(brief: Brief, plan: Plan, seed: int = 0) -> MatrixBreede
 
     def develop(genome: Genome) -> Solution:
         layout = rate_layout(problem, build_plots(problem, matrix.grid, matrix.shape(genome)))
-        found = furnish_area(brief, area, problem, layout, catalog, 1)
+        found = furnish_area(brief, made, area, problem, layout, catalog, 1)
         return assemble_solution(brief, made, [found], catalog, "paper", "colony", seed, 0.0)
 
     kinds = len(matrix.grid.areas) + 1

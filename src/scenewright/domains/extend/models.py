@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import shapely
 
+from scenewright.catalog.assets.buildings.house_looks import LOOKS
 from scenewright.catalog.loading import BUILDING, catalog_of, find_asset
 from scenewright.core.brief import Brief
 from scenewright.core.brief.catalog import CatalogBrief, entry_of
@@ -13,10 +14,11 @@ from scenewright.core.errors import InputError
 from scenewright.core.footprint import Footprint
 from scenewright.core.scene import Size
 from scenewright.domains.extend.areas import ExtendPlan
-from scenewright.domains.extend.given import footprint_within
+from scenewright.domains.extend.given import BOXY, footprint_within
 from scenewright.domains.extend.pattern import BuildingKind, SourcePattern
 from scenewright.domains.extend.problem import Floats
-from scenewright.ground.buildings.plain_buildings import HOUSES, plain_building
+from scenewright.ground.buildings.plain_buildings import fits_footprint, plain_building, style_at
+from scenewright.ground.buildings.use_words import use_of_word
 
 ROUNDED = 0.015
 """Metres by which corners of the same footprint may differ."""
@@ -35,18 +37,31 @@ def with_source_models(brief: Brief, plan: ExtendPlan) -> Brief:
     return brief.model_copy(update={"catalogs": [*brief.catalogs, *more]}) if more else brief
 
 
-def model_of(kind: BuildingKind, style: str, catalog: Catalog) -> str:
-    """The id of the asset that draws a kind of building."""
+def model_of(
+    kind: BuildingKind, style: str, catalog: Catalog, told: tuple[str, str] = ("", "")
+) -> str:
+    """The id of the asset that draws a kind of building, of which a use and a roof may be
+    ``told``; one that is drawn in its box only draws no other footprint."""
     if kind.model:
         return find_asset(catalog, kind.model).id
-    return plain_building(kind.size, float(shapely.Polygon(kind.local).area), style)
+    (use, roof), area = told, float(shapely.Polygon(kind.local).area)
+    found = plain_building(kind.size, area, style, use, roof)
+    if fits_footprint(found) or area > BOXY * kind.size[0] * kind.size[1]:
+        return found
+    return plain_building(kind.size, area, style, use_of_word(use) or "", roof)
+
+
+def local_style(brief: Brief, plan: ExtendPlan) -> str:
+    """The style of houses a brief names, else that of the country its ground lies in."""
+    places = (brief.part.origin, *(scene.origin for scene in plan.sources))
+    return brief.style or style_at(next((at for at in places if at is not None), None))
 
 
 def check_models(brief: Brief, plan: ExtendPlan) -> Catalog:
     """The catalogue of a brief with the models of its sources; InputError for a style or a model
     there is not."""
-    if brief.style not in HOUSES:
-        known = ", ".join(sorted(filter(None, HOUSES)))
+    if brief.style and brief.style not in LOOKS:
+        known = ", ".join(LOOKS)
         raise InputError(f"'{brief.style[:40]}' is no style", f"use one of: {known}", place="style")
     catalog = catalog_of(with_source_models(brief, plan).catalogs)
     taller = [area.id for area in plan.areas if area.row.storeys]

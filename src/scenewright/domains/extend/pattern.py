@@ -66,7 +66,8 @@ class SourcePattern(NamedTuple):
     (n,), neighbours ``near`` (n, k), -1 for none, with poses ``relative`` (n, k, 3) in the frame
     of each, the buildings ``alike`` (n, a) that may stand in for each, ``reach``: metres within
     which neighbours count; gaps, the share of ground covered, and the share in which each is
-    followed, ``weight`` (n,); of each source the ``steps`` (m, 2) at which it repeats itself."""
+    followed, ``weight`` (n,); of each source the ``steps`` (m, 2) at which it repeats itself; and
+    what is told of each building, its use and the form of its roof."""
 
     kinds: tuple[BuildingKind, ...]
     boxes: Floats
@@ -81,6 +82,7 @@ class SourcePattern(NamedTuple):
     coverage: float
     weight: Floats
     steps: tuple[Floats, ...]
+    told: tuple[tuple[str, str], ...] = ()
 
 
 def learn_pattern(scenes: Sequence[BuiltScene], shares: Sequence[float]) -> SourcePattern:
@@ -114,6 +116,7 @@ def learn_pattern(scenes: Sequence[BuiltScene], shares: Sequence[float]) -> Sour
         min(float(np.average(covered, weights=shares)), 0.75),
         weight,
         tuple(repeat_steps(one.boxes) for one in frames),
+        tuple((one.use, one.roof) for scene in scenes for one in scene.buildings),
     )
 
 

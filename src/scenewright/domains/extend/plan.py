@@ -24,6 +24,7 @@ from scenewright.domains.extend.brief import (
     ExtendPart,
     GrowthArea,
     LockedGrowth,
+    SourceBuilding,
     SourceScene,
     StreetLine,
 )
@@ -43,6 +44,8 @@ BESIDE = 80.0
 LEAST_SOURCE = 2
 LEAST_ROW = 1.0
 """Metres of a drawn row."""
+ROOFED = 2.5
+"""Metres of a roof over the storeys of a building that states these alone."""
 GAP = 30.0
 """Metres between old and new ground that are closed."""
 MARGIN = 8.0
@@ -114,10 +117,19 @@ def _build_source(row: SourceScene) -> BuiltScene:
         if outline is None:
             left_out.append(f"{name}: has no usable footprint")
             continue
-        found.append(BuiltBuilding(name, one.name, outline, one.height, one.heading, one.model))
+        high = _height(one)
+        built = BuiltBuilding(name, one.name, outline, high, one.heading, one.model)
+        found.append(built._replace(use=one.use or "", roof=one.roof or ""))
     kept, overlapping = drop_overlaps(found) if found else ((), ())
     roads = tuple(_road(one, "") for one in row.roads)
     return BuiltScene(row.name, kept, roads, None, (*left_out, *overlapping))
+
+
+def _height(row: SourceBuilding) -> float:
+    """The height of a drawn building; by its storeys and a roof where it states these alone."""
+    if row.levels is None or "height" in row.model_fields_set:
+        return row.height
+    return row.levels * STOREY + (0.5 if row.roof == "flat" else ROOFED)
 
 
 def _road(row: StreetLine, place: str) -> BuiltRoad:

@@ -37,7 +37,7 @@ def solution_of(
         layout = _layout(problem.pattern, layouts.get(area.id, ()), area.id)
         wanted = (problem.number or 0) - len(area.fixed)
         layout = layout._replace(asked=max(wanted, len(layout.poses), 1))
-        found.append(furnish_area(brief, area, problem, layout, catalog, 0))
+        found.append(furnish_area(brief, made.detail, area, problem, layout, catalog, 0))
     spent = time.perf_counter() - started
     return assemble_solution(brief, made.detail, found, catalog, "default", "given", seed, spent)
 

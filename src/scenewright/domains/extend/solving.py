@@ -30,6 +30,7 @@ from scenewright.domains.extend.models import (
     as_drawn,
     check_models,
     keep_alike,
+    local_style,
     use_catalogue,
     with_source_models,
 )
@@ -39,11 +40,14 @@ from scenewright.domains.extend.problem import ExtendProblem, GrownLayout
 from scenewright.domains.extend.reasons import reasons
 from scenewright.domains.extend.settings import GrowthSettings
 from scenewright.domains.extend.solvers import EXTEND_SOLVERS
+from scenewright.domains.extend.uses import dress_extension
 from scenewright.engine.rows import preset_named
 from scenewright.engine.solve import Budget, Report
 from scenewright.engine.trace import Hear, hear_in
 from scenewright.engine.watched import add_watch
 
+COMPOSED = ("grow",)
+"""Solvers whose buildings get fronts to their street and the form of their use."""
 Progress = Callable[[float, str], None]
 Cancel = Callable[[], bool]
 
@@ -92,7 +96,9 @@ def solve(
         answer = EXTEND_SOLVERS[named].run(problem, budget, seed + 7919 * k, on_progress, cancel)
         layout, tried = answer.layouts[0], answer.evaluations
         stopped = cancel is not None and cancel()
-        found.append(furnish_area(brief, area, problem, layout, catalog, tried, stopped=stopped))
+        found.append(
+            furnish_area(brief, made, area, problem, layout, catalog, tried, stopped=stopped)
+        )
     spent = time.perf_counter() - started
     return assemble_solution(brief, made, found, catalog, preset, named, seed, spent)
 
@@ -133,6 +139,7 @@ def pose_problem(
 
 def furnish_area(
     brief: Brief,
+    plan: ExtendPlan,
     area: AreaPlan,
     problem: ExtendProblem,
     layout: GrownLayout,
@@ -143,10 +150,8 @@ def furnish_area(
 ) -> FilledArea:
     """A layout as pieces, with its figures and what it lacks, be it because the run was
     ``stopped``."""
-    pieces = (
-        *standing_pieces(area),
-        *new_pieces(area, problem.pattern, layout, brief.style, catalog),
-    )
+    style = local_style(brief, plan)
+    pieces = (*standing_pieces(area), *new_pieces(area, problem.pattern, layout, style, catalog))
     missing = layout.asked - len(layout.poses)
     left_out = []
     if not layout.asked and not len(layout.poses) and not area.fixed:
@@ -178,16 +183,18 @@ def assemble_solution(
         for line in plan.left_out
     )
     new = tuple(piece for one in found for piece in one.pieces)
-    pieces = (*new, *old_pieces(plan, brief.style, catalog))
-    if solver == "grow":
+    pieces = (*new, *old_pieces(plan, local_style(brief, plan), catalog))
+    lacking: list[LeftOut] = []
+    if solver in COMPOSED:
         counted = {area.id for area in plan.areas if area.row.count is not None}
-        pieces = front_pieces(plan.ground, pieces, counted)
+        fronted = front_pieces(plan.ground, pieces, counted)
+        pieces, lacking = dress_extension(plan, fronted)
     return Solution(
         brief=with_source_models(brief, plan),
         pieces=pieces,
         patches=(),
         terms=tuple(term for one in found for term in one.terms),
-        left_out=(*(out for one in found for out in one.left_out), *skipped),
+        left_out=(*(out for one in found for out in one.left_out), *lacking, *skipped),
         energies={one.area: math.fsum(term.cost for term in one.terms) for one in found},
         preset=preset,
         solver=solver,

@@ -26,12 +26,12 @@ from scenewright.core.brief.fields import (
     is_left_out,
 )
 from scenewright.core.brief.terrain import TerrainBrief
+from scenewright.core.brief.uses import UseName, UseWish
 
 Stretch = Annotated[Number, Field(gt=0, le=BUILDING)]
 Portion = Annotated[Number, Field(ge=0, le=1)]
 RoofName = Literal["gabled", "hipped", "flat"]
 HouseClass = Literal["small", "medium", "large"]
-UseName = Literal["dwelling", "outbuilding", "farm", "shop", "works", "public"]
 
 
 class Lane(StrictModel):
@@ -65,7 +65,8 @@ class LibraryHouse(StrictModel):
 class LockedHouse(StrictModel):
     """A house that stays where it stands: one that stands already, or one locked in a saved
     solution. ``house`` is its name in the library, ``size`` width, depth and height in metres,
-    ``footprint`` the polygon it covers, stretched to these."""
+    ``footprint`` the polygon it covers, stretched to these. One without a ``model`` is drawn by its
+    ``use`` and ``roof`` (left out: a gabled dwelling)."""
 
     id: Annotated[str, Field(min_length=1, max_length=500)]
     house: str = ""
@@ -74,6 +75,8 @@ class LockedHouse(StrictModel):
     heading: Heading = -pi / 2
     size: tuple[Stretch, Stretch, Stretch]
     footprint: Annotated[FootprintOutline | None, Field(exclude_if=is_left_out)] = None
+    use: Annotated[UseName | None, Field(exclude_if=is_left_out)] = None
+    roof: Annotated[RoofName | None, Field(exclude_if=is_left_out)] = None
     locked: Annotated[Switch, Field(exclude_if=not_)] = False
 
 
@@ -84,7 +87,8 @@ class VillageBlock(StrictModel):
     first corner to the second (left out: the sides along ``lanes``). ``count`` houses, or as many
     as cover the share ``coverage`` of the block (both left out: as many as such blocks have).
     ``classes`` are the shares of small (under 50 m²), medium and large (over 100 m²) houses;
-    ``square``: square metres kept free on the street. ``fixed`` are houses that stay
+    ``square``: square metres kept free on the street; ``uses``: how many buildings of a use there
+    are to be, or of how much floor (left out: as it comes). ``fixed`` are houses that stay
     where they stand and count.
     """
 
@@ -96,6 +100,7 @@ class VillageBlock(StrictModel):
     coverage: Annotated[Number, Field(gt=0, le=0.7)] | None = None
     classes: dict[HouseClass, Portion] = {}
     square: Annotated[Number, Field(gt=0, le=1e5)] | None = None
+    uses: Annotated[dict[UseName, UseWish], Field(exclude_if=not_)] = {}
     fixed: Annotated[list[LockedHouse], Field(max_length=1000)] = []
 
 

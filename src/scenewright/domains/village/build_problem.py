@@ -9,10 +9,12 @@ from scenewright.core.space import Points
 from scenewright.domains.village.blocks import BlockPlan, VillagePlan
 from scenewright.domains.village.brief import HouseClass, VillageBlock
 from scenewright.domains.village.composing import rim_of
+from scenewright.domains.village.given import standing_pieces
 from scenewright.domains.village.house import class_of_area
 from scenewright.domains.village.problem import VillageProblem
 from scenewright.domains.village.settings import VillageSettings
 from scenewright.domains.village.standing import stand
+from scenewright.domains.village.uses import wishes_left
 
 PACE = 2.0
 """Metres between the places tried for a free square along the street."""
@@ -48,6 +50,7 @@ def build_problem(
         shapely.union(shapely.Polygon(square), plan.lanes) if square is not None else plan.lanes,
         village.nets,
         rim_of(square, plan.streets) if settings.composed else np.zeros((0, 2, 2)),
+        tuple(wishes_left(block, standing_pieces(plan)).items()),
     )
 
 

@@ -9,6 +9,7 @@ from scenewright.domains.village.house import class_of_area
 from scenewright.domains.village.learned.mix import draw_sizes, fetch_houses
 from scenewright.domains.village.problem import VillageProblem
 from scenewright.domains.village.standing import Floats, Indices, stand
+from scenewright.domains.village.uses import meet_uses
 
 MOST = 500
 """Most houses of a block."""
@@ -26,6 +27,8 @@ def choose_houses(problem: VillageProblem, rng: np.random.Generator) -> list[int
         found = _choose_area(problem, rng)
     else:
         found = _choose_count(problem, problem.asked, rng)
+    if problem.uses:
+        found = meet_uses(problem.houses, found, dict(problem.uses), rng)
     order = np.array([problem.houses[k].area for k in found])
     order = order * np.exp(rng.normal(0.0, JITTER, len(found)))
     return [found[k] for k in np.argsort(-order, kind="stable")]

@@ -15,16 +15,16 @@ from scenewright.domains.village.house import House, is_outbuilding
 from scenewright.domains.village.learned.surroundings import Surroundings
 from scenewright.domains.village.problem import VillageProblem
 from scenewright.domains.village.relations import fold
-from scenewright.domains.village.standing import Floats, Shapes
+from scenewright.domains.village.standing import Flags, Floats, Shapes
 
 FRONT, FAR_BACK, DEEPER = 10.0, 2.5, 0.06
 """Metres from a way within which a dwelling stands; what it costs to stand farther, and each metre
 more."""
 STRAIGHT, ASLANT = 0.12, 6.0
 """Radians by which a dwelling may be askew to its way, and what each radian more costs."""
-BELONGS, ALONE, BEFORE = 9.0, 3.0, 2.5
-"""Metres from a dwelling within which an outbuilding belongs to it; what it costs to stand
-farther from all, and nearer to the street than the dwelling does."""
+BELONGS, BACK = 9.0, 1.0
+"""Metres from a dwelling within which an outbuilding belongs to it, and by which it stands farther
+from the street."""
 MOST_SERVING = 0.34
 """Share of the houses that may be outbuildings."""
 RIM_GAPS, RIM_STEPS = (1.5, 3.0, 5.0), 7
@@ -39,7 +39,7 @@ def serves(house: House) -> bool:
 
 
 def compose_weights(
-    problem: VillageProblem, seen: Surroundings, house: House, shapes: Shapes, angles: Floats
+    problem: VillageProblem, house: House, shapes: Shapes, angles: Floats
 ) -> Floats:
     """What is added (k,) to the log weights of footprints (k,) of a house at angles (k,): 0 at
     best."""
@@ -52,15 +52,21 @@ def compose_weights(
         aslant = fold(angles - np.arctan2(along[:, 1], along[:, 0]))
         far = np.where(away > FRONT, FAR_BACK + DEEPER * (away - FRONT), 0.0)
         return -far - ASLANT * np.maximum(aslant - STRAIGHT, 0.0)
-    ways = shapely.union_all(lines)
+    return np.zeros(len(shapes))
+
+
+def stands_behind(problem: VillageProblem, seen: Surroundings, shapes: Shapes) -> Flags:
+    """Which footprints (k,) of an outbuilding are behind a house they belong to: near it, and
+    farther from the way than it. All, where no house stands or can stand."""
     homes = seen.standing.shapes[~_serving(seen)]
-    if not len(homes):
-        return np.full(len(shapes), -ALONE)
+    if not len(homes) or not len(shapes):
+        return np.ones(len(shapes), np.bool_)
+    ways = shapely.union_all(shapely.linestrings(ways_of(problem)))
     near, gap = shapely.STRtree(homes).query_nearest(
         shapes, return_distance=True, all_matches=False
     )
-    theirs = shapely.distance(homes[near[1]], ways)
-    return -ALONE * (gap > BELONGS) - BEFORE * (away < theirs + 1.0)
+    theirs, away = shapely.distance(homes[near[1]], ways), shapely.distance(shapes, ways)
+    return np.asarray((gap <= BELONGS) & (away >= theirs + BACK))
 
 
 def _serving(seen: Surroundings) -> np.ndarray:
@@ -75,7 +81,8 @@ def ways_of(problem: VillageProblem) -> Points:
 def is_enough(problem: VillageProblem, numbers: tuple[int, ...]) -> bool:
     """Whether another outbuilding would be one too many beside the houses placed; never where the
     brief says how large houses are, or the library holds nothing else."""
-    if problem.sizes is not None or all(serves(house) for house in problem.houses):
+    asked = any(use == "outbuilding" for use, _ in problem.uses)
+    if problem.sizes is not None or asked or all(serves(house) for house in problem.houses):
         return False
     standing = len(problem.fixed.shapes) + len(numbers)
     own = sum(serves(problem.houses[k]) for k in numbers)
@@ -88,7 +95,7 @@ def stand_ins(problem: VillageProblem, number: int) -> list[int]:
     that about as large, a smaller one and the least."""
     own = problem.houses[number].area
     most = max(1.1 * own, 60.0)
-    homes = [k for k, h in enumerate(problem.houses) if not serves(h)]
+    homes = [k for k, h in enumerate(problem.houses) if not serves(h) and h.share > 0]
     fitting = [k for k in homes if problem.houses[k].area <= most] or homes
     fitting.sort(key=lambda k: abs(problem.houses[k].area - own))
     return list(dict.fromkeys([*fitting[:1], *fitting[len(fitting) // 2 :][:1], *fitting[-1:]]))

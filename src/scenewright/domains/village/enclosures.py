@@ -13,6 +13,7 @@ from typing import NamedTuple
 import numpy as np
 import shapely
 
+from scenewright.catalog.assets.buildings.house_looks import LOOKS
 from scenewright.core.piece_outlines import outline_of, polygons_of
 from scenewright.core.scene import Piece
 from scenewright.domains.village.blocks import BlockPlan
@@ -38,11 +39,12 @@ class Enclosures(NamedTuple):
 
 FENCE = Enclosure("fence", 1.0, 0.08, 0.0)
 STONE, WHITE = Enclosure("stone_wall", 0.9, 0.4, 0.0), Enclosure("white_wall", 1.8, 0.3, 0.14)
-LOOKS = {
-    "rural": Enclosures(Enclosure("hedge", 0.9, 0.6, 0.0), FENCE),
-    "riviera": Enclosures(STONE, STONE),
-    "hui": Enclosures(WHITE, WHITE),
+ENCLOSED = {
+    "hedge": Enclosures(Enclosure("hedge", 0.9, 0.6, 0.0), FENCE),
+    "stone": Enclosures(STONE, STONE),
+    "white": Enclosures(WHITE, WHITE),
 }
+"""By what encloses the plots of a style."""
 SETBACK, SHORTEST = 0.25, 1.5
 """Metres from the street, and of the shortest piece."""
 FRONTING = 0.6
@@ -57,7 +59,7 @@ def enclose_plots(
 ) -> Iterator[tuple[Enclosure, shapely.Geometry, shapely.Geometry]]:
     """What encloses the plots of a block, with the ground it takes and that of its coping; none
     where walls are near and on ``blocked`` ground (walks with their gates, squares)."""
-    kinds = LOOKS[look]
+    kinds = ENCLOSED[LOOKS[look].enclosed]
     outer, inner = fence_lines(plots, shapes, blocked)
     ways = shapely.union_all([shapely.boundary(block.lanes), *shapely.linestrings(block.streets)])
     along = shapely.buffer(ways, FRONTING, quad_segs=1)

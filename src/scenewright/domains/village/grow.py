@@ -20,6 +20,7 @@ from scenewright.domains.village.composing import (
     rim_poses,
     serves,
     stand_ins,
+    stands_behind,
     ways_of,
 )
 from scenewright.domains.village.doors import assign_doors
@@ -90,7 +91,7 @@ def _front_square(
     """Houses before each side of the square, their fronts to it, and those that are left."""
     rest = list(chosen)
     for side in problem.rim:
-        for number in [k for k in dict.fromkeys(rest) if not serves(problem.houses[k])]:
+        for number in [k for k in dict.fromkeys(rest) if _may_front(problem.houses[k])]:
             house = problem.houses[number]
             poses = rim_poses(side, house)
             good = _legal(problem, growth.standing, house, poses)
@@ -99,6 +100,11 @@ def _front_square(
                 rest.remove(number)
                 break
     return growth, rest
+
+
+def _may_front(house: House) -> bool:
+    """Whether a house is one that stands about a square."""
+    return not serves(house) and house.use != "works"
 
 
 def _legal(
@@ -199,7 +205,7 @@ def _candidates(problem: VillageProblem, growth: Growth, number: int) -> list[in
     if serves(house) and is_enough(problem, growth.houses):
         wanted = problem.asked is not None or house.area > OUTBUILDING
         return stand_ins(problem, number) if wanted else []
-    more = [] if serves(house) else stand_ins(problem, number)
+    more = stand_ins(problem, number) if not serves(house) or house.area > OUTBUILDING else []
     return [number] * again + _smaller(problem, number) + more
 
 
@@ -208,7 +214,9 @@ def _smaller(problem: VillageProblem, number: int) -> list[int]:
     three sizes."""
     house = problem.houses[number]
     fitting = [
-        k for k, h in enumerate(problem.houses) if h.size == house.size and h.area < house.area
+        k
+        for k, h in enumerate(problem.houses)
+        if h.size == house.size and h.area < house.area and (not problem.uses or h.use == house.use)
     ]
     fitting.sort(key=lambda k: -problem.houses[k].area)
     return fitting[:: max(1, len(fitting) // 3)][-3:]
@@ -226,12 +234,14 @@ def draw_pose(
     poses = propose(problem, standing, house, rng)
     shapes, _ = shapes_at(house, poses)
     good = _legal(problem, standing, house, poses)
+    if problem.settings.composed and serves(house):
+        good = good[stands_behind(problem, seen, shapes[good])]
     if not len(good):
         return None
     good = rng.permutation(good)[: settings.judged]
     weight = weighing(problem, seen, house, shapes[good], poses[good])
     if problem.settings.composed:
-        weight = weight + compose_weights(problem, seen, house, shapes[good], poses[good, 2])
+        weight = weight + compose_weights(problem, house, shapes[good], poses[good, 2])
     if settings.temperature <= 0:
         return np.asarray(poses[good[int(np.argmax(weight))]])
     odds = np.exp((weight - weight.max()) / settings.temperature)

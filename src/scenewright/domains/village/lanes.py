@@ -9,6 +9,7 @@ import numpy as np
 import shapely
 
 from scenewright.building.outlines import rings
+from scenewright.catalog.assets.buildings.house_looks import LOOKS
 from scenewright.core.plan import Plan
 from scenewright.core.solution import Solution
 from scenewright.core.space import Points
@@ -18,8 +19,8 @@ from scenewright.ground.buildings.built import BuiltRoad
 from scenewright.ground.plan import Area, Way
 from scenewright.ground.ways.inner_lanes import LaidLane, area_of, edges_of, lay_inner_lanes
 
-WIDTHS = {"rural": 3.6, "riviera": 3.0, "hui": 2.6}
-"""Width of a laid lane in metres, by look: those of hill villages are 3 m at most."""
+LAID = "/lane-"
+"""In the ids of lanes that were laid."""
 OVER = 7.0
 """Metres of a verge that a lane is led over to the street."""
 
@@ -40,7 +41,7 @@ def lay_village_lanes(village: VillagePlan) -> tuple[VillageLane, ...]:
         stay = [shapely.Polygon(row.outline) for row in block.fixed]
         taken = np.array([*stay, *shapely.get_parts(block.lanes)], object)
         floor = shapely.Polygon(block.outline)
-        for lane in lay_inner_lanes(floor, block.streets, taken, WIDTHS[village.look]):
+        for lane in lay_inner_lanes(floor, block.streets, taken, LOOKS[village.look].lane):
             line = lead_out(lane, block)
             found.append(VillageLane(block.id, np.round(line, 3), lane.width, lane.head))
     return tuple(found)
@@ -71,7 +72,7 @@ def with_lanes(village: VillagePlan, lanes: Sequence[VillageLane]) -> VillagePla
     ways, blocks = list(village.lanes), []
     for block in village.blocks:
         own = [lane for lane in lanes if lane.block == block.id]
-        made = [_way(f"{block.id}/lane-{k}", lane) for k, lane in enumerate(own, 1)]
+        made = [_way(f"{block.id}{LAID}{k}", lane) for k, lane in enumerate(own, 1)]
         ways += made
         blocks.append(_open(block, own, made) if own else block)
     return village._replace(blocks=tuple(blocks), lanes=tuple(ways))

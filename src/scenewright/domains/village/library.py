@@ -9,9 +9,11 @@ from typing import Any
 import numpy as np
 import shapely
 
+from scenewright.catalog.assets.buildings.house_looks import LOOKS, asset_of_house
 from scenewright.catalog.credits import UNKNOWN
 from scenewright.catalog.loading import BUILDING, find_asset
 from scenewright.core.brief import Brief
+from scenewright.core.brief.uses import UseName
 from scenewright.core.catalog import OWN, Asset, Catalog
 from scenewright.core.errors import InputError
 from scenewright.core.footprint import Footprint, read_footprint
@@ -22,14 +24,11 @@ from scenewright.domains.village.learned.style import style_named
 
 STOREY, SILL = 2.7, 0.4
 """Height of a storey and of the plinth, in metres."""
-PITCH = {"rural": 0.85, "riviera": 0.42, "hui": 0.55}
-"""Rise of a roof by half its span, by style."""
 FLAT = 0.5
 """Height of a parapet, in metres."""
 COARSE, FILLED, MOST_CORNERS = 0.2, 0.95, 40
 """Of the plan of a model: metres of its corners that are left out, the share of its sides that one
 outline has, and its corners at most."""
-LOOKS = ("rural", "riviera", "hui")
 
 _OURS: tuple[tuple[str, float, float, float, float, int, str, float], ...] = (
     ("Shed", 4.0, 3.0, 0, 0, 1, "gabled", 2.0),
@@ -60,18 +59,38 @@ _OURS: tuple[tuple[str, float, float, float, float, int, str, float], ...] = (
 a long side), storeys, roof, share."""
 
 
-OUTBUILDINGS = ("Shed", "Garage", "Small barn", "Wash house", "Stable", "Barn", "Large barn")
-"""Those of ours that serve another."""
+_PURPOSES = (
+    ("Workshop", 16.0, 11.0, 0, 0, 1, "gabled", 0.0),
+    ("Large workshop", 26.0, 14.0, 0, 0, 1, "gabled", 0.0),
+    ("Village hall", 12.0, 18.0, 0, 0, 2, "gabled", 0.0),
+    ("Schoolhouse", 20.0, 12.0, 0, 0, 2, "gabled", 0.0),
+)
+"""Such as are built only where a brief asks for their use."""
+_USES: dict[str, UseName] = {
+    **dict.fromkeys(
+        ("Shed", "Garage", "Small barn", "Wash house", "Stable", "Barn", "Large barn"),
+        "outbuilding",
+    ),
+    **dict.fromkeys(
+        ("Smallholding", "Farmhouse", "Long farmhouse", "Angle farm", "Corner farm", "Court farm"),
+        "farm",
+    ),
+    **dict.fromkeys(("Workshop", "Large workshop"), "works"),
+    **dict.fromkeys(("Village hall", "Schoolhouse"), "public"),
+}
+"""The uses of ours that are no dwellings."""
 
 
-def houses_of(rows: Sequence[LibraryHouse], look: str, catalog: Catalog) -> tuple[House, ...]:
+def houses_of(
+    rows: Sequence[LibraryHouse], look: str, catalog: Catalog, purposes: bool = False
+) -> tuple[House, ...]:
     """The houses to choose from: those of the brief, else the models of its catalogues, else our
     own. InputError, with its place, for a row that is no house."""
     if not rows:
         own = [a for a in catalog.of(BUILDING) if a.id.startswith(OWN)]
         if own:
             return tuple(_of_model(asset.name, asset, 1.0, 2) for asset in own)
-        return our_houses(look)
+        return our_houses(look, purposes)
     found = []
     for number, row in enumerate(rows):
         try:
@@ -90,7 +109,7 @@ def list_looks() -> list[dict[str, Any]]:
     """The styles the houses of a village may have; they have no other words and no palettes.
 
     >>> [row["name"] for row in list_looks()]
-    ['rural', 'riviera', 'hui']
+    ['rural', 'riviera', 'hui', 'timbered', 'hill', 'alpine', 'brick', 'plain']
     """
     return [{"name": look, "also": "", "palettes": ""} for look in LOOKS]
 
@@ -108,18 +127,28 @@ def sources_of(brief: Brief) -> tuple[tuple[str, str, str], ...]:
 
 
 @lru_cache(maxsize=8)
-def our_houses(look: str) -> tuple[House, ...]:
-    """Our own library in a style.
+def our_houses(look: str, purposes: bool = False) -> tuple[House, ...]:
+    """Our own library in a style, with workshops and halls for the ``purposes`` a brief names.
 
     >>> len(our_houses("rural")) > 20, our_houses("hui")[0].asset
     (True, 'house_hui_gabled')
     """
+    rows = (*_OURS, *_PURPOSES) if purposes else _OURS
     return tuple(
         _house(
-            name, _shape(w, d, cut_w, cut_d), levels, None, _asset(look, roof), look, share
-        )._replace(use="outbuilding" if name in OUTBUILDINGS else "")
-        for name, w, d, cut_w, cut_d, levels, roof, share in _OURS
+            name, _shape(w, d, cut_w, cut_d), *_built(look, k, levels, roof), look, share
+        )._replace(use=_USES.get(name, ""))
+        for k, (name, w, d, cut_w, cut_d, levels, roof, share) in enumerate(rows)
     )
+
+
+def _built(look: str, number: int, levels: int, roof: str) -> tuple[int, None, str]:
+    """Storeys and the asset of one of ours in a style: its houses of two storeys are as high as
+    those of the style in turn, and roofed as they are where that is not under gables."""
+    row = LOOKS[look]
+    storeys = row.storeys[number % len(row.storeys)] if levels > 1 else levels
+    over = roof if row.roofs[0] == "gabled" else row.roofs[number % len(row.roofs)]
+    return storeys, None, asset_of_house("house", look, over)
 
 
 def _shape(width: float, depth: float, cut_w: float, cut_d: float) -> list[tuple[float, float]]:
@@ -134,10 +163,6 @@ def _shape(width: float, depth: float, cut_w: float, cut_d: float) -> list[tuple
     return [(-w, -d), (w, -d), (w, d), (-w, d)]
 
 
-def _asset(look: str, roof: str) -> str:
-    return f"house_{look}_{roof}"
-
-
 def _of_row(row: LibraryHouse, look: str, catalog: Catalog) -> House:
     if row.model:
         found = _of_model(row.name, find_asset(catalog, row.model), row.share, row.levels)
@@ -145,7 +170,7 @@ def _of_row(row: LibraryHouse, look: str, catalog: Catalog) -> House:
     if row.footprint is None:
         raise InputError("has neither footprint nor model", 'give "footprint" or "model"')
     outline = [(float(x), float(y)) for x, y in row.footprint]
-    asset = _asset(look, row.roof)
+    asset = asset_of_house("house", look, row.roof)
     found = _house(row.name, outline, row.levels, row.height, asset, look, row.share)
     return found._replace(use=row.use or "")
 
@@ -188,7 +213,7 @@ def _house(
 ) -> House:
     local = to_own_frame(np.array(outline, float))[0]
     wide = float(np.ptp(local, axis=0).min())
-    rise = FLAT if asset.endswith("flat") else PITCH[look] * min(wide, 12.0) / 2
+    rise = FLAT if asset.endswith("flat") else LOOKS[look].pitch * min(wide, 12.0) / 2
     tall = height or round(levels * STOREY + SILL * (levels > 1) + rise, 2)
     return classify_house(name, local, levels, tall, asset, share)
 

@@ -13,6 +13,7 @@ import numpy as np
 import shapely
 
 from scenewright.building.outlines import rings
+from scenewright.catalog.assets.buildings.house_looks import LOOKS
 from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief
 from scenewright.core.brief.terrain import BANK, list_waters
@@ -30,7 +31,7 @@ from scenewright.domains.village.learned.style import (
     style_in_region,
     style_named,
 )
-from scenewright.domains.village.library import LOOKS, houses_of
+from scenewright.domains.village.library import houses_of
 from scenewright.domains.village.paper.nets_file import PaperNets, read_paper_nets
 from scenewright.ground import outlines as shapes
 from scenewright.ground.buildings.plain_buildings import plain_building, style_at
@@ -47,7 +48,13 @@ VERGE = 1.2
 """Metres before a street side that belong to the street."""
 CRACKS = (0.0, 0.02, 0.1, 0.4)
 """Widths of cracks closed one after the other, in metres."""
-HOME = {"riviera": "monaco_hills"}
+RURAL = "rural"
+HOME = {
+    "riviera": "monaco_hills",
+    "hill": "monaco_hills",
+    "alpine": "liechtenstein",
+    "timbered": "bayreuth",
+}
 """The region of the shipped style in which houses of a look stand."""
 SPECK = 0.01
 """Square metres of the least ground of a block that a lane takes."""
@@ -62,8 +69,13 @@ def plan_village(brief: Brief) -> Plan:
     """
     style = _in_region(style_named(brief.style), brief.part.region, HOME.get(brief.style, ""))
     look = str(style.card.get("look", "")) if is_file(brief.style) else _look(brief.style)
-    look = look if look in LOOKS else LOOKS[0]
-    houses = houses_of(brief.part.houses, look, catalog_of(brief.catalogs))
+    look = look if look in LOOKS else style_at(brief.part.origin) or RURAL
+    houses = houses_of(
+        brief.part.houses,
+        look,
+        catalog_of(brief.catalogs),
+        any(block.uses for block in brief.part.blocks),
+    )
     names = assign_ids(brief.part.blocks, "block", "blocks")
     waters = shapes.kept_free(map(shapely.Polygon, list_waters(brief.part.terrain)), BANK)
     floors = [
@@ -78,9 +90,8 @@ def plan_village(brief: Brief) -> Plan:
         for k, block in enumerate(brief.part.blocks)
     ]
     lanes = lanes or _implied_lanes(streets, everything)
-    there = look if brief.style else style_at(brief.part.origin) or look
     blocks = tuple(
-        _block(block, name, floor, sides, lanes, f"blocks[{k}]", there)
+        _block(block, name, floor, sides, lanes, f"blocks[{k}]", look)
         for k, (block, name, floor, sides) in enumerate(
             zip(brief.part.blocks, names, floors, streets, strict=True)
         )
@@ -109,14 +120,14 @@ def use_nets(brief: Brief, plan: Plan, file: str, solver: str) -> tuple[Brief, P
 
 
 def _look(style: str) -> str:
-    """The style of the houses a brief names."""
+    """The style of the houses a brief names; empty if it names none."""
     if style and style not in LOOKS:
         raise InputError(
             f"'{style[:40]}' is no style of villages",
             f"use one of: {', '.join(LOOKS)}, or a file .npz",
             place="style",
         )
-    return style or LOOKS[0]
+    return style
 
 
 def _in_region(style: VillageStyle, region: str | None, usual: str) -> VillageStyle:
@@ -356,5 +367,6 @@ def _standing(row: LockedHouse, floor: shapely.Polygon, place: str, look: str) -
     )
     if not shapely.Polygon(outline).intersects(floor):
         raise InputError("stands outside its block", "move it in or let it go", place=place)
-    drawn = row.model or plain_building(row.size, float(shapely.Polygon(outline).area), look)
+    area = float(shapely.Polygon(outline).area)
+    drawn = row.model or plain_building(row.size, area, look, row.use or "", row.roof or "")
     return StandingHouse(row.id, row.house, drawn, outline, box, height, local)

@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 import shapely
 
+from scenewright.core.brief.uses import UseName, UseWish
 from scenewright.core.space import Points
 from scenewright.domains.village.house import House
 from scenewright.domains.village.learned.style import VillageStyle
@@ -22,7 +23,8 @@ class VillageProblem(NamedTuple):
     (``asked``, or the share ``coverage`` of the ground, or neither), shares of classes of area
     (3,; None: as real blocks like it have), settings, the style its houses stand in,
     what is to stay free: squares and lanes; and networks for the paper's solver (None: those that
-    ship); ``rim``: the sides (r, 2, 2) of a square that fronts are to stand about."""
+    ship); ``rim``: the sides (r, 2, 2) of a square that fronts are to stand about; ``uses`` that
+    are asked for beyond what stands."""
 
     name: str
     floor: shapely.Polygon
@@ -39,6 +41,7 @@ class VillageProblem(NamedTuple):
     kept_free: shapely.Geometry
     nets: PaperNets | None = None
     rim: Points = np.zeros((0, 2, 2))
+    uses: tuple[tuple[UseName, UseWish], ...] = ()
 
 
 class VillageLayout(NamedTuple):

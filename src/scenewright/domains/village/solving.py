@@ -14,6 +14,7 @@ from functools import partial
 from typing import NamedTuple
 
 import numpy as np
+import shapely
 
 from scenewright._version import __version__
 from scenewright.core.brief import Brief
@@ -35,6 +36,7 @@ from scenewright.domains.village.problem import VillageLayout, VillageProblem
 from scenewright.domains.village.reasons import reasons
 from scenewright.domains.village.solvers import VILLAGE_SOLVERS
 from scenewright.domains.village.solvers.growing import standing_of
+from scenewright.domains.village.uses import dress_block
 from scenewright.engine.rows import preset_named
 from scenewright.engine.solve import Budget, Report
 from scenewright.engine.trace import Hear, hear_in
@@ -148,6 +150,11 @@ def furnish_block(
     houses = (*standing_pieces(plan), *pieces_of(plan, village.houses, layout))
     square = find_square(block, plan)
     patches = () if square is None else (square_patch(plan, square),)
+    lacking: list[LeftOut] = []
+    if problem.settings.composed:
+        ground = shapely.Polygon() if square is None else shapely.Polygon(square)
+        dressed, lacking = dress_block(block, plan, village.houses, houses, ground)
+        houses = tuple(dressed)
     trees = plant(plan, houses, patches, np.random.default_rng([seed, 1]))
     missing = layout.asked - len(layout.houses)
     return FilledBlock(
@@ -155,7 +162,7 @@ def furnish_block(
         (*houses, *trees),
         patches,
         reasons(problem, standing_of(problem, layout), missing),
-        tuple(_left_out(block, plan, layout, square is None, stopped)),
+        (*_left_out(block, plan, layout, square is None, stopped), *lacking),
         evaluations,
     )
 

@@ -23,8 +23,8 @@ SCATTERED = 12.0
 
 class BuiltBuilding(NamedTuple):
     """A building: its ``outline`` (n, 2) counter-clockwise in metres, height in metres, the
-    ``heading`` of its front in radians (``None``: not known) and the ``model`` that draws it
-    (empty: none is named)."""
+    ``heading`` of its front in radians (``None``: not known), the ``model`` that draws it, what
+    it is used for in a word and the form of its roof (empty: none is named)."""
 
     id: str
     name: str
@@ -32,6 +32,8 @@ class BuiltBuilding(NamedTuple):
     height: float
     heading: float | None = None
     model: str = ""
+    use: str = ""
+    roof: str = ""
 
 
 class BuiltRoad(NamedTuple):

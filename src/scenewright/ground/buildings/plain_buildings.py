@@ -9,14 +9,14 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-LOW, SMALL = 12.5, 400.0
-"""Height in metres and floor area in square metres up to which a building is drawn as a house."""
-HOUSES = {"": "house_rural", "rural": "house_rural", "riviera": "house_riviera", "hui": "house_hui"}
-"""The houses of each style a brief may name."""
+from scenewright.catalog.assets.buildings import house_looks
+from scenewright.ground.buildings.use_words import use_of_word
+
+STOREY, ROOF, SMALL = 3.0, 3.5, 400.0
+"""Metres of a storey and of the roof over them, and floor area in square metres up to which a
+building is drawn as a house."""
 BLOCK, FLAT = "modern_residential", 3.2
 """What draws larger buildings; the height in metres up to which a roof is flat."""
-REGIONS = (("hui", 97.0, 18.0, 123.0, 42.0), ("riviera", -10.0, 34.0, 36.5, 44.3))
-"""Styles of houses by where they are built: west, south, east and north in degrees."""
 FULL = 0.7
 """Share of its box that a footprint fills where a model of its own is drawn in that box."""
 
@@ -72,15 +72,20 @@ def plain_building(
     'gothic_church'
     >>> plain_building((6.0, 4.0, 3.0), 24.0, use="church", style="riviera")
     'house_riviera_flat'
+    >>> plain_building((12.0, 8.0, 7.0), 96.0, use="bakery"), plain_building((12.0, 8.0, 7.0), 96.0,
+    ...     use="retail", style="alpine")
+    ('house_rural_gabled', 'shop_alpine_gabled')
     """
     for look in LOOKS:
         large = all(side >= least for side, least in zip(size, look.least, strict=True))
         if use in look.uses and large and area >= FULL * size[0] * size[1]:
             return look.asset
-    if size[2] > LOW or area > SMALL:
+    row = house_looks.LOOKS.get(style, house_looks.LOOKS["rural"])
+    if size[2] > STOREY * row.most + ROOF or area > SMALL:
         return BLOCK
-    shape = roof or ("gabled" if size[2] > FLAT else "flat")
-    return f"{HOUSES.get(style, HOUSES[''])}_{shape}"
+    shape = roof or (row.roofs[0] if size[2] > FLAT else "flat")
+    told = use_of_word(use) if area >= house_looks.SHED else None
+    return house_looks.asset_of_house(house_looks.form_of_use(told or "dwelling"), style, shape)
 
 
 def usual_height(use: str, area: float, otherwise: float) -> float:
@@ -99,7 +104,7 @@ def fits_footprint(asset: str) -> bool:
     >>> fits_footprint("house_rural_gabled"), fits_footprint("gothic_church")
     (True, False)
     """
-    return asset == BLOCK or asset.startswith(tuple(HOUSES.values()))
+    return asset == BLOCK or house_looks.read_asset(asset) is not None
 
 
 def style_at(where: tuple[float, float] | None) -> str:
@@ -108,12 +113,4 @@ def style_at(where: tuple[float, float] | None) -> str:
     >>> style_at((11.07, 49.45)), style_at((7.42, 43.73)), style_at((118.3, 29.9))
     ('', 'riviera', 'hui')
     """
-    if where is None:
-        return ""
-    lon, lat = where
-    found = [
-        name
-        for name, west, south, east, north in REGIONS
-        if west <= lon <= east and south <= lat <= north
-    ]
-    return found[0] if found else ""
+    return "" if where is None else house_looks.style_of_region(*where)

@@ -11,6 +11,7 @@ from scenewright.core.errors import InputError
 from scenewright.core.projection import Projection, metres, projection
 from scenewright.core.space import Points
 from scenewright.ground.buildings.built import BuiltBuilding, BuiltRoad, BuiltScene
+from scenewright.ground.buildings.use_words import ROOFS, word_of_tags
 from scenewright.ground.maps.features import Collection, Feature, collection, in_degrees
 from scenewright.ground.maps.footprints import find_footprints
 from scenewright.ground.maps.kinds import stands
@@ -84,6 +85,8 @@ def buildings_of(
                 height,
                 None if heading is None else float((heading + np.pi) % (2 * np.pi) - np.pi),
                 tags.get("model", ""),
+                word_of_tags(tags),
+                ROOFS.get(tags.get("roof:shape", ""), ""),
             )
 
 

@@ -123,8 +123,8 @@ def _run_into(wing: Wing, main: Wing) -> Wing:
 
 
 def inset(footprint: Footprint, by: float) -> Footprint:
-    """A footprint shrunk on all sides; itself where nothing would be left."""
-    if by <= 0:
+    """A footprint shrunk on all sides, by less than 0 grown; itself where nothing would be left."""
+    if by == 0:
         return footprint
     inner = shapely.buffer(shapely.Polygon(footprint), -by, join_style="mitre", mitre_limit=5.0)
     if inner.geom_type != "Polygon" or inner.is_empty:
@@ -133,15 +133,18 @@ def inset(footprint: Footprint, by: float) -> Footprint:
     return tuple((float(x), float(y)) for x, y in ring)
 
 
-def gabled_walls(wing: Wing, eave: float, rise: float, by: float) -> Mesh:
+def gabled_walls(
+    wing: Wing, eave: float, rise: float, by: float, ends: float | None = None
+) -> Mesh:
     """The walls of a wing with its gables: as high as the underside of a roof that rises by
-    ``rise`` over the half span from ``eave`` at the edge; set in by ``by``."""
+    ``rise`` over the half span from ``eave`` at the edge; set in by ``by``, gables by ``ends``."""
+    at_ends = by if ends is None else ends
     across, length = (wing.y, wing.x) if wing.along == "x" else (wing.x, wing.y)
     low, high = across[0] + by, across[1] - by
     middle, pitch = (low + high) / 2, rise / max((across[1] - across[0]) / 2, 1e-6)
     side, top = eave + pitch * by, eave + rise
     ring = [(low, 0.0), (high, 0.0), (high, side), (middle, top), (low, side)]
-    return _along(ring, (length[0] + by, length[1] - by), wing.along)
+    return _along(ring, (length[0] + at_ends, length[1] - at_ends), wing.along)
 
 
 def gabled_roof(

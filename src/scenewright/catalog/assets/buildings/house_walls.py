@@ -1,48 +1,65 @@
-"""What the walls of a house show: windows with frames and shutters, doors, along any side."""
+"""What the walls of a house show: windows with frames and shutters, beams, along any side.
+
+The front is arranged as one: its bays are an odd number with the entrance in the middle one, or,
+where it is narrow, two with the entrance in one of them; every storey has its windows in these
+bays (:mod:`~scenewright.catalog.assets.buildings.house_fronts`).
+"""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
-import shapely
 
 from scenewright.catalog.assets.buildings.facades import bays
+from scenewright.catalog.assets.buildings.house_looks import WindowLook
+from scenewright.catalog.assets.joinery import spread
 from scenewright.core.footprint import Footprint
 from scenewright.core.space import Points
 from scenewright.geometry.mesh import Mesh, rotate_mesh, translate_mesh
-from scenewright.geometry.solids import Interval, block
+from scenewright.geometry.solids import Interval, block, sheet
 
 OUT = 0.05
 """How far panes stand out, in metres; frames a little less, shutters a little more."""
 FLOOR = 2.7
-EDGE, APART, LEAF = 0.35, 0.06, 0.42
-"""Metres from a corner to a window, between a door and a window, and of the width of a shutter."""
-DOOR, DOOR_TOP, LEAST_TALL = 1.1, 2.25, 0.4
-"""Width and height of a door, and the least height of a window, in metres."""
+EDGE, LEAF, RIM = 0.35, 0.42, 0.09
+"""Metres from a corner to the first bay, of the width of a shutter and of a window frame."""
+LEAST_WIDE, LEAST_TALL, PIER = 0.4, 0.4, 0.3
+"""Least width and height of a window, and what of a bay is wall beside it, in metres."""
 STOREYS, WINDOWS = 4, 70
 """Most storeys with windows, and about how many windows a house has at most."""
+SPARE = 0.45
+"""Metres that a storey with windows may lack below the eaves."""
+THREE, TWO = 1.9, 1.45
+"""Metres of a bay from which a front has three, and from which it has two."""
+BEAM, BRACE = 0.14, 0.6
+"""Width of beams on a wall and of the least field that is braced, in metres."""
+SHORT = 0.8
+"""Metres beside the window of a side that is long enough for one."""
 
 
 class WallOpenings(NamedTuple):
-    """Meshes of what is in walls."""
+    """Meshes of what is in walls and on them: ``woods`` are balconies and the fronts of shops."""
 
     panes: list[Mesh]
     frames: list[Mesh]
     shutters: list[Mesh]
     doors: list[Mesh]
     stones: list[Mesh]
+    beams: list[Mesh]
+    woods: list[Mesh]
+    shops: list[Mesh]
 
 
-class WindowLook(NamedTuple):
-    """How windows look: the width of a bay, width and height of a window, its sill above the floor
-    in metres, and whether it has shutters."""
+class Side(NamedTuple):
+    """A side of a footprint: where it starts and ends, its length, and its bays along it, about
+    its middle."""
 
-    bay: float
-    wide: float
-    tall: float
-    sill: float
-    shutters: bool
+    start: Points
+    end: Points
+    length: float
+    bays: tuple[Interval, ...]
 
 
 def front_of(footprint: Footprint) -> int:
@@ -56,104 +73,121 @@ def front_of(footprint: Footprint) -> int:
     return int(np.argmax(np.round(middle[:, 1], 6)))
 
 
-def openings(
-    footprint: Footprint, eave: float, look: WindowLook, gate: float = 0.0
-) -> WallOpenings:
-    """Windows in every bay of every storey of every side, and a door in the front; ``gate`` is the
-    width of a gate instead of a door (a barn), with a light above it. On the front the windows of
-    the ground floor stand beside the door, which leaves the middle where it must; a front too
-    narrow for both has a light in the door."""
-    found = WallOpenings([], [], [], [], [])
+def count_storeys(eave: float) -> int:
+    """Storeys with windows below an eave.
+
+    >>> count_storeys(2.3), count_storeys(5.5)
+    (1, 2)
+    """
+    return min(max(1, int((eave + SPARE) // FLOOR)), STOREYS)
+
+
+def front_bays(length: float, bay: float) -> tuple[Interval, ...]:
+    """The bays of a front: an odd number nearest to ``bay`` metres each, two where three would be
+    too narrow, one where two would.
+
+    >>> [len(front_bays(length, 2.7)) for length in (3.2, 4.5, 7.0, 12.0)]
+    [1, 2, 3, 5]
+    """
+    reach = length - 2 * EDGE
+    if reach < 2 * TWO:
+        return ((-max(reach, 0.6) / 2, max(reach, 0.6) / 2),)
+    odd = 2 * max(round((reach / bay - 1) / 2), 1) + 1
+    return tuple(spread(-reach / 2, reach / 2, odd if reach >= 3 * THREE else 2))
+
+
+def list_sides(footprint: Footprint, bay: float, party: bool = False) -> tuple[list[Side], Side]:
+    """The sides of a footprint that may have windows, and its front; the side walls of a ``party``
+    house are its neighbours' too."""
     ring = np.array(footprint)
-    ends = np.roll(ring, -1, axis=0)
-    entrance = front_of(footprint)
-    storeys = min(max(1, int((eave + 0.25) // FLOOR)), STOREYS)
-    bay = max(look.bay, shapely.length(shapely.LinearRing(ring)) * storeys / WINDOWS)
+    ends, entrance = np.roll(ring, -1, axis=0), front_of(footprint)
+    outer = np.abs(ring[:, 0]).max() - 0.02
+    sides = []
     for number, (start, end) in enumerate(zip(ring, ends, strict=True)):
-        side = _Side(start, end, float(np.hypot(*(end - start))))
-        front = number == entrance
-        if front:
-            _front(found, side, eave, look, gate)
-        if side.length < look.wide + 0.8 or gate:
-            continue
-        for floor in range(int(front), storeys):
-            for a, b in bays((-side.length / 2 + EDGE, side.length / 2 - EDGE), bay):
-                _window(found, side, (a + b) / 2, _heights(floor, eave, look), look)
-    return found
+        length = float(np.hypot(*(end - start)))
+        if number == entrance:
+            front = Side(start, end, length, front_bays(length, bay))
+        elif not (party and min(abs(start[0]), abs(end[0])) > outer and start[0] * end[0] > 0):
+            rows = bays((-length / 2 + EDGE, length / 2 - EDGE), bay)
+            sides.append(Side(start, end, length, tuple(rows)))
+    return sides, front
 
 
-class _Side(NamedTuple):
-    """A side of a footprint: where it starts and ends, and its length."""
-
-    start: Points
-    end: Points
-    length: float
-
-
-def _heights(floor: int, eave: float, look: WindowLook) -> Interval:
+def heights(floor: int, eave: float, look: WindowLook) -> Interval:
     """From where to where a window of a storey reaches."""
     low = floor * FLOOR + look.sill
     return low, min(low + look.tall, eave - 0.2)
 
 
-def _front(found: WallOpenings, side: _Side, eave: float, look: WindowLook, gate: float) -> None:
-    """The door and the ground floor of a front."""
-    reach = side.length / 2 - EDGE
-    wide = max(min(gate or DOOR, side.length - 0.5), 0.6)
-    top = max(min(DOOR_TOP, eave - 0.15), 1.2)
-    frame = look.wide / 2 + 0.09 + (LEAF if look.shutters else 0.0)
-    room = wide / 2 + 0.14 + APART
-    least = look.wide / 2 + 0.09
-    at, z = 0.0, _heights(0, eave, look)
-    shown = not gate and z[1] - z[0] > LEAST_TALL
-    if shown and reach - room < 2 * least and 2 * reach >= room + wide / 2 + 0.14 + 2 * least:
-        at = -reach + wide / 2 + 0.14
-    _door(found, side, at, wide, top, not gate)
-    spans = [(-reach, at - room), (at + room, reach)] if shown else []
-    made = 0
-    for a, b in spans:
-        closed = look._replace(shutters=look.shutters and b - a >= 2 * frame)
-        half = frame if closed.shutters else least
-        if b - a >= 2 * half - 1e-9:
-            for c, d in bays((a, b), max(look.bay, 2 * half)) if b - a > look.bay else [(a, b)]:
-                if d - c >= 2 * half - 1e-9:
-                    _window(found, side, (c + d) / 2, z, closed)
-                    made += 1
-    if not made:
-        pane = block((at - 0.3 * wide, at + 0.3 * wide), (-OUT, 1.3 * OUT), (top - 0.5, top - 0.15))
-        found.panes.append(_on_side(pane, side.start, side.end))
-
-
-def _window(found: WallOpenings, side: _Side, at: float, z: Interval, look: WindowLook) -> None:
-    """A window about a place along a side; none that would be lower than :data:`LEAST_TALL`."""
-    if z[1] - z[0] <= LEAST_TALL:
+def fill_bays(
+    found: WallOpenings,
+    side: Side,
+    spans: Sequence[Interval],
+    floors: range,
+    eave: float,
+    look: WindowLook,
+) -> None:
+    """A window in the middle of every span of every floor, no wider than leaves a pier; shutters
+    where all of them have room."""
+    if not spans:
         return
-    half, (start, end) = look.wide / 2, side[:2]
+    least = min(b - a for a, b in spans)
+    wide = min(look.wide, least - PIER)
+    shutters = look.shutters and least >= wide + 2 * (RIM + LEAF) + 0.1
+    for floor in floors:
+        z = heights(floor, eave, look)
+        if z[1] - z[0] > LEAST_TALL and wide >= LEAST_WIDE:
+            for a, b in spans:
+                _window(found, side, (a + b) / 2, wide, z, shutters)
+
+
+def _window(
+    found: WallOpenings, side: Side, at: float, wide: float, z: Interval, shutters: bool
+) -> None:
+    """A window about a place along a side."""
+    half = wide / 2
     pane = block((at - half, at + half), (-OUT, OUT), z)
-    rim = block((at - half - 0.09, at + half + 0.09), (-OUT, 0.6 * OUT), (z[0] - 0.09, z[1] + 0.09))
-    found.panes.append(_on_side(pane, start, end))
-    found.frames.append(_on_side(rim, start, end))
-    for sign in (-1, 1) if look.shutters else ():
-        edge = at + sign * (half + 0.09)
+    rim = block((at - half - RIM, at + half + RIM), (-OUT, 0.6 * OUT), (z[0] - RIM, z[1] + RIM))
+    found.panes.append(on_side(pane, side))
+    found.frames.append(on_side(rim, side))
+    for sign in (-1, 1) if shutters else ():
+        edge = at + sign * (half + RIM)
         span = (edge, edge + LEAF) if sign > 0 else (edge - LEAF, edge)
         leaf = block(span, (0.0, 1.3 * OUT), (z[0] - 0.03, z[1] + 0.03))
-        found.shutters.append(_on_side(leaf, start, end))
+        found.shutters.append(on_side(leaf, side))
 
 
-def _door(found: WallOpenings, side: _Side, at: float, wide: float, top: float, step: bool) -> None:
-    """A door or gate about a place along a side, with a step before a door."""
-    half, (start, end) = wide / 2, side[:2]
-    leaf = block((at - half, at + half), (-OUT, OUT), (0.06, top))
-    found.doors.append(_on_side(leaf, start, end))
-    rim = block((at - half - 0.14, at + half + 0.14), (-OUT, 0.6 * OUT), (0.0, top + 0.14))
-    found.frames.append(_on_side(rim, start, end))
-    if step:
-        tread = block((at - half - 0.25, at + half + 0.25), (-OUT, 0.3), (0.0, 0.1))
-        found.stones.append(_on_side(tread, start, end))
+def frame_side(
+    found: WallOpenings, side: Side, floors: range, eave: float, look: WindowLook
+) -> None:
+    """Beams along every floor, sill and eave, posts between bays, braces in the last fields."""
+    half, y = side.length / 2 - 0.02, (-OUT, 0.5 * OUT)
+    if half < BRACE:
+        return
+    edges = sorted({-half + BEAM / 2, half - BEAM / 2, *(e for bay in side.bays for e in bay)})
+    posts = [e for e in edges if abs(e) <= half - BEAM / 2 + 1e-9]
+    made = list[Mesh]()
+    for floor in floors:
+        low, top = floor * FLOOR, eave if floor == floors[-1] else (floor + 1) * FLOOR
+        sill = heights(floor, eave, look)[0] - RIM
+        levels = [low + BEAM / 2, sill - BEAM / 2, top - BEAM / 2]
+        levels += [low + FLOOR] if top > low + 1.2 * FLOOR else []
+        made += [block((-half, half), y, (z - BEAM / 2, z + BEAM / 2)) for z in levels]
+        made += [block((p - BEAM / 2, p + BEAM / 2), y, (low, top)) for p in posts]
+        for a, b in ((posts[0], posts[1]), (posts[-1], posts[-2])) if len(posts) > 3 else ():
+            made.append(_brace(a, b, (low + BEAM, sill - BEAM), y))
+    found.beams.extend(on_side(mesh, side) for mesh in made)
 
 
-def _on_side(mesh: Mesh, start: Points, end: Points) -> Mesh:
+def _brace(a: float, b: float, z: Interval, y: Interval) -> Mesh:
+    """A beam aslant from the foot of a post to the sill of the next."""
+    step = BEAM if b > a else -BEAM
+    ring = [(a, z[0]), (a + step, z[0]), (b, z[1]), (b - step, z[1])]
+    return sheet(ring if b > a else ring[::-1], y)
+
+
+def on_side(mesh: Mesh, side: Side) -> Mesh:
     """What is built on a wall at y = 0 looking to +y, set on one side of a footprint."""
-    along, middle = end - start, (start + end) / 2
+    along, middle = side.end - side.start, (side.start + side.end) / 2
     turned = rotate_mesh(mesh, "z", float(np.arctan2(-along[0], along[1]) - np.pi / 2))
     return translate_mesh(turned, float(middle[0]), float(middle[1]))

@@ -10,6 +10,8 @@ from typing import NamedTuple
 import numpy as np
 import shapely
 
+from scenewright.catalog.assets.buildings.court_houses import YARD, court_heights
+from scenewright.catalog.assets.buildings.house_looks import read_asset
 from scenewright.catalog.assets.buildings.house_roofs import SPECK, Slope, highest, slopes_of
 from scenewright.catalog.assets.buildings.house_shapes import (
     Wing,
@@ -17,16 +19,14 @@ from scenewright.catalog.assets.buildings.house_shapes import (
     is_convex,
     list_rectangles,
     saddle_sides,
-    tallest,
 )
 from scenewright.catalog.assets.buildings.rural_houses import (
-    LOOKS,
-    LOWEST,
     THICK,
-    YARD,
-    court_heights,
-    form_of,
+    HouseBody,
+    body_of,
     gable_heights,
+    hip_heights,
+    roofing_of,
 )
 from scenewright.core.footprint import Footprint
 from scenewright.core.scene import Size
@@ -47,20 +47,17 @@ def roof_planes(asset: str, size: Size, footprint: Footprint) -> tuple[RoofPlane
     >>> len(rows), round(max(row.plane[2] for row in rows), 2)
     (2, 7.45)
     """
-    kind, _, rest = asset.partition("_")
-    style, _, roof = rest.partition("_")
-    if kind != "house" or style not in LOOKS or roof not in ("gabled", "hipped", "flat"):
+    words = read_asset(asset)
+    if words is None:
         return ()
-    w, d = size.width / 2, size.depth / 2
-    outline = footprint or ((-w, -d), (w, -d), (w, d), (-w, d))
-    form, wings = form_of(size, outline, style, roof)
-    if form == "flat":
-        return flat_roof(outline, size.height)
-    if form == "court":
+    form, style, roof = words
+    body = body_of(size, footprint, style, form)
+    roofing, wings = roofing_of(body, roof)
+    if roofing == "flat":
+        return flat_roof(body.outline, size.height)
+    if roofing == "court":
         return _court(size)
-    if form == "hips":
-        return _hips(outline, size.height, LOOKS[style].pitch)
-    return _gables(size, outline, wings, style)
+    return _hips(body) if roofing == "hips" else _gables(body, wings)
 
 
 def flat_roof(outline: Footprint, height: float) -> tuple[RoofPlane, ...]:
@@ -68,11 +65,8 @@ def flat_roof(outline: Footprint, height: float) -> tuple[RoofPlane, ...]:
     return (RoofPlane(shapely.Polygon(outline), (0.0, 0.0, height)),)
 
 
-def _gables(
-    size: Size, outline: Footprint, wings: tuple[Wing, ...], style: str
-) -> tuple[RoofPlane, ...]:
-    area = float(shapely.Polygon(outline).area)
-    heights = gable_heights(size, wings, LOOKS[style], area, style == "hui")
+def _gables(body: HouseBody, wings: tuple[Wing, ...]) -> tuple[RoofPlane, ...]:
+    heights = gable_heights(body, wings)
     cells = highest([slope for wing in wings for slope in slopes_of(wing)])
     return _planes(cells, heights.eave + THICK, heights.pitch)
 
@@ -94,10 +88,9 @@ def _court(size: Size) -> tuple[RoofPlane, ...]:
     return tuple(found)
 
 
-def _hips(outline: Footprint, height: float, pitch: float) -> tuple[RoofPlane, ...]:
-    half = tallest(outline)
-    rise = min(pitch * half, height - LOWEST)
-    eave, pitch = height - rise, rise / half
+def _hips(body: HouseBody) -> tuple[RoofPlane, ...]:
+    outline, height = body.outline, body.size.height
+    eave, pitch = hip_heights(body)
     boxes = [shapely.box(*row) for row in list_rectangles(outline)]
     if boxes:
         rings = [

@@ -1,12 +1,13 @@
-"""Houses of villages over any footprint, in three styles: rural, riviera, and Hui.
+"""Houses of villages over any footprint, in every style of
+:mod:`~scenewright.catalog.assets.buildings.house_looks` and every form a use gives them.
 
-Rural houses have rendered walls, steep clay roofs and shutters; those of the Riviera ochre walls
-and flat slopes; Hui houses (Anhui, China) white walls, grey tiles, stepped gables that keep fire
-from the neighbour's roof, and, where they are wide enough, a court that the roofs drain into.
+Gabled wings, hips, saddles and flat roofs; Hui houses have stepped gables that keep fire from the
+neighbour's roof, and, where they are wide enough, a court that the roofs drain into.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import partial
 from typing import NamedTuple
 
@@ -14,6 +15,18 @@ import numpy as np
 import shapely
 
 from scenewright.catalog.assets.buildings.building_plans import plan, ridge
+from scenewright.catalog.assets.buildings.court_houses import COURT, build_court_house
+from scenewright.catalog.assets.buildings.gable_walls import list_ends, show_gable
+from scenewright.catalog.assets.buildings.house_fronts import openings
+from scenewright.catalog.assets.buildings.house_looks import (
+    FORMS,
+    LOOKS,
+    SHED,
+    HouseForm,
+    HouseLook,
+    asset_of_house,
+)
+from scenewright.catalog.assets.buildings.house_parts import join_parts
 from scenewright.catalog.assets.buildings.house_roofs import roof_over
 from scenewright.catalog.assets.buildings.house_shapes import (
     Wing,
@@ -27,102 +40,84 @@ from scenewright.catalog.assets.buildings.house_shapes import (
     stepped_gable,
     tallest,
 )
-from scenewright.catalog.assets.buildings.house_walls import WallOpenings, WindowLook, openings
+from scenewright.catalog.assets.buildings.house_walls import FLOOR, SPARE, count_storeys
+from scenewright.catalog.assets.buildings.roofs import spire
 from scenewright.catalog.assets.drawing import Drawing
-from scenewright.catalog.assets.materials import (
-    BLUSH,
-    BRICK,
-    LIMESTONE,
-    OCHRE,
-    PANE,
-    PLASTER,
-    RENDER,
-    SAGE,
-    SANDSTONE,
-    STONE,
-    TILES,
-    TILES_DARK,
-    TIMBER,
-    WALNUT,
-    WHITE,
-)
-from scenewright.catalog.assets.model import Parts, parts, pick
-from scenewright.core.catalog import Material
+from scenewright.catalog.assets.materials import STONE
+from scenewright.catalog.assets.model import Parts
 from scenewright.core.footprint import Footprint
 from scenewright.core.scene import Size
 from scenewright.geometry.mesh import Mesh, extrude
 from scenewright.geometry.solids import block
 
-
-class HouseLook(NamedTuple):
-    """A style: materials of walls (one is picked by size), roof and shutters, the rise of a roof by
-    half its span, the overhang of the eaves, and its windows."""
-
-    walls: tuple[Material, ...]
-    roof: Material
-    shutters: Material
-    pitch: float
-    overhang: float
-    windows: WindowLook
-
-
-LOOKS = {
-    "rural": HouseLook(
-        (RENDER, RENDER, OCHRE), TILES, TIMBER, 0.85, 0.35, WindowLook(2.7, 0.95, 1.25, 0.95, True)
-    ),
-    "riviera": HouseLook(
-        (OCHRE, BLUSH, SANDSTONE, RENDER),
-        TILES,
-        SAGE,
-        0.42,
-        0.25,
-        WindowLook(2.9, 0.9, 1.45, 0.85, True),
-    ),
-    "hui": HouseLook(
-        (PLASTER,), TILES_DARK, TIMBER, 0.55, 0.0, WindowLook(4.2, 0.6, 0.7, 1.7, False)
-    ),
-}
-SHED = 45.0
-"""Square metres below which a building is no dwelling: a gate, no windows nor chimney."""
-CHIMNEY, THICK, LOWEST = 0.55, 0.16, 1.9
-"""Height of chimneys over the ridge, thickness of roofs, least height of eaves, in metres."""
-COURT = 9.5
-"""Metres on both sides from which a Hui house has a court."""
-PARAPET, YARD = 0.3, 0.12
-"""Thickness of walls that stand above a roof, height of the ground of a court, in metres."""
+LIVED = ("door", "byre", "shop")
+"""Entrances of what is lived in."""
+CHIMNEY, TURRET, THICK, LOWEST = 0.55, 1.8, 0.16, 1.9
+"""Height of chimneys and of the turrets of halls over the ridge, thickness of roofs, least height
+of eaves, in metres."""
+WALLED, ROW_PITCH = 0.5, 0.5
+"""Least share of a house's height below its eaves, and the rise of the roof of a row by a metre."""
+LOWERED = 0.6
+"""The share of its usual rise to which a roof is lowered for the sake of a storey."""
+BROAD = 6.0
+"""Metres of span and height from which a hall has a turret."""
+PARAPET = 0.3
+"""Thickness of walls that stand above a roof, in metres."""
 
 
-def build_house(size: Size, footprint: Footprint, style: str, roof: str) -> Parts:
-    """A house of a style over a footprint: its roof gabled, hipped or flat."""
+class HouseBody(NamedTuple):
+    """What is drawn: the size, outline in the frame of the box and square metres of a house, its
+    style, its form, and whether its gables are stepped."""
+
+    size: Size
+    outline: Footprint
+    area: float
+    look: HouseLook
+    form: HouseForm
+    stepped: bool
+
+
+def build_house(
+    size: Size, footprint: Footprint, style: str, roof: str, form: str = "house"
+) -> Parts:
+    """A house of a style and form over a footprint: its roof gabled, hipped or flat."""
+    body = body_of(size, footprint, style, form)
+    roofing, wings = roofing_of(body, roof)
+    if roofing == "flat":
+        return _build_flat(body)
+    if roofing == "court":
+        return build_court_house(size, body.look, body.form)
+    return _build_hips(body) if roofing == "hips" else _build_gables(body, wings)
+
+
+def body_of(size: Size, footprint: Footprint, style: str, form: str) -> HouseBody:
+    """What is drawn of a house; one too small to live in has the gate of a barn."""
     w, d = size.width / 2, size.depth / 2
     outline = footprint or ((-w, -d), (w, -d), (w, d), (-w, d))
-    look = LOOKS[style]
     area = float(shapely.Polygon(outline).area)
-    form, wings = form_of(size, outline, style, roof)
-    if form == "flat":
-        return _flat(size, outline, look, area)
-    if form == "court":
-        return _court_house(size, look)
-    if form == "hips":
-        return _build_hips(size, outline, look, area)
-    return _build_gables(size, outline, wings, look, area, style == "hui")
+    drawn = FORMS["barn"] if form == "house" and area < SHED else FORMS[form]
+    return HouseBody(size, outline, area, LOOKS[style], drawn, style == "hui")
 
 
-def form_of(size: Size, outline: Footprint, style: str, roof: str) -> tuple[str, tuple[Wing, ...]]:
-    """How a house is roofed (flat, court, hips or gables) and the wings of its footprint."""
-    wings = split_wings(outline) if style == "hui" else list_wings(outline)
+def roofing_of(body: HouseBody, roof: str) -> tuple[str, tuple[Wing, ...]]:
+    """How a house is roofed (flat, court, hips or gables) and the wings of its footprint; the
+    ridge of a row runs along it."""
+    wings = split_wings(body.outline) if body.stepped else list_wings(body.outline)
+    if body.form.party and len(wings) == 1:
+        wings = (wings[0]._replace(along="x"),)
     if roof == "flat":
         return "flat", wings
-    if style == "hui" and len(wings) == 1 and min(size.width, size.depth) >= COURT:
+    lived = body.form.entrance in LIVED
+    if body.stepped and lived and len(wings) == 1 and min(body.size[:2]) >= COURT:
         return "court", wings
-    if not wings or (roof == "hipped" and style != "hui"):
+    if not wings or (roof == "hipped" and not body.stepped):
         return "hips", wings
     return "gables", wings
 
 
 class GableHeights(NamedTuple):
-    """Of a gabled house in metres: its chimney, what gables stand above the roof, the ridge of the
-    widest wing below the roof's thickness, the rise by a metre, and the eaves."""
+    """Of a gabled house in metres: its chimney or turret, what gables stand above the roof, the
+    ridge of the widest wing below the roof's thickness, the rise by a metre, and the eaves."""
 
     chimney: float
     above: float
@@ -131,74 +126,112 @@ class GableHeights(NamedTuple):
     eave: float
 
 
-def gable_heights(
-    size: Size, wings: tuple[Wing, ...], look: HouseLook, area: float, stepped: bool
-) -> GableHeights:
+def gable_heights(body: HouseBody, wings: tuple[Wing, ...]) -> GableHeights:
     """The heights of a house of gabled wings, the widest first."""
-    chimney = CHIMNEY if area >= SHED and not stepped else 0.0
-    above = 0.5 if stepped else 0.0
-    top = size.height - chimney - THICK - above
-    pitch = min(look.pitch, (top - LOWEST) / (wings[0].span / 2))
-    return GableHeights(chimney, above, top, pitch, top - pitch * wings[0].span / 2)
+    lived = body.form.entrance in LIVED and body.area >= SHED
+    chimney = CHIMNEY if lived and not body.stepped else 0.0
+    broad = wings[0].span >= BROAD and body.size.height >= BROAD
+    chimney = TURRET if body.form.entrance == "portal" and broad else chimney
+    above, half = (0.5 if body.stepped else 0.0), wings[0].span / 2
+    top = body.size.height - chimney - THICK - above
+    pitch = min(body.look.pitch, ROW_PITCH) if body.form.party else body.look.pitch
+    pitch = _raise_eave(top, min(pitch, (top - _least_eave(body)) / half), half)
+    return GableHeights(chimney, above, top, pitch, top - pitch * half)
 
 
-def _build_gables(
-    size: Size,
-    outline: Footprint,
-    wings: tuple[Wing, ...],
-    look: HouseLook,
-    area: float,
-    stepped: bool,
-) -> Parts:
-    """Wings under gables; ``stepped`` gables stand above the roof."""
-    chimney, above, top, pitch, eave = gable_heights(size, wings, look, area, stepped)
+def _least_eave(body: HouseBody) -> float:
+    """Metres of the lowest eaves: half the height of a house, which is no roof on the ground."""
+    return max(LOWEST, WALLED * body.size.height if body.area >= SHED else 0.0)
+
+
+def _raise_eave(top: float, pitch: float, half: float) -> float:
+    """The rise of a roof by a metre, a little less where that gives room for one storey more."""
+    eave = top - pitch * half
+    lower = (top - (count_storeys(eave) + 1) * FLOOR + SPARE - 1e-6) / half
+    return lower if LOWERED * pitch <= lower < pitch else pitch
+
+
+def hip_heights(body: HouseBody) -> tuple[float, float]:
+    """The eaves of a hipped house and the rise of its roof by a metre."""
+    half = tallest(body.outline)
+    top = body.size.height
+    pitch = _raise_eave(top, min(body.look.pitch, (top - _least_eave(body)) / half), half)
+    return top - pitch * half, pitch
+
+
+def _build_gables(body: HouseBody, wings: tuple[Wing, ...]) -> Parts:
+    """Wings under gables; stepped gables stand above the roof."""
+    look, (chimney, above, top, pitch, eave) = body.look, gable_heights(body, wings)
     walls, caps = list[Mesh](), list[Mesh]()
-    roofs = [] if stepped else roof_over(wings, eave, pitch, THICK)
+    roofs = [] if body.stepped else roof_over(wings, eave, pitch, THICK)
+    inner = walls_of(body)
+    shown = openings(inner, eave, look, body.form)
     for wing in wings:
         rise = pitch * wing.span / 2
-        walls.append(gabled_walls(wing, eave, rise, look.overhang))
-        if stepped:
+        walls.append(
+            gabled_walls(wing, eave, rise, look.overhang, 0.0 if body.form.party else None)
+        )
+        if body.stepped:
             roofs.append(gabled_roof(wing, eave, rise, THICK, 0.2, 0.03))
-            for wall, copings in _gable_ends(wing, eave, eave + rise + THICK + above):
+            for wall, copings in _gable_ends(wing, wings[0], eave, eave + rise + THICK + above):
                 walls.append(wall)
                 caps += copings
-    shown = openings(inset(outline, look.overhang), eave, look.windows, _gate(area, outline))
-    stack = [_chimney(wings[0], top, chimney)] if chimney else []
-    return _parts(size, look, walls, [*roofs, *caps], shown, stack)
+        elif body.area >= SHED and not body.form.party:
+            for end in list_ends(wing, look.overhang):
+                show_gable(shown, end, eave, pitch, look, body.form)
+    stack = _stand_on_ridge(body, wings[0], top, chimney)
+    return join_parts(body.size, look, inner, eave, walls, [*roofs, *caps], shown, stack)
 
 
-def _gable_ends(wing: Wing, eave: float, top: float) -> list[tuple[Mesh, list[Mesh]]]:
+def walls_of(body: HouseBody) -> Footprint:
+    """The outline of the walls, under the eaves; the side walls of a row stand on its borders."""
+    inner = inset(body.outline, body.look.overhang)
+    if not body.form.party:
+        return inner
+    ring, by = np.array(inner), body.size.width / np.ptp(np.array(inner)[:, 0])
+    return tuple((float(x * by), float(y)) for x, y in ring)
+
+
+def _gable_ends(wing: Wing, main: Wing, eave: float, top: float) -> list[tuple[Mesh, list[Mesh]]]:
+    """The stepped gables of a wing; none at an end that is in the gable of the ``main`` one."""
     across, length = (wing.y, wing.x) if wing.along == "x" else (wing.x, wing.y)
     ends = ((length[0], length[0] + PARAPET), (length[1] - PARAPET, length[1]))
+    theirs = main.x if wing.along == "x" else main.y
+    if wing is not main and wing.along == main.along:
+        ends = tuple(e for e in ends if e[1] < theirs[0] or e[0] > theirs[1])
     return [stepped_gable(across, end, eave, top - 0.14, wing.along) for end in ends]
 
 
-def _chimney(wing: Wing, ridge_top: float, chimney: float) -> Mesh:
-    x, y = (sum(wing.x) / 2, sum(wing.y) / 2)
+def _stand_on_ridge(body: HouseBody, wing: Wing, top: float, high: float) -> list[Mesh]:
+    """The chimney of a house, or the turret of a hall."""
+    if not high:
+        return []
+    x, y = sum(wing.x) / 2, sum(wing.y) / 2
+    if body.form.entrance == "portal":
+        y = y + 0.3 * (wing.y[1] - wing.y[0]) if wing.along == "y" else y
+        walls = block((x - 0.55, x + 0.55), (y - 0.55, y + 0.55), (top - 1.2, top + 0.55 * high))
+        return [walls, spire(x, y, (top + 0.55 * high, body.size.height), 0.75, 4, np.pi / 4)]
     if wing.along == "x":
         x, y = x + 0.22 * (wing.x[1] - wing.x[0]), y + 0.35
     else:
         x, y = x + 0.35, y + 0.22 * (wing.y[1] - wing.y[0])
-    return block(
-        (x - 0.3, x + 0.3), (y - 0.3, y + 0.3), (ridge_top - 1.2, ridge_top + THICK + chimney)
-    )
+    return [block((x - 0.3, x + 0.3), (y - 0.3, y + 0.3), (top - 1.2, top + THICK + high))]
 
 
-def _build_hips(size: Size, outline: Footprint, look: HouseLook, area: float) -> Parts:
+def _build_hips(body: HouseBody) -> Parts:
     """Hips of one slope where there are any, a saddle over anything else."""
-    span = 2 * tallest(outline)
-    rise = min(look.pitch * span / 2, size.height - LOWEST)
-    eave = size.height - rise
-    walls = [extrude(inset(outline, look.overhang), 0.0, eave + 0.05)]
-    roofs = hips(outline, eave, rise / (span / 2)) or saddle(outline, eave, size.height)
-    shown = openings(inset(outline, look.overhang), eave, look.windows, _gate(area, outline))
-    return _parts(size, look, walls, roofs, shown, [])
+    eave, pitch = hip_heights(body)
+    outline, inner = body.outline, walls_of(body)
+    walls = [extrude(inner, 0.0, eave + 0.05)]
+    roofs = hips(outline, eave, pitch) or saddle(outline, eave, body.size.height)
+    shown = openings(inner, eave, body.look, body.form)
+    return join_parts(body.size, body.look, inner, eave, walls, roofs, shown, [])
 
 
-def _flat(size: Size, outline: Footprint, look: HouseLook, area: float) -> Parts:
+def _build_flat(body: HouseBody) -> Parts:
     """Walls to the top, the roof set a little below them."""
+    outline, top = body.outline, body.size.height
     inner = inset(outline, 0.25)
-    top = size.height
     walls = [extrude(outline, 0.0, top - 0.25)]
     rim = shapely.difference(shapely.Polygon(outline), shapely.Polygon(inner))
     if rim.geom_type == "Polygon" and rim.interiors:
@@ -206,9 +239,9 @@ def _flat(size: Size, outline: Footprint, look: HouseLook, area: float) -> Parts
     else:
         walls.append(extrude(outline, top - 0.3, top))
     roof = [extrude(inner, top - 0.3, top - 0.2)]
-    shown = openings(outline, top - 0.4, look.windows, _gate(area, outline))
-    stone = look._replace(roof=STONE)
-    return _parts(size, stone, walls, roof, shown, [])
+    look = body.look._replace(roof=STONE, balcony=False)
+    shown = openings(outline, top - 0.4, look, body.form)
+    return join_parts(body.size, look, outline, top - 0.4, walls, roof, shown, [])
 
 
 def _rim(outline: Footprint, inner: Footprint, z: tuple[float, float]) -> list[Mesh]:
@@ -225,115 +258,49 @@ def _rim(outline: Footprint, inner: Footprint, z: tuple[float, float]) -> list[M
     return made
 
 
-def _court_house(size: Size, look: HouseLook) -> Parts:
-    """Four roofs that drain into a court, behind high white walls with stepped ends."""
-    w, d = size.width / 2, size.depth / 2
-    court_x, court_y, low, high = court_heights(size)
-    rings = [(w - PARAPET, d - PARAPET, high), (court_x, court_y, low)]
-    roofs = _court_roofs(rings)
-    inner = [
-        block((-w, w), (-d, -d + PARAPET), (0, high + 0.35)),
-        block((-w, w), (d - PARAPET, d), (0, high + 0.35)),
-    ]
-    caps = [
-        block(
-            (-w - 0.1, w + 0.1),
-            (s * (d - PARAPET / 2) - 0.25, s * (d - PARAPET / 2) + 0.25),
-            (high + 0.35, high + 0.47),
-        )
-        for s in (-1, 1)
-    ]
-    for s in (-1, 1):
-        at = (w - PARAPET, w) if s > 0 else (-w, -w + PARAPET)
-        wall, copings = stepped_gable((-d, d), at, high - 0.2, size.height - 0.14, "x", 3)
-        inner.append(wall)
-        caps += copings
-    yard = [block((-court_x, court_x), (-court_y, court_y), (0, YARD))]
-    wood = [
-        block(
-            (-court_x - 0.15, court_x + 0.15),
-            (s * court_y - 0.08, s * court_y + 0.08),
-            (0, low - 0.1),
-        )
-        for s in (-1, 1)
-    ] + [
-        block((x - 0.08, x + 0.08), (-court_y, court_y), (0, low - 0.1))
-        for x in (-court_x, court_x)
-    ]
-    outline = ((-w, -d), (w, -d), (w, d), (-w, d))
-    shown = openings(outline, high, look.windows)
-    shown.stones.extend(yard)
-    shown.doors.extend(wood)
-    return _parts(size, look, inner, [*roofs, *caps], shown, [])
+def storeys_of_house(size: Size, footprint: Footprint, words: Sequence[str]) -> int:
+    """Storeys with windows of a house by its form, style and roof.
+
+    >>> storeys_of_house(Size(12, 9, 9.6), (), ("house", "rural", "gabled"))
+    2
+    """
+    form, style, roof = words
+    body = body_of(size, footprint, style, form)
+    if body.form.entrance not in LIVED:
+        return 1
+    roofing, wings = roofing_of(body, roof)
+    if roofing == "gables":
+        return count_storeys(gable_heights(body, wings).eave)
+    return count_storeys(hip_heights(body)[0] if roofing == "hips" else size.height - 0.4)
 
 
-def court_heights(size: Size) -> tuple[float, float, float, float]:
-    """Half the width and depth of a court, and the heights of the roofs over it and outside."""
-    court_x, court_y = 0.15 * size.width, 0.15 * size.depth
-    low = 0.55 * size.height
-    return court_x, court_y, low, low + min(0.5 * (size.depth / 2 - court_y), 0.28 * size.height)
-
-
-def _court_roofs(rings: list[tuple[float, float, float]]) -> list[Mesh]:
-    """Four slopes between an outer and an inner rectangle, each a closed slab."""
-    corners = [np.array([(-x, -y, z), (x, -y, z), (x, y, z), (-x, y, z)]) for x, y, z in rings]
-    made = []
-    for k in range(4):
-        after = (k + 1) % 4
-        quad = np.array([corners[0][k], corners[0][after], corners[1][after], corners[1][k]])
-        vertices = np.concatenate([quad - (0, 0, 0.15), quad])
-        base = extrude([(0, 0), (1, 0), (1, 1), (0, 1)], 0.0, 1.0)
-        made.append(Mesh(vertices, base.faces))
-    return made
-
-
-def _gate(area: float, outline: Footprint) -> float:
-    """The width of the gate of a shed; 0 of a house."""
-    if area >= SHED:
-        return 0.0
-    return min(2.4, 0.6 * float(np.ptp(np.array(outline)[:, 0])))
-
-
-def _parts(
-    size: Size,
-    look: HouseLook,
-    walls: list[Mesh],
-    roofs: list[Mesh],
-    shown: WallOpenings,
-    stack: list[Mesh],
-) -> Parts:
-    wall = pick(size, look.walls)
-    meshes: dict[Material, list[Mesh]] = {wall: list(walls)}
-    frame = LIMESTONE if wall is not PLASTER else STONE
-    wood = WALNUT if wall is PLASTER else TIMBER
-    rows = (
-        (look.roof, roofs),
-        (PANE, shown.panes),
-        (WHITE if frame is LIMESTONE else STONE, shown.frames),
-        (look.shutters, shown.shutters),
-        (wood, shown.doors),
-        (STONE, shown.stones),
-        (BRICK, stack),
-    )
-    for material, found in rows:
-        meshes.setdefault(material, []).extend(found)
-    return parts(size, meshes)
-
-
-def _drawing(style: str, roof: str, name: str) -> Drawing:
-    build = partial(build_house, style=style, roof=roof)
+def _drawing(form: str, style: str, roof: str) -> Drawing:
+    build = partial(build_house, style=style, roof=roof, form=form)
+    name = NAMES.get(style, f"{style[:1].upper()}{style[1:]}")
     return Drawing(
         "house",
         lambda size: build(size, ()),
         plan(*(ridge(0.5) if roof == "hipped" else ridge(1.0)[:1] if roof == "gabled" else ())),
-        f"house_{style}_{roof}",
-        name,
+        asset_of_house(form, style, roof),
+        f"{name} {CALLED[form]}, {roof}",
         over=build,
     )
 
 
+NAMES = {"timbered": "Half-timbered", "hill": "Hill-village", "plain": "Contemporary"}
+CALLED = {
+    "house": "house",
+    "row": "terraced house",
+    "farm": "farmhouse",
+    "shop": "house with a shop",
+    "rowshop": "terraced house with a shop",
+    "barn": "barn",
+    "works": "workshop",
+    "hall": "hall",
+}
 ASSETS = tuple(
-    _drawing(style, roof, f"{style[:1].upper()}{style[1:]} house, {roof}")
+    _drawing(form, style, roof)
+    for form, row in FORMS.items()
     for style in LOOKS
-    for roof in ("gabled", "hipped", "flat")
+    for roof in row.roofs
 )

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from scenewright.catalog.assets.buildings.house_looks import style_of_asset
 from scenewright.check.buildings import is_like
 from scenewright.check.owed import ALL, Owed
+from scenewright.check.owed_uses import list_owed_uses
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Patch
 from scenewright.domains.village.blocks import VillagePlan
@@ -27,7 +29,7 @@ def list_owed(
     houses are of the library."""
     known: dict[tuple[str, str], list[House]] = {}
     for house in plan.houses:
-        known.setdefault((house.name, house.asset), []).append(house)
+        known.setdefault((house.name, style_of_asset(house.asset)), []).append(house)
     for block, one in zip(asked, plan.blocks, strict=True):
         here = [p for p in pieces if p.space == one.id and p.category == "building"]
         stay = {row.id for row in one.fixed}
@@ -35,11 +37,15 @@ def list_owed(
         most = ALL if block.count is None else least
         yield Owed(one.id, "houses", len(here), least, most, ("houses",))
         strange = sum(
-            not any(is_like(p, h.area, h.height) for h in known.get((p.function, p.asset), ()))
+            not any(
+                is_like(p, h.area, h.height)
+                for h in known.get((p.function, style_of_asset(p.asset)), ())
+            )
             for p in here
             if p.id not in stay
         )
         yield Owed(one.id, "houses of no library", strange, 0, 0)
+        yield from list_owed_uses(one.id, block.uses, here)
         if block.square is not None:
             areas = [p.box[3] * p.box[4] for p in patches if p.space == one.id]
             there = sum(area >= SHARE * block.square for area in areas)

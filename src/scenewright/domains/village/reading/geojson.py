@@ -22,17 +22,18 @@ from scenewright.core.projection import Projection, metres
 from scenewright.core.space import Points
 from scenewright.domains.village.house import rectangle_about
 from scenewright.ground.buildings.plain_buildings import fits_footprint, plain_building
+from scenewright.ground.buildings.use_words import ROOFS, use_of_tags, use_of_word, word_of_tags
 from scenewright.ground.maps.fates import Note
 from scenewright.ground.maps.features import Collection, Feature, in_degrees
 from scenewright.ground.maps.footprints import PARCEL, UNTAGGED, find_footprints, note_plots
-from scenewright.ground.maps.kinds import stands, use_of
+from scenewright.ground.maps.kinds import stands
 from scenewright.ground.maps.place import projection_of
 from scenewright.ground.maps.report import report_map
 
 WIDTHS = {"primary": 8.0, "secondary": 7.0, "tertiary": 6.5, "residential": 5.5, "service": 4.0}
 PATHS = ("footway", "path", "steps", "track", "pedestrian", "cycleway")
 LANE, PATH, STOREY, HEIGHT = 5.0, 2.0, 2.7, 7.5
-LIBRARY, ROOFS = "library", ("gabled", "hipped", "flat")
+LIBRARY = "library"
 MOST_BLOCKS = 1000
 UNREAD = "is no block, lane or house"
 LEAST_OVER = 1.0
@@ -174,12 +175,12 @@ def _stays(feature: Feature) -> bool:
 def _choice(feature: Feature, name: str, corners: Points) -> dict[str, Any]:
     """A house of the library."""
     ring = _ring(corners)
-    roof = feature.tags.get("roof:shape", "gabled")
     made: dict[str, Any] = {
         "name": name[:80],
         "footprint": (ring - ring.mean(0)).round(3).tolist(),
         "levels": int(min(max(_number(feature.tags.get("building:levels"), 2.0), 1), 12)),
-        "roof": roof if roof in ROOFS else "gabled",
+        "roof": ROOFS.get(feature.tags.get("roof:shape", ""), "gabled"),
+        "use": use_of_word(feature.tags.get("building:use", "")),
     }
     height = _number(feature.tags.get("height"), 0.0)
     return made | ({"height": height} if height else {})
@@ -231,7 +232,7 @@ def _house(feature: Feature, ring: Points) -> dict[str, Any]:
     height = _number(feature.tags.get("height"), levels * STOREY + 2 if levels else HEIGHT)
     width, depth = (high - low).tolist()
     area = float(shapely.make_valid(shapely.Polygon(ring)).area)
-    drawn = plain_building((width, depth, height), area, use=use_of(feature.tags))
+    drawn = plain_building((width, depth, height), area, use=word_of_tags(feature.tags))
     return {
         "id": feature.id,
         "house": feature.tags.get("name", ""),
@@ -240,6 +241,8 @@ def _house(feature: Feature, ring: Points) -> dict[str, Any]:
         "heading": float((heading + np.pi) % (2 * np.pi) - np.pi),
         "size": [width, depth, height],
         "footprint": (local - (low + high) / 2).round(6).tolist(),
+        "use": use_of_tags(feature.tags),
+        "roof": ROOFS.get(feature.tags.get("roof:shape", "")),
     }
 
 

@@ -1,0 +1,24 @@
+"""The uses a brief asks for against the models that stand."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from scenewright.check.owed import Owed
+from scenewright.core.brief.uses import UseName, UseWish, use_words
+from scenewright.core.scene import Piece
+from scenewright.ground.buildings.uses import use_of_asset
+
+
+def list_owed_uses(
+    space: str, wishes: Mapping[UseName, UseWish], pieces: Sequence[Piece]
+) -> Iterator[Owed]:
+    """How many buildings of each use a space is to have that states a number; models of a user's
+    own show none and are taken at the solution's word."""
+    shown = [use_of_asset(piece.asset) for piece in pieces]
+    unknown = sum(use is None for use in shown)
+    for use, wish in wishes.items():
+        if wish.count is not None:
+            words = (use_words(use, 1),)
+            there = sum(one == use for one in shown) + unknown
+            yield Owed(space, use_words(use, 2), there, wish.count, words=words)
