@@ -16,9 +16,11 @@ import numpy as np
 import shapely
 
 import scenewright as sw
+from benchmarks.facades import BLANK, COUNT, count_blank_models, count_faults
 from benchmarks.ground_measures import Ground, counts_of, read_ground
 from benchmarks.ground_places import Place, extension_places, village_places
 from benchmarks.real_data import skipped
+from scenewright.catalog.assets.buildings.house_looks import LOOKS
 from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
 from scenewright.core.layout import corners
@@ -28,13 +30,15 @@ Record = dict[str, Any]
 Progress = Callable[[float, str], None]
 VILLAGES = ("village-hamlet", "village-street", "village-dense")
 GROWN = ("extend-terrace", "extend-court", "extend-village")
+QUICK_FACADES = 20
 CLOSE = 0.2
 """By which share coverage may differ from the real one and be like it."""
 
 
 def records(quick: bool, progress: Progress | None = None) -> Iterator[Record]:
-    """Records of samples, of real places, and of extensions."""
+    """Records of facades, of samples, of real places, and of extensions."""
     heard = progress or (lambda _share, _words: None)
+    yield from _facades(quick, heard)
     samples = [Place(name, sw.read(f"sample:{name}"), None) for name in VILLAGES]
     yield from _records("villages", samples, heard)
     samples = [Place(name, sw.read(f"sample:{name}"), None) for name in GROWN]
@@ -44,6 +48,18 @@ def records(quick: bool, progress: Progress | None = None) -> Iterator[Record]:
         yield from _records("real extensions", extension_places(quick), heard)
     except InputError as fault:
         yield skipped("real places", fault)
+
+
+def _facades(quick: bool, heard: Progress) -> Iterator[Record]:
+    """Facades with a fault over random footprints, of every style; wide models that are blank."""
+    for number, style in enumerate(LOOKS):
+        heard(0.5 * number / len(LOOKS), f"facades: {style}")
+        count = QUICK_FACADES if quick else COUNT
+        faults = count_faults(style, count=count)
+        for name, value in faults._asdict().items():
+            yield _record(f"facades, {style}", name.replace("_", " "), float(value), None, count)
+    blank, of = count_blank_models()
+    yield _record("facades", f"models blank at {BLANK:g} m", float(blank), None, of)
 
 
 def _records(group: str, places: Iterable[Place], heard: Progress) -> Iterator[Record]:

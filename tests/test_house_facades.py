@@ -73,4 +73,4 @@ def test_a_shop_has_its_panes_and_its_sign_on_the_front_alone() -> None:
 def test_the_walls_of_a_row_meet_its_neighbours(style: str) -> None:
     drawn = build_house(Size(5.4, 9.0, 8.4), (), style, "gabled", "row")
     wall = max(drawn, key=lambda part: float(np.ptp(part.vertices[:, 2])))
-    assert np.ptp(wall.vertices[:, 0]) == pytest.approx(5.4, abs=0.05)
+    assert np.ptp(wall.vertices[:, 0]) == pytest.approx(5.4, abs=0.2)

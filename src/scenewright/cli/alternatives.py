@@ -11,7 +11,7 @@ from scenewright.core.registry import domain_of
 from scenewright.workflow import documents
 from scenewright.workflow.alternatives import RankedSolution, arrange_alternatives
 from scenewright.workflow.request import ArrangeRequest
-from scenewright.workflow.schemes import find_schemes, scheme_row
+from scenewright.workflow.schemes import add_schemes, find_schemes, scheme_row
 
 
 def arrange_all(request: ArrangeRequest, console: Console) -> tuple[list[RankedSolution], bool]:
@@ -31,8 +31,8 @@ def row(plan: RankedSolution) -> dict[str, Any]:
     }
     if len(halls) == 1 and solution.detail is not None:
         values |= {key: halls[0][key] for key in ("aesthetic", "uniformity", "circulation")}
-    sites = list(find_schemes(solution, plan.plan, plan.report).values())
-    return values | (scheme_row(sites[0]) if len(sites) == 1 else {})
+    grounds = list(find_schemes(solution, plan.plan, plan.report).values())
+    return values | scheme_row(add_schemes(grounds))
 
 
 def differences(plans: list[RankedSolution]) -> list[float]:
@@ -66,8 +66,9 @@ def patterns(plan: RankedSolution) -> str:
 def document(source: str, plan: RankedSolution) -> dict[str, Any]:
     """One plan as plain values."""
     code = 0 if plan.complete else 1
-    sites = find_schemes(plan.solution, plan.plan, plan.report)
-    told = {"plan": plan.rank} | ({"sites": sites} if sites else {})
+    grounds = find_schemes(plan.solution, plan.plan, plan.report)
+    noun = domain_of(plan.solution.brief.domain).noun
+    told = {"plan": plan.rank} | ({f"{noun}s": grounds} if grounds else {})
     return told | documents.arranged_document(
         source, plan.outputs, plan.solution, plan.plan, plan.report, code
     )

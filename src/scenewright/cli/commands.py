@@ -288,19 +288,21 @@ def explain(
     as_json: JsonOption = False,
 ) -> int:
     """Explain a solution: what was not placed, what it gives up, and what helps."""
+    from scenewright.core.registry import domain_of
     from scenewright.formats import solution_json
 
     solution, plan = solution_json.read_planned(file)
     show.print_scale(terminal.console(stderr=True), file, solution.brief, plan)
+    noun = domain_of(solution.brief.domain).noun
     if passes:
         print_passes(tables.output_console(), solution, plan, as_json)
     elif as_json:
-        sites = find_schemes(solution, plan)
+        grounds = find_schemes(solution, plan)
         told = documents.explained_document(solution, plan)
-        tables.print_json(told | ({"sites": sites} if sites else {}))
+        tables.print_json(told | ({f"{noun}s": grounds} if grounds else {}))
     else:
         show.print_explanation(tables.output_console(), solution, plan, with_terms)
-        schemes.print_schemes(tables.output_console(), find_schemes(solution, plan))
+        schemes.print_schemes(tables.output_console(), find_schemes(solution, plan), noun)
     return 0
 
 

@@ -1,4 +1,4 @@
-"""Figures of schemes of sites: a table of them, one row a site or an alternative."""
+"""Figures of schemes: a table of them, one row a site, block, area or an alternative."""
 
 from __future__ import annotations
 
@@ -11,9 +11,12 @@ from scenewright.cli.tables import print_line, table
 from scenewright.workflow.schemes import scheme_row
 
 
-def print_schemes(console: Console, sites: Mapping[str, Mapping[str, Any]]) -> None:
-    """A table of the schemes of some sites, then floor by use and dwellings by size."""
-    rows = [{"site": name} | scheme_row(row) for name, row in sites.items() if scheme_row(row)]
+def print_schemes(
+    console: Console, sites: Mapping[str, Mapping[str, Any]], noun: str = "site"
+) -> None:
+    """A table of the schemes of some sites, or of what has another ``noun``, then floor by use and
+    dwellings by size."""
+    rows = [{noun: name} | scheme_row(row) for name, row in sites.items() if scheme_row(row)]
     if rows:
         table(console, rows, "scheme")
     for name, row in sites.items():

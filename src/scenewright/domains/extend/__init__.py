@@ -37,6 +37,7 @@ DOMAIN = Domain(
         "breeder": ".breeding:make_breeder",
         "matrix_breeder": ".matrix_breeding:make_matrix_breeder",
         "plots": ".works:plots_of_extension",
+        "schemes": ".uses:measure_schemes",
         "detail_document": ".record:detail_document",
         "detail_of": ".record:detail_of",
     },

@@ -7,6 +7,8 @@ from scenewright.core.explanation import Compromise, Remedy
 REMEDIES: tuple[Remedy, ...] = (
     Remedy(r"stopped before", "let it run longer (--layouts)"),
     Remedy(r"not followed", "draw the source without it if the rest is to be followed closer"),
+    Remedy(r"look at a square or main street", "ask for fewer shops (uses)"),
+    Remedy(r"houses to choose from|no more place for one", "ask for fewer (uses)"),
     Remedy(r"distances of the source", "ask for fewer buildings (count), or enlarge the area"),
 )
 """By what a reason says; the first that matches counts."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
 
 import numpy as np
 import shapely
@@ -10,10 +11,12 @@ import shapely
 from scenewright.catalog.assets.buildings.house_looks import SHED, read_asset
 from scenewright.core.brief.uses import UseName, UseWish
 from scenewright.core.piece_outlines import polygons_of
+from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
-from scenewright.core.solution import LeftOut
+from scenewright.core.solution import LeftOut, Solution
 from scenewright.domains.extend.areas import OLD, ExtendPlan
 from scenewright.ground.buildings.dressing import ShopGround, dress, find_shop_fronts
+from scenewright.ground.buildings.use_figures import measure_uses
 from scenewright.ground.buildings.use_wishes import (
     NONE,
     dress_by_wish,
@@ -75,3 +78,10 @@ def _convert(
             area = float(polygons_of([piece])[0].area)
             own = own._replace(count=own.count + 1, floor=own.floor + area)
             yield piece.id, use
+
+
+def measure_schemes(solution: Solution, plan: Plan) -> dict[str, dict[str, Any]]:
+    """The figures of uses of each area of a solution, by its id."""
+    rows = {one.id: [p for p in solution.pieces if p.space == one.id] for one in plan.detail.areas}
+    areas = {one.id: float(one.outline.area) for one in plan.detail.areas}
+    return {name: measure_uses(rows[name], areas[name]) for name in rows}

@@ -42,6 +42,7 @@ DOMAIN = Domain(
         "detail_document": ".record:detail_document",
         "detail_of": ".record:detail_of",
         "plots": ".plots:plots_of_village",
+        "schemes": ".uses:measure_schemes",
     },
     tables={
         "presets": ".presets:PRESETS",

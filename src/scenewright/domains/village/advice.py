@@ -9,6 +9,9 @@ REMEDIES: tuple[Remedy, ...] = (
     Remedy(
         r"no place left on", "ask for fewer houses (count), or lead a lane into the block (lanes)"
     ),
+    Remedy(r"look at a square or main street", "ask for fewer shops, or draw a wider street by it"),
+    Remedy(r"houses to choose from", "add one to the library (houses) and say its use"),
+    Remedy(r"no more place for one", "ask for fewer, or for smaller houses beside it"),
     Remedy(r"([\d.]+ x [\d.]+) m free", "ask for a smaller square, or keep {0} m at a street free"),
 )
 """By what a reason says; the first that matches counts."""

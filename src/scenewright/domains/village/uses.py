@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
 import shapely
 
 from scenewright.core.brief.uses import UseName, UseWish
+from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
-from scenewright.core.solution import LeftOut
-from scenewright.domains.village.blocks import BlockPlan
+from scenewright.core.solution import LeftOut, Solution
+from scenewright.domains.village.blocks import BlockPlan, VillagePlan
 from scenewright.domains.village.brief import VillageBlock
 from scenewright.domains.village.house import House, is_outbuilding
 from scenewright.domains.village.lanes import LAID
 from scenewright.ground.buildings.dressing import ShopGround, find_shop_fronts
+from scenewright.ground.buildings.use_figures import measure_uses
 from scenewright.ground.buildings.use_wishes import (
     dress_by_wish,
     known_uses,
@@ -128,3 +131,11 @@ def dress_block(
     fronts = sum(map(len, find_shop_fronts(found, ground)))
     held = set(library.values())
     return found, list(list_unmet(plan.id, found, block.uses, library, held, fronts))
+
+
+def measure_schemes(solution: Solution, plan: Plan) -> dict[str, dict[str, Any]]:
+    """The figures of uses of each block of a solution, by its id."""
+    village: VillagePlan = plan.detail
+    known = {house.name: use_of_house(house) for house in village.houses}
+    rows = {one.id: [p for p in solution.pieces if p.space == one.id] for one in village.blocks}
+    return {one.id: measure_uses(rows[one.id], one.area, known) for one in village.blocks}

@@ -59,6 +59,17 @@ ROOFS = {
 """Forms of roofs by the tag ``roof:shape``."""
 
 
+TAG_OF_USE: dict[UseName, str] = {
+    "dwelling": "house",
+    "outbuilding": "outbuilding",
+    "farm": "farm",
+    "shop": "retail",
+    "works": "industrial",
+    "public": "public",
+}
+"""The value of the tag ``building`` that tells each use."""
+
+
 def use_of_word(word: str) -> UseName | None:
     """The use that a word of a map tells.
 

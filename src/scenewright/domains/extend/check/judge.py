@@ -22,6 +22,7 @@ from scenewright.check.buildings import (
     state_fault,
 )
 from scenewright.check.owed import ALL, Owed, find_owed
+from scenewright.check.owed_uses import list_owed_uses
 from scenewright.check.rooms import count_findings
 from scenewright.core.catalog import OWN, Catalog
 from scenewright.core.piece_outlines import polygons_of
@@ -61,6 +62,7 @@ def list_owed(plan: ExtendPlan, pieces: Sequence[Piece]) -> Iterator[Owed]:
         count, stay = area.row.count, {row.id for row in area.fixed}
         least = 1 if count is None else max(count, len(stay))
         yield Owed(area.id, "buildings", len(here), least, ALL if count is None else least)
+        yield from list_owed_uses(area.id, area.row.uses, here)
         strange = sum(
             not any(size is None or is_like(p, *size) for size in known.get(p.function, ()))
             for p in here

@@ -24,6 +24,8 @@ from scenewright.domains.extend.areas import OLD, ExtendPlan
 from scenewright.domains.extend.pattern import STOREY
 from scenewright.domains.extend.plan import plan_extend
 from scenewright.domains.extend.works import plots_of_extension
+from scenewright.ground.buildings.use_words import TAG_OF_USE
+from scenewright.ground.buildings.uses import use_of_asset
 from scenewright.ground.maps.writing import (
     bearing_of,
     projection_about,
@@ -72,8 +74,9 @@ def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
 
 
 def _building(piece: Piece, map_: Projection) -> dict[str, Any]:
+    use = use_of_asset(piece.asset)
     tags = {
-        "building": "yes",
+        "building": "yes" if use is None else TAG_OF_USE[use],
         "name": piece.function,
         "height": round(piece.size.height, 3),
         "building:levels": max(1, round(piece.size.height / STOREY)),

@@ -24,6 +24,8 @@ from scenewright.domains.village.blocks import VillagePlan
 from scenewright.domains.village.lanes import opened
 from scenewright.domains.village.plan import plan_village
 from scenewright.domains.village.plots import plots_of_village
+from scenewright.ground.buildings.use_words import TAG_OF_USE
+from scenewright.ground.buildings.uses import use_of_asset
 from scenewright.ground.maps.writing import (
     bearing_of,
     projection_about,
@@ -77,8 +79,9 @@ def check(brief: Brief) -> None:
 
 
 def _house(piece: Piece, map_: Projection) -> dict[str, Any]:
+    use = use_of_asset(piece.asset)
     tags = {
-        "building": "yes",
+        "building": "yes" if use is None else TAG_OF_USE[use],
         "name": piece.function,
         "height": round(piece.size.height, 3),
         "building:levels": max(1, round(piece.size.height / STOREY)),
