@@ -20,6 +20,6 @@ def list_owed_uses(
     unknown = sum(use is None for use in shown)
     for use, wish in wishes.items():
         if wish.count is not None:
-            words = (use_words(use, 1),)
+            named = (use_words(use, 1),)
             there = sum(one == use for one in shown) + unknown
-            yield Owed(space, use_words(use, 2), there, wish.count, words=words)
+            yield Owed(space, use_words(use, 2), there, wish.count, words=named)

@@ -8,11 +8,12 @@ concave.
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 import numpy as np
 import shapely
 
+from scenewright.core.brief.uses import UseName
 from scenewright.core.space import Points
 from scenewright.ground.streetside.plots import OUTBUILDING
 
@@ -41,7 +42,7 @@ class House(NamedTuple):
     front: float | None = None
     door: tuple[float, float] | None = None
     material: int = 0
-    use: str = ""
+    use: UseName | Literal[""] = ""
 
 
 def is_outbuilding(use: str, area: float) -> bool:

@@ -13,7 +13,7 @@ import numpy as np
 import shapely
 
 from scenewright.building.outlines import rings
-from scenewright.catalog.assets.buildings.house_looks import LOOKS
+from scenewright.catalog.assets.buildings.house_looks import LOOKS, RURAL
 from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief
 from scenewright.core.brief.terrain import BANK, list_waters
@@ -48,7 +48,6 @@ VERGE = 1.2
 """Metres before a street side that belong to the street."""
 CRACKS = (0.0, 0.02, 0.1, 0.4)
 """Widths of cracks closed one after the other, in metres."""
-RURAL = "rural"
 HOME = {
     "riviera": "monaco_hills",
     "hill": "monaco_hills",

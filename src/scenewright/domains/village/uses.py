@@ -38,7 +38,7 @@ def use_of_house(house: House) -> UseName:
 def wishes_left(block: VillageBlock, standing: Sequence[Piece]) -> dict[UseName, UseWish]:
     """What a block asks of uses, less what stands in it; shops are chosen once all stand."""
     there = count_uses(standing)
-    found = {}
+    found: dict[UseName, UseWish] = {}
     for use, wish in block.uses.items():
         own = there.get(use, UseCount(0, 0.0))
         count = None if wish.count is None else max(wish.count - own.count, 0)

@@ -80,7 +80,7 @@ def plain_building(
         large = all(side >= least for side, least in zip(size, look.least, strict=True))
         if use in look.uses and large and area >= FULL * size[0] * size[1]:
             return look.asset
-    row = house_looks.LOOKS.get(style, house_looks.LOOKS["rural"])
+    row = house_looks.LOOKS.get(style, house_looks.LOOKS[house_looks.RURAL])
     if size[2] > STOREY * row.most + ROOF or area > SMALL:
         return BLOCK
     shape = roof or (row.roofs[0] if size[2] > FLAT else "flat")

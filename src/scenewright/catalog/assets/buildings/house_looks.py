@@ -35,6 +35,8 @@ Roof = Literal["gabled", "hipped", "flat"]
 Entrance = Literal["door", "byre", "gate", "shop", "portal"]
 Enclosing = Literal["hedge", "stone", "white"]
 Region = tuple[float, float, float, float]
+RURAL = "rural"
+"""The style where no other is named or known."""
 SHED = 45.0
 """Square metres below which a building is no dwelling: a gate, no windows nor chimney."""
 
@@ -202,7 +204,7 @@ def asset_of_house(form: str, style: str, roof: str) -> str:
     ('shop_alpine_hipped', 'row_rural_gabled')
     """
     roofs = FORMS[form].roofs
-    look = style if style in LOOKS else next(iter(LOOKS))
+    look = style if style in LOOKS else RURAL
     return f"{form}_{look}_{roof if roof in roofs else roofs[0]}"
 
 

@@ -48,7 +48,7 @@ from scenewright.catalog.assets.model import Parts
 from scenewright.core.footprint import Footprint
 from scenewright.core.scene import Size
 from scenewright.geometry.mesh import Mesh, extrude
-from scenewright.geometry.solids import block
+from scenewright.geometry.solids import Interval, block
 
 LIVED = ("door", "byre", "shop")
 """Entrances of what is lived in."""
@@ -195,7 +195,10 @@ def walls_of(body: HouseBody) -> Footprint:
 def _gable_ends(wing: Wing, main: Wing, eave: float, top: float) -> list[tuple[Mesh, list[Mesh]]]:
     """The stepped gables of a wing; none at an end that is in the gable of the ``main`` one."""
     across, length = (wing.y, wing.x) if wing.along == "x" else (wing.x, wing.y)
-    ends = ((length[0], length[0] + PARAPET), (length[1] - PARAPET, length[1]))
+    ends: tuple[Interval, ...] = (
+        (length[0], length[0] + PARAPET),
+        (length[1] - PARAPET, length[1]),
+    )
     theirs = main.x if wing.along == "x" else main.y
     if wing is not main and wing.along == main.along:
         ends = tuple(e for e in ends if e[1] < theirs[0] or e[0] > theirs[1])

@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from scenewright.catalog.assets.buildings.house_looks import LOOKS, RURAL
 from scenewright.core.atomic_file import atomic_write, check_targets
 from scenewright.core.errors import InputError
 from scenewright.core.plan import Plan
@@ -43,7 +44,6 @@ from scenewright.domains.village.learning.tables import (
     learn_mix,
     learn_regions,
 )
-from scenewright.domains.village.library import LOOKS
 
 FEWEST = 12
 """Blocks to learn from, at least."""
@@ -119,7 +119,7 @@ def tell_blocks(style: VillageStyle, train: Sequence[RealBlock], seed: int) -> V
     return style._replace(more=learn_more(train, style, seed))
 
 
-def check_learning(output: Path, look: str = LOOKS[0]) -> None:
+def check_learning(output: Path, look: str = RURAL) -> None:
     """InputError unless what is learned can be written, and PyTorch is there."""
     if not is_file(str(output)):
         raise InputError(
