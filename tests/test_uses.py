@@ -74,7 +74,7 @@ def test_shops_look_at_squares_and_main_streets() -> None:
     assert [p.id for p in made if use_of_asset(p.asset) == "shop"] == ["a", "b"]
     one = count_uses(made)["shop"].floor / 2
     made = dress_by_wish(pieces, {}, names, UseWish(floor=one), ground)
-    assert count_uses(made)["shop"].count == 1
+    assert count_uses(made)["shop"].number == 1
     assert count_uses(made)["dwelling"].floor > 0
 
 
@@ -103,12 +103,12 @@ def test_a_village_has_the_uses_it_asks_for_or_says_why_not() -> None:
     report = sw.check(solution)
     assert report.valid, [row.message for row in report.findings]
     there = count_uses(solution.pieces)
-    assert (there["works"].count, there["public"].count) == (1, 1)
+    assert (there["works"].number, there["public"].number) == (1, 1)
     (out,) = [row for row in solution.left_out if "shop" in row.what]
-    assert out.what == f"{60 - there['shop'].count} of 60 shops"
+    assert out.what == f"{60 - there['shop'].number} of 60 shops"
     assert "look at a square or main street" in out.reason
     told = find_schemes(solution, plan_of(brief), report)["block-1"]
-    assert told["buildings_by_use"]["shop"] == there["shop"].count
+    assert told["buildings_by_use"]["shop"] == there["shop"].number
     silent = [row for row in solution.left_out if row is not out]
     lost = sw.check(replace(solution, left_out=tuple(silent)))
     assert any("shops stand" in row.message for row in lost.findings)
@@ -152,7 +152,7 @@ def test_an_extension_draws_its_source_by_use_storeys_and_roof() -> None:
     assert drawn == forms
     assert {round(p.size.height, 3) for p in old.values()} == {8.5, 6.5}
     new = count_uses(p for p in solution.pieces if p.space != "source")
-    assert new["works"].count >= 1
+    assert new["works"].number >= 1
     assert any(row.what.endswith("of 40 public halls") for row in solution.left_out)
 
 

@@ -76,7 +76,7 @@ def _convert(
         while use not in ("shop", "dwelling") and homes and not is_met(wish, own):
             piece = homes.pop(-1 if use == "outbuilding" else 0)
             area = float(polygons_of([piece])[0].area)
-            own = own._replace(count=own.count + 1, floor=own.floor + area)
+            own = own._replace(number=own.number + 1, floor=own.floor + area)
             yield piece.id, use
 
 

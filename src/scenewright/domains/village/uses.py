@@ -41,7 +41,7 @@ def wishes_left(block: VillageBlock, standing: Sequence[Piece]) -> dict[UseName,
     found: dict[UseName, UseWish] = {}
     for use, wish in block.uses.items():
         own = there.get(use, UseCount(0, 0.0))
-        count = None if wish.count is None else max(wish.count - own.count, 0)
+        count = None if wish.count is None else max(wish.count - own.number, 0)
         floor = None if wish.floor is None else max(wish.floor - own.floor, 0.0)
         if use != "shop":
             found[use] = UseWish(count=count, floor=floor)

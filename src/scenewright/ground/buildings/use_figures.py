@@ -21,7 +21,7 @@ def measure_uses(
     floor = sum(row.floor for row in found.values())
     covered = sum(float(shape.area) for shape in polygons_of(built)) if built else 0.0
     return {
-        "buildings_by_use": {use: row.count for use, row in found.items()},
+        "buildings_by_use": {use: row.number for use, row in found.items()},
         "floor_by_use": {use: row.floor for use, row in found.items()},
         "floor_area": round(floor, 1),
         "floor_area_ratio": round(floor / area, 4),

@@ -54,7 +54,7 @@ def _draw_shops(pieces: Sequence[Piece], fronts: Sequence[str], wish: UseWish) -
             return
         yield name
         own = count_uses([turn_into_shop(known[name])])["shop"]
-        there = UseCount(there.count + 1, there.floor + own.floor)
+        there = UseCount(there.number + 1, there.floor + own.floor)
 
 
 def is_met(wish: UseWish, there: UseCount) -> bool:
@@ -64,7 +64,7 @@ def is_met(wish: UseWish, there: UseCount) -> bool:
     (True, False)
     """
     if wish.count is not None:
-        return there.count >= wish.count
+        return there.number >= wish.count
     return there.floor >= (wish.floor or 0.0)
 
 
@@ -84,7 +84,7 @@ def list_unmet(
         if is_met(wish, own):
             continue
         if wish.count is not None:
-            what = f"{wish.count - own.count} of {wish.count} {use_words(use, wish.count)}"
+            what = f"{wish.count - own.number} of {wish.count} {use_words(use, wish.count)}"
         else:
             asked = round(wish.floor or 0.0)
             what = f"{asked - round(own.floor)} of {asked} m² of {use_words(use, 2)}"

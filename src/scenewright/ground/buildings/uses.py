@@ -31,7 +31,7 @@ _STYLED: dict[str, UseName] = {
 class UseCount(NamedTuple):
     """Of a use: how many buildings, and square metres of their floors."""
 
-    count: int
+    number: int
     floor: float
 
 
