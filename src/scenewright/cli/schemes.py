@@ -10,6 +10,13 @@ from rich.console import Console
 from scenewright.cli.tables import print_line, table
 from scenewright.workflow.schemes import scheme_row
 
+SHARES = (
+    ("floor_by_use", "m² of floor"),
+    ("dwellings_by_kind", "lived in"),
+    ("dwellings_by_size", "dwellings"),
+)
+"""Figures that are told of each scheme below its table."""
+
 
 def print_schemes(
     console: Console, sites: Mapping[str, Mapping[str, Any]], noun: str = "site"
@@ -20,7 +27,7 @@ def print_schemes(
     if rows:
         table(console, rows, "scheme")
     for name, row in sites.items():
-        for key, word in (("floor_by_use", "m² of floor"), ("dwellings_by_size", "dwellings")):
+        for key, word in SHARES:
             told = ", ".join(f"{what} {value:.0f}" for what, value in row.get(key, {}).items())
             if told:
                 print_line(console, f"{name}, {word}: {told}", "dim")

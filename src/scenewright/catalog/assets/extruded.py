@@ -57,10 +57,11 @@ def _openings(footprint: Footprint, level: float) -> tuple[list[Mesh], list[Mesh
         length = float(np.hypot(*(end - start)))
         spots = [(a + b) / 2 for a, b in bays((-length / 2, length / 2), BAY)]
         door = len(spots) // 2 if number == entrance else -1
-        for bay, middle in enumerate(spots if length > BAY else []):
+        for bay, middle in enumerate(spots if length > BAY or door >= 0 else []):
             for floor, (low, high) in enumerate(storeys((0.0, level), STOREY)):
                 tall = high - low
                 half, sill = (0.6, 0.0) if bay == door and not floor else (0.75, 0.3 * tall)
+                half = min(half, 0.4 * length)
                 pane = block(
                     (middle - half, middle + half), (-OUT, OUT), (low + sill, low + 0.8 * tall)
                 )

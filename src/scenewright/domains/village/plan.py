@@ -40,8 +40,8 @@ from scenewright.ground.plan import Area, SitePlan, Way
 
 LEVEL = Level("0", "", 0.0, 2.6)
 SKY = 60.0
-LANE = 4.4
-"""Width in metres of a lane along street sides where the brief draws none."""
+LANE = LOOKS[RURAL].street
+"""Width in metres of the widest lane along street sides where the brief draws none."""
 BESIDE = 6.0
 """How far beyond the edge of a lane, in metres, a side of a block may lie and be on it."""
 VERGE = 1.2
@@ -88,7 +88,7 @@ def plan_village(brief: Brief) -> Plan:
         _streets(block, lanes, f"blocks[{k}] '{block.name or names[k]}'")
         for k, block in enumerate(brief.part.blocks)
     ]
-    lanes = lanes or _implied_lanes(streets, everything)
+    lanes = lanes or _implied_lanes(streets, everything, LOOKS[look].street)
     blocks = tuple(
         _block(block, name, floor, sides, lanes, f"blocks[{k}]", look)
         for k, (block, name, floor, sides) in enumerate(
@@ -241,23 +241,25 @@ def _along(sides: Points, lanes: Sequence[Way]) -> list[int]:
     return np.flatnonzero(np.any(inside, axis=0)).tolist()
 
 
-def _implied_lanes(streets: Sequence[Points], blocks: shapely.Geometry) -> tuple[Way, ...]:
+def _implied_lanes(
+    streets: Sequence[Points], blocks: shapely.Geometry, wide: float
+) -> tuple[Way, ...]:
     """A lane before the street sides, where the brief draws none."""
     sides = shapely.linestrings(np.concatenate(streets))
     merged = shapely.line_merge(shapely.union_all(sides))
     found: list[Way] = []
     for line in shapes.lines(merged):
-        strip = shapely.buffer(shapely.LineString(line), LANE, cap_style="square")
+        strip = shapely.buffer(shapely.LineString(line), wide, cap_style="square")
         area = shapely.difference(strip, blocks, grid_size=shapes.GRID)
-        middle = _outside(line, blocks)
+        middle = _outside(line, blocks, wide)
         if len(middle) > 1 and not area.is_empty:
-            found.append(_way(f"lane-{len(found) + 1}", "", "road", LANE, middle, area))
+            found.append(_way(f"lane-{len(found) + 1}", "", "road", wide, middle, area))
     return tuple(found)
 
 
-def _outside(line: Points, blocks: shapely.Geometry) -> Points:
+def _outside(line: Points, blocks: shapely.Geometry, wide: float) -> Points:
     """The line half a lane's width to the side where no block is."""
-    both = [shapely.offset_curve(shapely.LineString(line), s * LANE / 2) for s in (-1, 1)]
+    both = [shapely.offset_curve(shapely.LineString(line), s * wide / 2) for s in (-1, 1)]
     shares = [shapely.intersection(one, blocks).length for one in both]
     parts = shapes.lines(both[int(np.argmin(shares))])
     return max(parts, key=len) if parts else line

@@ -52,7 +52,7 @@ def openings(
     and the balcony of the style. A front with no room for a window beside its door has a light in
     the door."""
     found = WallOpenings([], [], [], [], [], [], [], [])
-    windows, storeys = form.windows or look.windows, count_storeys(eave)
+    windows, storeys = form.windows or look.windows, count_storeys(eave, look.most)
     around = shapely.length(shapely.LinearRing(footprint)) * storeys / WINDOWS
     sides, front = list_sides(footprint, max(windows.bay, around), form.party)
     open_front(found, front, eave, look, form)

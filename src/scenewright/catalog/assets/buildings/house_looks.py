@@ -14,6 +14,7 @@ from scenewright.catalog.assets.materials import (
     GREY,
     LIMESTONE,
     MASONRY,
+    OAK_DARK,
     OCHRE,
     PLASTER,
     RENDER,
@@ -57,8 +58,9 @@ class HouseLook(NamedTuple):
     roof by half its span, the overhang of the eaves in metres, and its windows; ``base`` is the
     material of the ground floor and ``frame`` of beams on the walls above, if they differ;
     ``balcony`` whether the front has one; ``roofs`` its usual forms, the first the most usual;
-    ``storeys`` those of its two-storeyed houses in turn, ``most`` a house has; ``lane``: metres of
-    a laid lane; what encloses plots; ``regions``: west, south, east and north in degrees."""
+    ``storeys`` those of its two-storeyed houses in turn, ``most`` a house has; ``lane`` and
+    ``street``: metres of a laid lane and of one along street sides where none is drawn; what
+    encloses plots; ``regions``: west, south, east and north in degrees."""
 
     walls: tuple[Material, ...]
     roof: Material
@@ -75,6 +77,7 @@ class HouseLook(NamedTuple):
     storeys: tuple[int, ...] = (2,)
     most: int = 3
     lane: float = 3.6
+    street: float = 4.4
     enclosed: Enclosing = "hedge"
     regions: tuple[Region, ...] = ()
 
@@ -115,7 +118,7 @@ LOOKS: dict[str, HouseLook] = {
         0.3,
         WindowLook(2.0, 0.75, 1.15, 0.95, False),
         base=SANDSTONE,
-        frame=TIMBER,
+        frame=WALNUT,
         storeys=(2, 3),
         regions=((7.6, 48.0, 9.6, 51.8),),
     ),
@@ -130,16 +133,18 @@ LOOKS: dict[str, HouseLook] = {
         storeys=(3, 4, 2),
         most=4,
         lane=2.8,
+        street=3.0,
         enclosed="stone",
     ),
     "alpine": HouseLook(
-        (TEAK, WALNUT, TIMBER),
+        (TEAK, OAK_DARK),
         SLATE,
         SAGE,
         0.45,
         0.8,
         WindowLook(2.4, 0.95, 1.1, 0.95, True),
         base=RENDER,
+        wood=WALNUT,
         balcony=True,
         storeys=(2, 3),
         regions=((6.0, 45.8, 14.5, 47.25),),

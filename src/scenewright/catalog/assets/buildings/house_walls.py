@@ -73,13 +73,13 @@ def front_of(footprint: Footprint) -> int:
     return int(np.argmax(np.round(middle[:, 1], 6)))
 
 
-def count_storeys(eave: float) -> int:
-    """Storeys with windows below an eave.
+def count_storeys(eave: float, most: int = STOREYS) -> int:
+    """Storeys with windows below an eave, at ``most`` so many.
 
     >>> count_storeys(2.3), count_storeys(5.5)
     (1, 2)
     """
-    return min(max(1, int((eave + SPARE) // FLOOR)), STOREYS)
+    return min(max(1, int((eave + SPARE) // FLOOR)), most)
 
 
 def front_bays(length: float, bay: float) -> tuple[Interval, ...]:

@@ -57,7 +57,7 @@ CHIMNEY, TURRET, THICK, LOWEST = 0.55, 1.8, 0.16, 1.9
 of eaves, in metres."""
 WALLED, ROW_PITCH = 0.5, 0.5
 """Least share of a house's height below its eaves, and the rise of the roof of a row by a metre."""
-LOWERED = 0.6
+LOWERED = 0.7
 """The share of its usual rise to which a roof is lowered for the sake of a storey."""
 BROAD = 6.0
 """Metres of span and height from which a hall has a turret."""
@@ -135,7 +135,7 @@ def gable_heights(body: HouseBody, wings: tuple[Wing, ...]) -> GableHeights:
     above, half = (0.5 if body.stepped else 0.0), wings[0].span / 2
     top = body.size.height - chimney - THICK - above
     pitch = min(body.look.pitch, ROW_PITCH) if body.form.party else body.look.pitch
-    pitch = _raise_eave(top, min(pitch, (top - _least_eave(body)) / half), half)
+    pitch = _raise_eave(body, top, min(pitch, (top - _least_eave(body)) / half), half)
     return GableHeights(chimney, above, top, pitch, top - pitch * half)
 
 
@@ -144,10 +144,11 @@ def _least_eave(body: HouseBody) -> float:
     return max(LOWEST, WALLED * body.size.height if body.area >= SHED else 0.0)
 
 
-def _raise_eave(top: float, pitch: float, half: float) -> float:
+def _raise_eave(body: HouseBody, top: float, pitch: float, half: float) -> float:
     """The rise of a roof by a metre, a little less where that gives room for one storey more."""
     eave = top - pitch * half
-    lower = (top - (count_storeys(eave) + 1) * FLOOR + SPARE - 1e-6) / half
+    storeys = min(count_storeys(eave) + 1, body.look.most)
+    lower = (top - storeys * FLOOR + SPARE - 1e-6) / half
     return lower if LOWERED * pitch <= lower < pitch else pitch
 
 
@@ -155,7 +156,7 @@ def hip_heights(body: HouseBody) -> tuple[float, float]:
     """The eaves of a hipped house and the rise of its roof by a metre."""
     half = tallest(body.outline)
     top = body.size.height
-    pitch = _raise_eave(top, min(body.look.pitch, (top - _least_eave(body)) / half), half)
+    pitch = _raise_eave(body, top, min(body.look.pitch, (top - _least_eave(body)) / half), half)
     return top - pitch * half, pitch
 
 
@@ -273,8 +274,9 @@ def storeys_of_house(size: Size, footprint: Footprint, words: Sequence[str]) -> 
         return 1
     roofing, wings = roofing_of(body, roof)
     if roofing == "gables":
-        return count_storeys(gable_heights(body, wings).eave)
-    return count_storeys(hip_heights(body)[0] if roofing == "hips" else size.height - 0.4)
+        return count_storeys(gable_heights(body, wings).eave, body.look.most)
+    eave = hip_heights(body)[0] if roofing == "hips" else size.height - 0.4
+    return count_storeys(eave, body.look.most)
 
 
 def _drawing(form: str, style: str, roof: str) -> Drawing:
