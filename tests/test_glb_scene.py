@@ -82,6 +82,23 @@ def test_many_equal_pieces_are_drawn_at_once_and_keep_their_names_and_places(
                 assert np.abs(np.array(named) - place).sum(1).min() < 1e-4
 
 
+def test_textures_as_webp_are_half_as_large_and_nothing_else_changes() -> None:
+    solution, scene = solved("home-room")
+    catalog = catalog_of(solution.brief.catalogs)
+    usual, buffer = document_of(scene, catalog)
+    small, packed = document_of(scene, catalog, webp=True)
+    assert "EXT_texture_webp" in small["extensionsRequired"]
+    assert [image["name"] for image in small["images"]] == [i["name"] for i in usual["images"]]
+    first = usual["bufferViews"][usual["images"][0]["bufferView"]]["byteOffset"]
+    assert packed[:first] == buffer[:first]
+    assert len(packed) - first < 0.7 * (len(buffer) - first)
+    for texture in small["textures"]:
+        image = small["images"][texture["extensions"]["EXT_texture_webp"]["source"]]
+        view = small["bufferViews"][image["bufferView"]]
+        content = packed[view["byteOffset"] :][: view["byteLength"]]
+        assert (content[:4], content[8:12]) == (b"RIFF", b"WEBP")
+
+
 def test_our_own_reader_finds_the_same_triangles_in_instances_and_apart() -> None:
     solution, scene = solved("hall-shop")
     catalog = catalog_of(solution.brief.catalogs)

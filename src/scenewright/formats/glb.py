@@ -29,6 +29,7 @@ from scenewright.formats.gltf.cameras import OPEN, add_cameras
 from scenewright.formats.gltf.handover import add_forms, extensions_used, name_forms
 from scenewright.formats.gltf.instances import INSTANCING, add_instances
 from scenewright.formats.gltf.lights import LIGHTS, add_lamps, add_rows, add_sun
+from scenewright.formats.gltf.materials import WEBP
 from scenewright.formats.gltf.meshes import make_meshes
 from scenewright.formats.gltf.surfaces import QUANTISED
 from scenewright.formats.gltf.tree import Drawn, build_tree, name_safely
@@ -56,9 +57,10 @@ def write_scene(
     plan: Plan | None,
     batched: bool,
     for_engines: bool = False,
+    webp: bool = False,
 ) -> None:
     """Write a scene, ``batched`` or with everything a mesh of its own; ``for_engines`` with levels
-    of detail and collision meshes."""
+    of detail and collision meshes; its textures as ``webp``."""
     from scenewright.catalog.loading import catalog_of
     from scenewright.domains import scene_of
 
@@ -66,7 +68,7 @@ def write_scene(
         scene, catalog = scene_of(solution, plan), catalog_of(solution.brief.catalogs)
         where = georeference_of(solution.brief)
         domain = solution.brief.domain
-        partial.write_bytes(encode_scene(scene, catalog, domain, batched, where, for_engines))
+        partial.write_bytes(encode_scene(scene, catalog, domain, batched, where, for_engines, webp))
 
 
 def encode_scene(
@@ -76,10 +78,11 @@ def encode_scene(
     batched: bool = True,
     where: Georeference | None = None,
     for_engines: bool = False,
+    webp: bool = False,
 ) -> bytes:
     """The bytes of a GLB file: a header, a chunk of JSON, a chunk of numbers. ``where`` its origin
     lies on a map, if that is known, is said at its root."""
-    document, numbers = document_of(scene, catalog, domain, batched, for_engines)
+    document, numbers = document_of(scene, catalog, domain, batched, for_engines, webp)
     if where is not None and where.system:
         stated = {"crs": where.system, "origin": list(where.origin)}
         document["nodes"][0]["extras"] |= {"georeference": stated}
@@ -103,6 +106,7 @@ def document_of(
     domain: str = "home",
     batched: bool = True,
     for_engines: bool = False,
+    webp: bool = False,
 ) -> tuple[Json, bytes]:
     """The JSON document of a scene and the binary buffer it refers to. Its root is named after the
     scene or its ``domain``; unless ``batched`` everything draws its own mesh, and may have levels
@@ -127,7 +131,7 @@ def document_of(
     cameras = add_cameras(tree, scene)
     views, accessors = meshes.packed.views, meshes.packed.accessors
     buffer = add_instances(tree.nodes, tree.drawn, views, accessors, meshes.packed.buffer)
-    listed, buffer = meshes.materials.document(views, buffer)
+    listed, buffer = meshes.materials.document(views, buffer, webp)
     name_safely(tree.nodes)
     name_forms(tree.nodes, added)
     document = {
@@ -143,7 +147,7 @@ def document_of(
         "buffers": [{"byteLength": len(buffer)}],
     }
     many = any(one.places for one in tree.drawn.values())
-    needs = [INSTANCING] * many + [QUANTISED] * batched
+    needs = [INSTANCING] * many + [QUANTISED] * batched + [WEBP] * webp
     return document | _extensions(needs, lights, extensions_used(added)), buffer
 
 

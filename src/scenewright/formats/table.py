@@ -65,6 +65,12 @@ FORMATS = (
         lacks=("dimensions", "outlets", *JUDGED),
     ),
     Format(
+        ".webp.glb",
+        "the same as .glb, its textures as WebP",
+        writer="scenewright.formats.webp_glb",
+        lacks=("dimensions", "outlets", *JUDGED),
+    ),
+    Format(
         ".game.glb",
         "the same for engines: levels of detail, collision meshes",
         writer="scenewright.formats.game_glb",

@@ -10,7 +10,7 @@ import numpy as np
 from scenewright.core.catalog import Material
 from scenewright.formats.gltf.sheet import Sheet, draw_sheet
 from scenewright.render.colour import linear_of
-from scenewright.render.textures.pictures import color_picture, normal_picture
+from scenewright.render.textures.pictures import color_picture, normal_picture, to_webp
 from scenewright.render.textures.table import Texture, texture_of
 
 Json = dict[str, Any]
@@ -21,6 +21,7 @@ SAMPLERS: list[Json] = [
     {"magFilter": NEAREST, "minFilter": NEAREST, "wrapS": REPEAT, "wrapT": REPEAT},
 ]
 PNG = b"\x89PNG"
+WEBP = "EXT_texture_webp"
 
 
 class MaterialTable(NamedTuple):
@@ -29,19 +30,26 @@ class MaterialTable(NamedTuple):
     materials: list[Json]
     pictures: dict[str, bytes]
 
-    def document(self, views: list[Json], buffer: bytes) -> tuple[Json, bytes]:
-        """The parts of a document, with the pictures added to its buffer and ``views``."""
+    def document(self, views: list[Json], buffer: bytes, webp: bool = False) -> tuple[Json, bytes]:
+        """The parts of a document, with the pictures added to its buffer and ``views``; as
+        ``webp``, half as large."""
         found: Json = {"materials": self.materials}
         images: list[Json] = []
-        for name, content in self.pictures.items():
+        for name, drawn in self.pictures.items():
+            content = to_webp(drawn) if webp else drawn
             place = {"buffer": 0, "byteOffset": len(buffer), "byteLength": len(content)}
             kind = "image/png" if content.startswith(PNG) else "image/jpeg"
+            kind = "image/webp" if webp else kind
             images.append({"name": name, "bufferView": len(views), "mimeType": kind})
             views.append(place)
             buffer += content + b"\0" * (-len(content) % 4)
         if images:
             small = [content.startswith(PNG) for content in self.pictures.values()]
-            found["textures"] = [{"sampler": int(png), "source": k} for k, png in enumerate(small)]
+            sources: list[Json] = [{"source": k} for k in range(len(images))]
+            found["textures"] = [
+                {"sampler": int(png)} | ({"extensions": {WEBP: source}} if webp else source)
+                for png, source in zip(small, sources, strict=True)
+            ]
             found |= {"samplers": SAMPLERS[: 1 + any(small)], "images": images}
         return found, buffer
 

@@ -75,6 +75,13 @@ def as_pixels(shares: NDArray[np.float64]) -> Pixels:
     return np.round(shares * 255).astype(np.uint8)
 
 
+def to_webp(content: bytes) -> bytes:
+    """A picture file as WebP: without loss, if it is a PNG."""
+    out, picture = io.BytesIO(), Image.open(io.BytesIO(content))
+    picture.save(out, "WEBP", quality=QUALITY, lossless=picture.format == "PNG")
+    return out.getvalue()
+
+
 def to_jpeg(pixels: Pixels, whole: bool = False) -> bytes:
     """A JPEG file of pixels ``(h, w, 3)``; hues at half the size unless ``whole``."""
     out, hues = io.BytesIO(), "4:4:4" if whole else "4:2:0"
