@@ -25,7 +25,7 @@ from benchmarks.instances import read_instance
 from benchmarks.shapely_home import INSTANCES, Record, draw
 from scenewright.domains.home.energy import fill_energies, prepare, route_grid
 from scenewright.domains.home.problem import Problem
-from scenewright.domains.home.terms.assemble import Costs
+from scenewright.domains.home.terms.assemble import make_costs
 from scenewright.domains.home.terms.table import (
     AGAINST_WALL_PRINTED,
     BOUNDARY,
@@ -35,6 +35,7 @@ from scenewright.domains.home.terms.table import (
     PAIRS_PRINTED,
     SIZE,
 )
+from scenewright.geometry.boxes import frames_of
 
 Floats = NDArray[np.float64]
 SOURCE = Path(__file__).with_name("kernel.c")
@@ -117,15 +118,14 @@ def in_c(library: Any, problem: Problem) -> Kernel:
 def ours(problem: Problem) -> Kernel:
     """The energy of a problem by our kernels."""
     p, grid = prepare(problem), route_grid(problem, 0.1)
-    n, r = len(p.limits), len(p.pairs)
-    costs = Costs(*map(np.zeros, ((1, n, 4), (1, n, n), (1, r), (1, 4))))
-    frames, free = np.empty((n, 8)), np.empty_like(grid.free)
-    reached = np.empty_like(grid.free)
+    costs = make_costs(1, len(p.limits), len(p.pairs))
+    free, reached = np.empty_like(grid.free), np.empty_like(grid.free)
 
     def fill(population: Floats, found: Floats) -> None:
         routes = np.empty(len(found))
+        frames = frames_of(population.reshape(-1, 5)).reshape(*population.shape[:2], 8)
         usual = np.zeros((0, 0))
-        fill_energies(p, grid, population, usual, found, routes, frames, costs, free, reached)
+        fill_energies(p, grid, frames, usual, found, routes, costs, free, reached)
 
     return Kernel(fill, ())
 

@@ -7,11 +7,11 @@ import pytest
 
 from rooms import full_problem, random_layouts
 from scenewright.core.layout import Layout
-from scenewright.domains.home.energy import energies_of, evaluate, prepare, route_grid
+from scenewright.domains.home.energy import costs_of, energies_of, evaluate, prepare, route_grid
 from scenewright.domains.home.problem import empty_items
 from scenewright.domains.home.solvers import SOLVERS
 from scenewright.domains.home.solvers.anneal import anneal, boxes_of, scatter_boxes
-from scenewright.domains.home.solvers.chain import make_chain
+from scenewright.domains.home.solvers.chain import make_chains
 from scenewright.domains.home.solvers.kept_route import make_route
 from scenewright.domains.home.solvers.metropolis import run_chains
 from scenewright.engine.draws import bell, below, streams, uniform
@@ -108,13 +108,10 @@ def test_chain_sums_stay_equal_to_a_fresh_evaluation(printed, weights):
     boxes = scatter_boxes(p, 3, np.random.default_rng(0))
     now = np.stack([frames_of(layout) for layout in boxes])
     bests, energies = now.copy(), np.repeat(energies_of(p, grid, boxes)[0][:, None], 2, axis=1)
-    scratch, schedule = (
-        (make_chain(4, 3), p, grid, make_route(4, grid)),
-        np.array([500, 0.01, 0, 1]),
-    )
-    draws = streams(1, 3)
+    route, schedule, draws = make_route(4, grid), np.array([500, 0.01, 0, 1]), streams(1, 3)
     for begin in range(0, 12288, 4096):
-        run_chains(*scratch, now, bests, energies, draws, begin, begin + 4096, 12288, schedule)
+        chains, steps = make_chains(now, costs_of(p, grid, now)), (begin, begin + 4096, 12288)
+        run_chains(chains, p, grid, route, bests, energies, draws, *steps, schedule)
         assert energies_of(p, grid, boxes_of(now))[0] == pytest.approx(energies[:, 0], abs=1e-6)
         assert energies_of(p, grid, boxes_of(bests))[0] == pytest.approx(energies[:, 1], abs=1e-6)
         assert (energies[:, 1] <= energies[:, 0]).all()

@@ -12,7 +12,14 @@ from scenewright.building.ceiling import BENDING, low_floor, strips
 from scenewright.core.layout import Layout
 from scenewright.core.same import once
 from scenewright.domains.home.problem import Ground, Items, KnownGround, Problem, known_ground
-from scenewright.domains.home.terms.assemble import Costs, Ints, PreparedHome, measure, measure_next
+from scenewright.domains.home.terms.assemble import (
+    Costs,
+    Ints,
+    PreparedHome,
+    make_costs,
+    measure,
+    part_of,
+)
 from scenewright.domains.home.terms.orientation import inward
 from scenewright.domains.home.terms.table import (
     CLEAR_ITEMS,
@@ -29,7 +36,7 @@ from scenewright.domains.home.terms.table import (
 from scenewright.engine.energy import Evaluation, Part
 from scenewright.engine.rows import TermRow
 from scenewright.engine.whole_terms import gather
-from scenewright.geometry.boxes import Floats, fill_frames, frames_of
+from scenewright.geometry.boxes import Floats, frames_of
 from scenewright.geometry.circulation import route
 from scenewright.geometry.compiled import compiled
 from scenewright.geometry.flood import Bits
@@ -183,13 +190,13 @@ def fill_energies(
     weights: Floats,
     energies: Floats,
     routes: Floats,
-    frames: Floats,
     costs: Costs,
     free: Bits,
     reached: Bits,
 ) -> None:
-    """Write energies and, of these, what the route costs ``(P,)`` for layouts ``(P, n, 5)``; with
-    ``weights`` (P, terms), each layout by its own, which replace those of ``p``.
+    """Write energies and, of these, what the route costs ``(P,)`` for layouts ``(P, n, 8)``; with
+    ``weights`` (P, terms), each layout by its own, which replace those of ``p``. With ``routes``
+    (0,) the route is not looked at.
 
     The rest is scratch; ``costs`` (c, ...) keeps the parts of the last layouts. Where there is room
     for one, and all are weighed alike, items that stand as in the layout before are not looked at
@@ -197,21 +204,17 @@ def fill_energies(
     """
     alike = costs.sums.shape[0] == 1 and weights.shape[0] == 0
     for k in range(population.shape[0]):
-        fill_frames(population[k], frames)
         for t in range(weights.shape[1] if k < weights.shape[0] else 0):
             p.weights[t] = weights[k, t]
-        c = k % costs.sums.shape[0]
-        parts = Costs(costs.boxes[c], costs.pairs[c], costs.relations[c], costs.sums[c])
-        routes[k] = 0.0
-        if alike and k > 0:
-            energies[k] = measure_next(population, k, frames, p, parts)
-        else:
-            energies[k] = measure(frames, p, parts)
-        if p.weights[ROUTE] != 0.0:
-            routes[k] = p.weights[ROUTE] * route(
-                frames, p.access, p.inset, grid, free, reached, math.inf
-            )
-            energies[k] += routes[k]
+        parts = part_of(costs, k % costs.sums.shape[0])
+        energies[k] = measure(population, k, p, parts, not alike or k == 0)
+        if k < routes.shape[0]:
+            routes[k] = 0.0
+            if p.weights[ROUTE] != 0.0:
+                routes[k] = p.weights[ROUTE] * route(
+                    population[k], p.access, p.inset, grid, free, reached, math.inf
+                )
+                energies[k] += routes[k]
 
 
 def energies_of(
@@ -226,14 +229,21 @@ def _measure_all(
     p: PreparedHome, grid: RouteGrid, population: Floats, weights: Floats, kept: int
 ) -> tuple[Floats, Floats, Costs]:
     """What :func:`fill_energies` writes, with the parts of the last ``kept`` layouts."""
-    count, n, r = len(population), len(p.limits), len(p.pairs)
-    energies, routes = np.empty(count), np.empty(count)
-    costs = Costs(*map(np.zeros, ((kept, n, 4), (kept, n, n), (kept, r), (kept, 4))))
+    count, n = len(population), len(p.limits)
+    energies, routes, costs = np.empty(count), np.empty(count), make_costs(kept, n, len(p.pairs))
     free, reached = np.empty_like(grid.free), np.empty_like(grid.free)
-    boxes = np.ascontiguousarray(population, np.float64).reshape(count, n, 5)
-    filled = (energies, routes, np.empty((n, 8)), costs, free, reached)
-    fill_energies(p, grid, boxes, weights, *filled)
+    boxes = np.ascontiguousarray(population, np.float64).reshape(count * n, 5)
+    frames = frames_of(boxes).reshape(count, n, 8)
+    fill_energies(p, grid, frames, weights, energies, routes, costs, free, reached)
     return energies, routes, costs
+
+
+def costs_of(p: PreparedHome, grid: RouteGrid, frames: Floats) -> Costs:
+    """All parts of the energies of layouts (P, n, 8) but the route's."""
+    costs = make_costs(len(frames), frames.shape[1], len(p.pairs))
+    scratch = (np.empty(len(frames)), np.empty(0), costs, grid.free[:0], grid.free[:0])
+    fill_energies(p, grid, frames, np.zeros((0, 0)), *scratch)
+    return costs
 
 
 def evaluate(problem: Problem, boxes: Floats, cell: float = 0.1) -> Floats:

@@ -335,7 +335,8 @@ def look_at_route(
         ways = p.weights[REACH] * count_missed(p, s, grid, bits[0], bits[1], bits[2], inset)
     total = tally[0] - tally[1] + ways
     if ways > tally[1] and total > tally[4] - math.log(1.0 - uniform(stream)) / rate:
-        tally[0] = bring_back(p, s, work, last) + tally[1]
+        set_back(p, s, last)
+        tally[0] = measure_all(p, s, work) + tally[1]
         return
     tally[0], tally[1] = total, ways
     if p.weights[REACH] != 0.0:
@@ -362,8 +363,8 @@ def keep(s: State, kept: Kept) -> None:
 
 
 @compiled
-def bring_back(p: PreparedHall, s: State, work: Scratch, kept: Kept) -> float:
-    """Make a state the kept layout again; its energy without the route."""
+def set_back(p: PreparedHall, s: State, kept: Kept) -> None:
+    """Make a state the kept layout again, but for where its objects stand and what they cost."""
     for u in range(s.pose.shape[0]):
         s.code[u], s.used[u] = int(kept.rows[u, 0]), int(kept.rows[u, 1])
         for k in range(4):
@@ -375,4 +376,9 @@ def bring_back(p: PreparedHall, s: State, work: Scratch, kept: Kept) -> float:
         s.partitions[h, 0], s.partitions[h, 1] = kept.walls[h, 0], kept.walls[h, 1]
         s.offsets[h] = kept.offsets[h]
         build(p, s, h)
+
+
+def bring_back(p: PreparedHall, s: State, work: Scratch, kept: Kept) -> float:
+    """Make a state the kept layout again; its energy without the route."""
+    set_back(p, s, kept)
     return measure_all(p, s, work)

@@ -13,10 +13,10 @@ from scenewright.domains.hall.terms.whole import forget, may_stand, place_all
 from scenewright.engine.draws import Stream, uniform
 from scenewright.geometry.boxes import Floats, make_frame, read_frame
 from scenewright.geometry.buckets import remove
-from scenewright.geometry.compiled import compiled
+from scenewright.geometry.compiled import compiled, inlined
 
 
-@compiled
+@inlined
 def place_one(
     p: PreparedHall, s: State, work: Scratch, unit: int, tries: int, fresh: bool, stream: Stream
 ) -> bool:

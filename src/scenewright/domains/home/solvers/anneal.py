@@ -20,10 +20,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.core.layout import Layout
-from scenewright.domains.home.energy import empty_layout, energies_of, prepare, route_grid
+from scenewright.domains.home.energy import costs_of, empty_layout, energies_of, prepare, route_grid
 from scenewright.domains.home.problem import Problem
 from scenewright.domains.home.settings import ChainSettings
-from scenewright.domains.home.solvers.chain import make_chain
+from scenewright.domains.home.solvers.chain import make_chains
 from scenewright.domains.home.solvers.kept_route import make_route
 from scenewright.domains.home.solvers.metropolis import REFRESH, run_chains
 from scenewright.domains.home.terms.assemble import PreparedHome
@@ -127,13 +127,13 @@ def _advance(setup: Setup, chains: Chains, steps: int, first: float, last: float
     p, grid, count = setup.p, setup.grid, len(chains.now)
 
     def run(part: slice) -> None:
-        chain = make_chain(len(p.limits), len(p.pairs))
-        scratch = (chain, p, grid, make_route(len(p.limits), grid))
+        route = make_route(len(p.limits), grid)
         for few, ends in _cut(part, steps):
             if setup.watch.cancelled():
                 break
-            some = (chains.now[few], chains.bests[few], chains.energies[few], chains.draws[few])
-            run_chains(*scratch, *some, *ends, steps, schedule)
+            now = make_chains(chains.now[few], costs_of(p, grid, chains.now[few]))
+            some = (chains.bests[few], chains.energies[few], chains.draws[few])
+            run_chains(now, p, grid, route, *some, *ends, steps, schedule)
 
     many = min(setup.threads, count)
     cuts = np.linspace(0, count, many + 1).astype(int).tolist() if many > 1 else [0, count]

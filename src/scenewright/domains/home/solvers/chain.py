@@ -16,8 +16,8 @@ from scenewright.domains.home.terms.assemble import (
     PreparedHome,
     box_cost,
     layout_cost,
-    make_costs,
     pair_cost,
+    part_of,
     relation_cost,
     whole_cost,
 )
@@ -37,16 +37,17 @@ class Chain(NamedTuple):
     sums: Floats
 
 
-def make_chain(n: int, relations: int) -> Chain:
-    """Room for a chain of ``n`` items."""
-    return Chain(
-        np.zeros((n, 8)),
-        make_costs(n, relations),
-        np.zeros(4),
-        np.zeros(n),
-        np.zeros(relations),
-        np.zeros(4),
-    )
+def make_chains(frames: Floats, costs: Costs) -> Chain:
+    """Chains of layouts (c, n, 8) with their ``costs`` (c, ...), and room for a move of one."""
+    tried = (np.zeros(4), np.zeros(frames.shape[1]), np.zeros(costs.relations.shape[1]))
+    return Chain(frames, costs, *tried, np.zeros(4))
+
+
+@inlined
+def chain_of(chains: Chain, c: int) -> Chain:
+    """Chain ``c`` of several."""
+    costs = part_of(chains.costs, c)
+    return Chain(chains.frames[c], costs, chains.box, chains.row, chains.relations, chains.sums)
 
 
 @inlined

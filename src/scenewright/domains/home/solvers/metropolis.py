@@ -8,7 +8,14 @@ from __future__ import annotations
 
 import math
 
-from scenewright.domains.home.solvers.chain import Chain, commit, copy_rows, try_item, write_frame
+from scenewright.domains.home.solvers.chain import (
+    Chain,
+    chain_of,
+    commit,
+    copy_rows,
+    try_item,
+    write_frame,
+)
 from scenewright.domains.home.solvers.kept_route import (
     KeptRoute,
     count_unreached,
@@ -17,7 +24,7 @@ from scenewright.domains.home.solvers.kept_route import (
     try_cells,
 )
 from scenewright.domains.home.solvers.moves import from_back, propose
-from scenewright.domains.home.terms.assemble import PreparedHome, measure
+from scenewright.domains.home.terms.assemble import PreparedHome
 from scenewright.domains.home.terms.table import ROUTE
 from scenewright.engine.draws import Stream, below, uniform
 from scenewright.geometry.boxes import Floats, read_frame, read_sides
@@ -25,6 +32,7 @@ from scenewright.geometry.compiled import compiled, inlined
 from scenewright.geometry.paths import RouteGrid
 
 REFRESH = 4096
+"""Steps after which the sums of a chain, made of differences, are renewed."""
 SWAPS = 0.03
 
 
@@ -86,11 +94,10 @@ def attempt(
 
 @compiled
 def run_chains(
-    chain: Chain,
+    chains: Chain,
     p: PreparedHome,
     grid: RouteGrid,
     kept: KeptRoute,
-    now: Floats,
     bests: Floats,
     energies: Floats,
     streams: Stream,
@@ -99,8 +106,8 @@ def run_chains(
     steps: int,
     schedule: Floats,
 ) -> None:
-    """Anneal layouts ``now`` (c, n, 8) one after another by steps ``begin`` to ``end`` of
-    ``steps``, ``begin`` a multiple of :data:`REFRESH`, and leave them as they end.
+    """Anneal the layouts of ``chains`` (c, n, 8) one after another by steps ``begin`` to ``end`` of
+    ``steps``, at most :data:`REFRESH`, and leave them as they end.
 
     ``bests`` (c, n, 8) are the best layouts so far; ``energies`` (c, 2) those of now and of the
     best. Temperature falls geometrically over a schedule; this run is a part of it:
@@ -108,14 +115,12 @@ def run_chains(
     other arguments are scratch.
     """
     hot, cold, first, last = schedule[0], schedule[1], schedule[2], schedule[3]
-    for c in range(now.shape[0]):
-        copy_rows(chain.frames, now[c])
+    for c in range(bests.shape[0]):
+        chain = chain_of(chains, c)
         if p.weights[ROUTE] != 0.0:
             keep_all(kept, grid, chain.frames, p.inset)
         energy, temperature, heat = energies[c, 0], hot, 1.0
         for step in range(begin, end):
-            if step % REFRESH == 0:
-                measure(chain.frames, p, chain.costs)
             if step % 32 == 0:
                 share = first + (last - first) * step / steps
                 temperature, heat = hot * (cold / hot) ** share, 1.0 - share
@@ -126,4 +131,3 @@ def run_chains(
                     energies[c, 1] = energy
                     copy_rows(bests[c], chain.frames)
         energies[c, 0] = energy
-        copy_rows(now[c], chain.frames)

@@ -209,9 +209,15 @@ class Costs(NamedTuple):
     sums: Floats
 
 
-def make_costs(n: int, relations: int) -> Costs:
-    """Room for the parts of a layout of ``n`` items."""
-    return Costs(np.zeros((n, 4)), np.zeros((n, n)), np.zeros(relations), np.zeros(4))
+def make_costs(count: int, n: int, relations: int) -> Costs:
+    """Room for the parts ``(count, ...)`` of layouts of ``n`` items."""
+    return Costs(*map(np.zeros, ((count, n, 4), (count, n, n), (count, relations), (count, 4))))
+
+
+@inlined
+def part_of(costs: Costs, k: int) -> Costs:
+    """The parts of layout ``k`` of several."""
+    return Costs(costs.boxes[k], costs.pairs[k], costs.relations[k], costs.sums[k])
 
 
 @inlined
@@ -255,35 +261,26 @@ def sum_parts(frames: Floats, p: PreparedHome, costs: Costs) -> float:
 
 
 @inlined
-def measure(frames: Floats, p: PreparedHome, costs: Costs) -> float:
-    """Energy without the route of frames (n, 8); all its parts are written to ``costs``."""
-    for i in range(frames.shape[0]):
-        keep_box(frames, i, p, costs)
-        for j in range(i):
-            keep_pair(frames, i, j, p, costs)
-    for r in range(p.pairs.shape[0]):
-        keep_relation(frames, r, p, costs)
-    return sum_parts(frames, p, costs)
-
-
-@inlined
 def is_as_before(population: Floats, k: int, i: int) -> bool:
-    """Whether item ``i`` of layout ``k`` > 0 of a population (P, n, 5) stands as in the one before
+    """Whether item ``i`` of layout ``k`` > 0 of a population (P, n, 8) stands as in the one before
     it."""
     same = True
-    for c in range(5):
+    for c in range(8):
         same &= population[k, i, c] == population[k - 1, i, c]
     return same
 
 
 @inlined
-def measure_next(
-    population: Floats, k: int, frames: Floats, p: PreparedHome, costs: Costs
-) -> float:
-    """:func:`measure` of layout ``k`` > 0 of a population (P, n, 5) with ``frames`` (n, 8), where
-    ``costs`` are those of the layout before it: only what moved is looked at again."""
+def measure(population: Floats, k: int, p: PreparedHome, costs: Costs, anew: bool) -> float:
+    """Energy without the route of layout ``k`` of a population (P, n, 8); all its parts are
+    written to ``costs``. If not ``anew``, these are those of the layout before it, and only what
+    moved is looked at again.
+
+    The terms are compiled into a kernel as often as they are called in it: so both are one.
+    """
+    frames = population[k]
     for i in range(frames.shape[0]):
-        stays = is_as_before(population, k, i)
+        stays = not anew and is_as_before(population, k, i)
         if not stays:
             keep_box(frames, i, p, costs)
         for j in range(i):
@@ -291,6 +288,6 @@ def measure_next(
                 keep_pair(frames, i, j, p, costs)
     for r in range(p.pairs.shape[0]):
         i, j = p.pairs[r, 0], p.pairs[r, 1]
-        if not (is_as_before(population, k, i) and is_as_before(population, k, j)):
+        if anew or not (is_as_before(population, k, i) and is_as_before(population, k, j)):
             keep_relation(frames, r, p, costs)
     return sum_parts(frames, p, costs)
