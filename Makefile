@@ -8,7 +8,8 @@
 
 PYTHON ?= python3
 BIN := .venv/bin
-INSTALL = $(BIN)/python -m pip install --quiet --disable-pip-version-check --editable
+# Bytecode is written by what runs first: of all that is installed that would take 20 seconds.
+INSTALL = $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-compile --editable
 EXTRAS := solve peers bim dxf pdf gis svg docs usd mujoco cluster
 comma := ,
 space := $(subst ,, )

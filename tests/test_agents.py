@@ -6,20 +6,22 @@ from __future__ import annotations
 import asyncio
 import base64
 import sys
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-pytest.importorskip("mcp")
-from mcp import Client, StdioServerParameters
-
 from scenewright.studio.agents import list_all
 from scenewright.studio.people import OWN, RIGHTS
 from scenewright.studio.verbs import VERBS
 
+pytestmark = pytest.mark.skipif(find_spec("mcp") is None, reason="needs mcp")
+
 
 async def _work(folder: Path) -> dict[str, Any]:
+    from mcp import Client, StdioServerParameters  # takes long: only where it is run
+
     command = ["-c", "from scenewright.cli import main; main(['mcp', '--project', 'a.studio'])"]
     server = StdioServerParameters(command=sys.executable, args=command, cwd=folder)
     told: dict[str, Any] = {}

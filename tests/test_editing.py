@@ -72,7 +72,7 @@ def test_another_model_takes_the_place(room: Solution) -> None:
         {"add": [sw.Addition("armchair", 40.0, 1.0)]},
         {"add": [sw.Addition("unicorn", 2.0, 1.0)]},
         {"exchange": {"wardrobe": "unicorn"}},
-        {"add": [sw.Addition("armchair", 2.0, 2.0)] * 30},
+        {"add": [sw.Addition("double_bed", 2.0, 2.0)] * 6},
     ],
 )
 def test_what_cannot_be_done_is_one_line(room: Solution, edits: dict[str, object]) -> None:
