@@ -115,7 +115,8 @@ def _add_model(told: _Told, one: RenderItem, palette: str) -> int:
     """The number of the model of a thing."""
     if one.key not in told.models:
         key = told.shapes.add_mesh(encode_mesh(one.parts))
-        kept = keep_textures(one.parts)
+        single = one.kind in MOVABLE  # what is built is large: all of it wears its textures
+        kept = keep_textures(one.parts) if single else [True] * len(one.parts)
         worn = [
             told.materials.setdefault((part.material, textured), len(told.materials))
             for part, textured in zip(

@@ -4,7 +4,7 @@ import { AmbientLight, Box3, Color, DirectionalLight, Group, HemisphereLight, Or
   PerspectiveCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer, ACESFilmicToneMapping } from "/three.js";
 import { buildWorld, forget } from "/solid.js";
 
-const EYE = 1.6, PACE = 1.8, BODY = 0.3, OPENS = 1.9;
+const NEAR = 0.05, EYE = 1.6, PACE = 1.8, BODY = 0.3, OPENS = 1.9;
 const farEnd = ({ lower, upper }) => Math.abs(upper) > Math.abs(lower) ? upper : lower;
 
 export function open3d(canvas) {
@@ -14,7 +14,7 @@ export function open3d(canvas) {
   renderer.shadowMap.enabled = true;
   const scene = new Scene();
   scene.background = new Color(0xdfe6ea);
-  const camera = new PerspectiveCamera(60, 1, 0.05, 2000);
+  const camera = new PerspectiveCamera(60, 1, NEAR, 2000);
   let held = { world: new Group(), movable: [], doors: [], above: [], eyes: {} }, lights = new Group();
   const turning = new OrbitControls(camera, canvas);
   turning.maxPolarAngle = 1.5;
@@ -24,7 +24,10 @@ export function open3d(canvas) {
   function resize() {
     const width = canvas.clientWidth, height = canvas.clientHeight;
     if (canvas.width !== width || canvas.height !== height) renderer.setSize(width, height, false);
-    camera.aspect = width / Math.max(height, 1); camera.updateProjectionMatrix();
+    camera.aspect = width / Math.max(height, 1);
+    // The farther off, the farther away the near plane: ground lies a centimetre over ground.
+    camera.near = state.walking ? NEAR : Math.max(NEAR, 0.02 * camera.position.distanceTo(turning.target));
+    camera.updateProjectionMatrix();
   }
 
   function look() {
