@@ -44,16 +44,24 @@ def lay_parks(
     built = np.array([shapely.Polygon(ring) for ring in marks], object)
     if not len(built):
         return (), ()
-    ways = _cover_ways(plan, pathways, areas)
-    open_ = shapely.difference(floor.buffer(-FROM_BORDER), ways.buffer(FROM_WAYS))
-    void = shapely.difference(open_, shapely.union_all(shapely.buffer(built, FAR, quad_segs=8)))
+    near = shapely.union_all(shapely.buffer(built, FAR, quad_segs=4))
+    void = shapely.difference(floor.buffer(-FROM_BORDER), near)
+    void = shapely.union_all([part for part in shapely.get_parts(void) if part.area >= LEAST])
+    if void.is_empty:
+        return (), ()
+    zone = void.buffer(LINK, quad_segs=2)
+    shapely.prepare(zone)
+    built = built[shapely.intersects(zone, built)]
+    ways = _cover_ways(plan, pathways, areas, zone)
+    open_ = shapely.difference(shapely.intersection(floor, zone), ways.buffer(FROM_WAYS))
+    open_ = shapely.intersection(open_, floor.buffer(-FROM_BORDER))
+    void = shapely.intersection(void, open_)
     parts = [p for p in _parts(void.buffer(-NARROW).buffer(NARROW)) if p.area >= LEAST]
     if not parts:
         return (), ()
     walls = shapely.union_all(shapely.buffer(built, FROM_WALLS, quad_segs=2))
-    open_ = shapely.difference(
-        open_, shapely.union_all([walls, *map(shapely.Polygon, plan.waters)])
-    )
+    waters = [shapely.Polygon(ring) for ring in plan.waters]
+    open_ = shapely.difference(open_, shapely.union_all([walls, *waters]))
     grown = shapely.intersection(shapely.union_all(parts).buffer(REACH), open_)
     plain = shapely.simplify(grown.buffer(-NARROW).buffer(NARROW), PLAIN)
     grounds = [p for whole in _parts(plain) for p in _cut_at_holes(whole) if p.area >= LEAST]
@@ -69,11 +77,13 @@ def lay_parks(
 
 
 def _cover_ways(
-    plan: SitePlan, pathways: Sequence[Pathway], areas: Sequence[PavedArea]
+    plan: SitePlan, pathways: Sequence[Pathway], areas: Sequence[PavedArea], zone: shapely.Geometry
 ) -> shapely.Geometry:
-    """All that is paved."""
+    """All that is paved in a zone."""
+    lines = np.array([shapely.LineString(row.line) for row in pathways], object)
+    here = [pathways[k] for k in np.flatnonzero(shapely.intersects(zone, lines)).tolist()]
     streets = [shapely.Polygon(a.outline, a.holes) for way in plan.roads for a in way.areas]
-    paved = [pave(pathways, kind) for kind in ("lane", "drive", "walk")]
+    paved = [pave(here, kind) for kind in ("lane", "drive", "walk")]
     apart = [shapely.Polygon(row.outline) for row in areas]
     return shapely.union_all([*streets, *paved, *apart])
 
