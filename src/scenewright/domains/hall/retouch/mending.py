@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from itertools import takewhile
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -70,14 +71,19 @@ def list_likely(chain: HallChain, one: SeenTouch, kept: Kept, firm: list[int]) -
 
 
 def weigh_proposals(
-    chain: HallChain, one: SeenTouch, now: Proposal, firm: list[int], most: float = np.inf
+    chain: HallChain,
+    one: SeenTouch,
+    now: Proposal,
+    firm: list[int],
+    most: float = np.inf,
+    stopped: Callable[[], bool] = lambda: False,
 ) -> list[Proposal]:
     """What a touch proposes for a layout, and the same with room made for what runs into others but
-    the ``firm`` ones: those that cost less than ``most``."""
+    the ``firm`` ones: those that cost less than ``most``; no more once ``stopped``."""
     bring_back(chain.p, chain.s, chain.work, now.kept)
     proposed = list(one.touch.propose(one.seen, now.kept, stand(chain)))
     found, barred = list[Proposal](), list[tuple[Kept, Floats]]()
-    for kept in proposed:
+    for kept in takewhile(lambda _: not stopped(), proposed):
         energy = bring_back(chain.p, chain.s, chain.work, kept)
         other = _weigh(chain, one, kept, energy, most)
         if other.cost < most:
@@ -87,7 +93,7 @@ def weigh_proposals(
     least = min((p.fault for p in found if p.cost < now.cost), default=now.fault) - WORTH
     if one.touch.make_room and least > 0.0:
         faults = [Proposal(kept, np.inf, one.fault(kept, boxes)) for kept, boxes in barred]
-        for other, yielding in _barred(chain, faults, now.kept, least, firm):
+        for other, yielding in _barred(chain, faults, now.kept, least, firm, stopped):
             made = make_room(chain, now.kept, other.kept, yielding)
             found += [weigh_layout(chain, one, kept) for kept in made]
     return [other for other in found if other.cost < most]
@@ -124,7 +130,12 @@ def stand(chain: HallChain) -> Floats:
 
 
 def _barred(
-    chain: HallChain, found: list[Proposal], before: Kept, most: float, firm: list[int]
+    chain: HallChain,
+    found: list[Proposal],
+    before: Kept,
+    most: float,
+    firm: list[int],
+    stopped: Callable[[], bool],
 ) -> list[tuple[Proposal, list[int]]]:
     """Proposals of less than the ``most`` fault worth making room for, the best first and none
     near another, each with the units in its way, none of them ``firm``."""
@@ -136,6 +147,6 @@ def _barred(
             bring_back(chain.p, chain.s, chain.work, one.kept)
             if yielding := find_yielding(chain, before, one.kept, firm):
                 chosen.append((one, yielding))
-        if len(chosen) == BARRED:
+        if len(chosen) == BARRED or stopped():
             break
     return chosen

@@ -105,12 +105,13 @@ def _seat(
     away = _count_away(fitted.problem, layout, mine)
     least, now = max(whole - away, FEWEST), verdict_on(layout, groups=len(mine), away=away)
     for count in dict.fromkeys(int(share * whole) for share in SHARES):
-        if count < least:
+        if count < least or search.passes.cancelled():
             break
         joined = join_units(search, fitted, layout.kept, mine, count)
         chain = begin_chain(joined.problem, joined.start, streams(0, 1)[0])
         touch = SeenTouch(retouch_named("audience"), joined.problem)
-        every = weigh_proposals(chain, touch, weigh_layout(chain, touch, joined.start), [])
+        now_at = weigh_layout(chain, touch, joined.start)
+        every = weigh_proposals(chain, touch, now_at, [], stopped=search.passes.cancelled)
         rows = sorted((p for p in every if np.isfinite(p.cost)), key=lambda p: p.cost)
         for found in _walk_through(search, chain, [p.kept for p in rows]):
             away = _count_away(joined.problem, found, mine[:1])

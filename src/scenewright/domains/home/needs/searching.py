@@ -85,7 +85,12 @@ STAGES = (Stage(), Stage(True), Stage(True, BLEMISH), Stage(True, BLEMISH, True)
 def may_settle(home: HomeState) -> bool:
     """Whether rooms make a home whose needs are looked for, and nobody waits."""
     known = is_home(home.tasks) or not home.whole
-    return known and not any(task.cancelled() for task in home.tasks)
+    return known and not is_stopped(home)
+
+
+def is_stopped(home: HomeState) -> bool:
+    """Whether whoever asked for a home wants no more of it."""
+    return any(task.cancelled() for task in home.tasks)
 
 
 def list_need_rooms(
@@ -140,12 +145,14 @@ def settle_need(
         for tier in sorted({place.tier for place in rooms})
         for stage in (stages[:2] if home.timed else stages)
         for place in (rooms[:JOINED] if stage.moves else rooms)
-        if place.tier == tier
+        if place.tier == tier and not is_stopped(home)
         for trial in _list_in(home, answers, place, stage, list_forms, stands_free)
     )
     solved = _list_solved(home, answers, rooms, list_forms) if stages[-1].moves else ()
     walked = WALKED * (1 + 2 * stages[-1].moves)
     for room, answer in chain(islice(trials, walked), solved):
+        if is_stopped(home):
+            break
         found = try_in_home(room, answer, answers, home.opened)
         if found is not None:
             return found
