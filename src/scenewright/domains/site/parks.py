@@ -110,6 +110,8 @@ def _lay_walks(
         return []
     ring = shapely.simplify(inner.exterior, 0.25)
     found = [Pathway("walk", WALK, (*_corners(ring), _corners(ring)[0]))]
+    if ways.is_empty:
+        return found
     link = shapely.shortest_line(ring, ways)
     free = not len(solid.query(link, predicate="dwithin", distance=WALK))
     if free and 0.1 < link.length <= LINK:
