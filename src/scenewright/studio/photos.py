@@ -15,7 +15,7 @@ from scenewright.core.extras import install_line, is_installed
 from scenewright.core.plan import Plan
 from scenewright.core.solution import Solution
 from scenewright.render.observations.world import build_world
-from scenewright.render.photo.photograph import photograph_view
+from scenewright.render.photo.photograph import SAMPLES, SIZE, photograph_view
 from scenewright.studio.breeding import Tell
 from scenewright.workflow.observe import check_rooms
 from scenewright.workflow.photograph import check_photo
@@ -31,8 +31,8 @@ class View(NamedTuple):
     eye: tuple[float, float, float]
     heading: float
     hour: str = "day"
-    size: tuple[int, int] = (1280, 800)
-    samples: int = 8
+    size: tuple[int, int] = SIZE
+    samples: int = SAMPLES
 
 
 class Photos:

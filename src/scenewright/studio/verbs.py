@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 from scenewright.core.edits import Addition
 from scenewright.core.errors import InputError
 from scenewright.render.daylight import HOURS
+from scenewright.render.photo.photograph import SIZE as PHOTO_SIZE
 from scenewright.studio.asked import (
     list_words,
     read_list,
@@ -143,7 +144,9 @@ def _restyle(session: Session, asked: Json) -> Json:
 def _photo(session: Session, asked: Json) -> None:
     x, y, heading = read_pose([*read_list(asked.get("eye"))[:2], asked.get("heading")])
     z, _, _ = read_pose([*read_list(asked.get("eye"))[2:], 0.0, 0.0])
-    session.photograph(View((x, y, z), heading, read_text(asked, "hour") or "day"))
+    wide, tall, _ = read_pose([*(read_list(asked.get("size")) or PHOTO_SIZE), 0.0])
+    hour = read_text(asked, "hour") or "day"
+    session.photograph(View((x, y, z), heading, hour, (int(wide), int(tall))))
 
 
 def _again(session: Session, asked: Json) -> Json:
@@ -266,6 +269,7 @@ VERBS: Mapping[str, Verb] = {
             "eye": {**POSE, "description": "x, y, z in metres"},
             "heading": {"type": "number", "description": "radians, from +x to the left"},
             "hour": {"enum": [*HOURS]},
+            "size": {**AT, "description": "pixels, 1280 by 800 if left out"},
         },
         _photo,
         ("eye", "heading"),

@@ -103,7 +103,7 @@ function smallCard(number) {
 const button = (text, title, act) => make("button", { textContent: text, title, onclick: act });
 
 function sheetCard(one, place) {
-  const made = frame(one.number), name = place + 1, stars = saidOf(one.number).findLast((row) => row.event === "stars")?.stars ?? 0;
+  const made = Object.assign(frame(one.number), { role: "group", tabIndex: 0 }), name = place + 1, stars = saidOf(one.number).findLast((row) => row.event === "stars")?.stars ?? 0;
   const top = make("div", { className: "top" }, make("kbd", { textContent: KEYS[place] }),
     make("span", { className: "mark", textContent: marks(one.number) }));
   if (one.faults) top.append(make("span", { className: "bad", textContent: one.faults }));
@@ -115,6 +115,7 @@ function sheetCard(one, place) {
     button(t("Best"), t("key {key}", { key: KEYS[place] }), () => tell(`${name}`)), button(t("Worst"), t("Shift and key {key}", { key: KEYS[place] }), () => tell(`worst ${name}`)),
     rating, why, compareButton(one.number), useButton(() => choose(one.number)));
   if (!bred.reasons.length) why.remove();
+  made.ariaLabel = [t("layout {n}, key {key}", { n: name, key: KEYS[place] }), marks(one.number), one.faults].filter(Boolean).join(", ");
   made.append(top, picture(known.get(one.number), one.number));
   if (one.predicted !== null) made.append(make("div", { className: "guess", title: t("what the model expects from what you said; no more"),
     textContent: t("predicted: {percent} % to be your pick", { percent: Math.round(100 * one.predicted) }) }));

@@ -2,7 +2,7 @@
 import { $, make, read, say, send } from "/wire.js";
 import { t } from "/words.js";
 
-const EYE = 1.6;
+const EYE = 1.6, WIDEST = 1280;
 let taking = false;
 
 // The button is there while one walks; pressed again it gives the photograph up.
@@ -12,7 +12,8 @@ export function offerPhoto(walking, domain) {
 
 export async function takePhoto([x, y, heading], floor) {
   if (taking) { await send("stop"); return; }
-  const said = await send("photo", { eye: [x, y, floor + EYE], heading, hour: $("hour").value });
+  const { clientWidth: wide, clientHeight: tall } = $("space"), share = Math.min(1, WIDEST / wide), size = [wide, tall].map((side) => Math.round(side * share));
+  const said = await send("photo", { eye: [x, y, floor + EYE], heading, hour: $("hour").value, size });
   if (!said.fault) say(t("the light is followed …"));
 }
 

@@ -24,8 +24,15 @@ async function change(verb, keys = {}) {
   return said;
 }
 
-let asked = 0, told = {};
+// Whoever waits for what it changed to be shown waits for the newest state: an older one is dropped.
+let asked = 0, told = {}, newest = null;
 async function refresh() {
+  const mine = newest = readState();
+  await mine;
+  if (newest !== mine) await newest;
+}
+
+async function readState() {
   const turn = ++asked;
   const said = await read(`/state?since=${told.stamp ?? 0}`);
   if (turn !== asked) return;
@@ -70,6 +77,11 @@ function drawPlan() {
   const bad = new Set((doc.findings ?? []).flatMap((found) => found.pieces));
   for (const piece of doc.pieces.filter((one) => one.level === level)) drawPiece(piece, bad, plan);
   drawShell(here, plan);
+  for (const zone of doc.draft?.zones ?? []) {
+    element("path", { class: "zone shown", d: outline([zone.outline]) }, plan);
+    const [x, y] = zone.outline.reduce(([left, top], [px, py]) => [Math.min(left, px), Math.max(top, py)], [Infinity, -Infinity]), size = view[2] / 70;
+    element("text", { class: "room zone-name", x: x + size, y: -y + 2 * size, "font-size": size }, plan, zone.name);
+  }
   for (const one of here.spaces) {
     const [x, y] = one.label;
     element("text", { class: "room", x, y: -y, "font-size": view[2] / 55 }, plan, one.name);
