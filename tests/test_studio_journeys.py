@@ -356,7 +356,8 @@ def test_two_people_work_at_once_and_one_rates_by_phone(browser: Any, tmp_path: 
 
 CONTRAST = """([back, front]) => {
   const light = (name) => {
-    const parts = getComputedStyle(document.body).getPropertyValue(name).trim().match(/[0-9a-f]{2}/gi);
+    const code = getComputedStyle(document.body).getPropertyValue(name).trim();
+    const parts = code.match(/[0-9a-f]{2}/gi);
     const [r, g, b] = parts.map((part) => parseInt(part, 16) / 255)
       .map((value) => value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4);
     return 0.2126 * r + 0.7152 * g + 0.0722 * b;
