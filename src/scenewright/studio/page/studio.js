@@ -236,7 +236,7 @@ function gather(rows) {
 }
 
 function showLists() {
-  $("verdict").textContent = isBare() ? t("nothing is arranged yet: press Arrange") : doc.verdict ?? "";
+  $("verdict").textContent = isBare() ? ["view", "rate"].includes(doc.me?.right) ? t("nothing is arranged yet") : t("nothing is arranged yet: press Arrange") : doc.verdict ?? "";
   fill("findings", toShow(), listFinding);
   fill("left-out", doc.left_out ?? [], (out) => item(`${out.what.replaceAll("_", " ")}: ${out.reason}`, [], out.required));
   fill("changes", gather(changes), (one) => one.count ? item(t("{n} pieces {change}: {reason}", one)) : item(inWords(`${one.piece} ${one.change}: ${one.reason}`).replaceAll("_", " "), [one.piece]));
