@@ -12,15 +12,14 @@ from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
 from scenewright.domains.extend.areas import OLD
-from scenewright.domains.extend.locks import WORDS, lock_extension
+from scenewright.domains.extend.locks import GROWTH, lock_extension
 from scenewright.domains.extend.plan import plan_extend
 from scenewright.domains.extend.solvers import EXTEND_SOLVERS
 from scenewright.domains.extend.solving import solve
 from scenewright.engine.rows import solver_again
 from scenewright.ground.edits.adjusting import GroundRules, adjust_ground, find_overlapped
 from scenewright.ground.edits.by_hand import ground_rules
-from scenewright.ground.edits.locks import check_lockable, count_buildings
-from scenewright.ground.names import assign_ids
+from scenewright.ground.edits.locks import check_lockable, lock_and_count
 
 APART = 2.0
 """Metres kept between buildings where one is put in by hand."""
@@ -45,13 +44,10 @@ def adjust(
 
 def _grow_again(standing: Solution, steps: int | None, seed: int, cancel: Cancel) -> Solution:
     """Areas with as many buildings as they had; those that are not locked find a place."""
-    brief = lock_extension(standing)
-    names = assign_ids(brief.part.areas, "area", "areas")
-    areas = count_buildings(standing, brief.part.areas, names)
-    counted = brief.model_copy(update={"part": brief.part.model_copy(update={"areas": areas})})
+    brief = lock_and_count(standing, GROWTH)
     solver = solver_again(EXTEND_SOLVERS, standing.solver)
     return solve(
-        counted, preset=standing.preset, solver=solver, steps=steps, seed=seed, cancel=cancel
+        brief, preset=standing.preset, solver=solver, steps=steps, seed=seed, cancel=cancel
     )
 
 
@@ -60,7 +56,7 @@ def _find_building(pieces: Sequence[Piece], name: str) -> tuple[Piece, ...]:
     found = find_piece(pieces, name, lambda _piece: False)
     if found.space == OLD:
         raise InputError(f"'{found.id}' stood before", 'change it in the brief, under "sources"')
-    check_lockable(found, *WORDS)
+    check_lockable(found, GROWTH.dressing, GROWTH.what)
     return (found,)
 
 

@@ -17,6 +17,7 @@ from scenewright.core.space import Points
 from scenewright.domains.extend.areas import OLD, AreaPlan, ExtendPlan
 from scenewright.domains.extend.pattern import BuildingKind
 from scenewright.ground.buildings.built import to_frames
+from scenewright.ground.edits.locks import standing_piece
 
 BOXY = 0.985
 """The share of its box from which a footprint counts as the box."""
@@ -31,19 +32,7 @@ def given_pieces(_brief: Brief, plan: Plan, kinds: Catalog) -> tuple[Piece, ...]
 def standing_pieces(area: AreaPlan) -> tuple[Piece, ...]:
     """The buildings of an area that stay where they stand."""
     return tuple(
-        Piece(
-            id=row.id,
-            category="building",
-            asset=row.model,
-            space=area.id,
-            pose=Pose(*row.box[:2], 0.0, row.box[2]),
-            size=Size(row.box[3], row.box[4], row.height),
-            group=f"{area.id}/buildings",
-            function=row.kind or "building",
-            fixed=True,
-            footprint=row.local,
-        )
-        for row in area.fixed
+        standing_piece(row, area.id, row.model, row.kind or "building") for row in area.fixed
     )
 
 

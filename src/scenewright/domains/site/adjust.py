@@ -14,7 +14,7 @@ from scenewright.core.piece_outlines import polygons_of
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
-from scenewright.domains.site.locks import LANDMARK, WORDS, ask_for_standing, lock_sites
+from scenewright.domains.site.locks import BUILDINGS, LANDMARK, ask_for_standing, lock_sites
 from scenewright.domains.site.plan import plan_sites
 from scenewright.domains.site.solvers import SITE_SOLVERS
 from scenewright.domains.site.solving import solve
@@ -53,7 +53,7 @@ def _build_again(standing: Solution, steps: int | None, seed: int, cancel: Cance
 def _find_building(pieces: Sequence[Piece], name: str) -> tuple[Piece, ...]:
     """The building a name means, if it may be moved and locked."""
     found = find_piece(pieces, name, lambda _piece: False)
-    check_lockable(found, *WORDS)
+    check_lockable(found, BUILDINGS.dressing, BUILDINGS.what)
     if found.function == LANDMARK:
         raise InputError(f"'{found.id}' is a landmark", 'change it in the brief, under "landmarks"')
     return (found,)

@@ -8,37 +8,26 @@ from scenewright.core.brief import Brief
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
 from scenewright.domains.site.brief import Building, LockedBuilding, Site
-from scenewright.ground.edits.locks import lock_areas
+from scenewright.ground.edits.locks import Lockable, kept_values, lock_brief, with_areas
 from scenewright.ground.names import assign_ids
 
 LANDMARK = "landmark"
-WORDS = ("trees and lamps", "buildings")
-"""Things that cannot be locked, and those that can."""
 
 
 def lock_sites(solution: Solution) -> Brief:
     """The brief to solve again: locked buildings are ``fixed`` on their site and count for what
     is asked; all others are free. Landmarks stand by the brief, locked or not."""
-    sites = solution.brief.part.sites
-    names = assign_ids(sites, "site", "sites")
-    updated = lock_areas(solution, sites, names, _keep_building, *WORDS)
-    part = solution.brief.part.model_copy(update={"sites": updated})
-    return solution.brief.model_copy(update={"part": part})
+    return lock_brief(solution, BUILDINGS)
 
 
 def _keep_building(piece: Piece) -> LockedBuilding | None:
     """A building as the brief keeps it; no landmark."""
     if piece.function == LANDMARK:
         return None
-    return LockedBuilding(
-        id=piece.id,
-        name=piece.function,
-        model=piece.asset,
-        at=piece.pose[:2],
-        heading=piece.pose.heading,
-        size=(*piece.size,),
-        footprint=list(piece.footprint) or None,
-    )
+    return LockedBuilding(name=piece.function, **kept_values(piece))
+
+
+BUILDINGS = Lockable("sites", "site", _keep_building, "trees and lamps", "buildings")
 
 
 def ask_for_standing(brief: Brief, standing: Solution) -> Brief:
@@ -46,7 +35,7 @@ def ask_for_standing(brief: Brief, standing: Solution) -> Brief:
     sites = brief.part.sites
     names = assign_ids(sites, "site", "sites")
     updated = [_ask(site, name, standing) for site, name in zip(sites, names, strict=True)]
-    return brief.model_copy(update={"part": brief.part.model_copy(update={"sites": updated})})
+    return with_areas(brief, "sites", updated)
 
 
 def _ask(site: Site, name: str, standing: Solution) -> Site:

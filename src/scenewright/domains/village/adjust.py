@@ -15,14 +15,14 @@ from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
 from scenewright.domains.village.lanes import VillageLane
-from scenewright.domains.village.locks import WORDS, lock_village
+from scenewright.domains.village.locks import HOUSES, lock_village
 from scenewright.domains.village.plan import plan_village
 from scenewright.domains.village.solvers import VILLAGE_SOLVERS
 from scenewright.domains.village.solving import solve
 from scenewright.engine.rows import solver_again
 from scenewright.ground.edits.adjusting import GroundRules, adjust_ground, find_overlapped
 from scenewright.ground.edits.by_hand import ground_rules
-from scenewright.ground.edits.locks import check_lockable, count_buildings
+from scenewright.ground.edits.locks import check_lockable, lock_and_count
 from scenewright.ground.ways.inner_lanes import LaidLane, area_of
 
 APART = 2.0
@@ -48,13 +48,10 @@ def adjust(
 
 def _fill_again(standing: Solution, steps: int | None, seed: int, cancel: Cancel) -> Solution:
     """Blocks with as many houses as they had; those that are not locked find a place."""
-    brief = lock_village(standing)
-    names = [space.id for space in plan_village(standing.brief).spaces]
-    blocks = count_buildings(standing, brief.part.blocks, names)
-    counted = brief.model_copy(update={"part": brief.part.model_copy(update={"blocks": blocks})})
+    brief = lock_and_count(standing, HOUSES)
     solver = solver_again(VILLAGE_SOLVERS, standing.solver)
     return solve(
-        counted,
+        brief,
         preset=standing.preset,
         solver=solver,
         steps=steps,
@@ -77,7 +74,7 @@ def _free_lanes(standing: Solution) -> tuple[VillageLane, ...] | None:
 def _find_house(pieces: Sequence[Piece], name: str) -> tuple[Piece, ...]:
     """The house a name means, if it may be moved and locked."""
     found = find_piece(pieces, name, lambda _piece: False)
-    check_lockable(found, *WORDS)
+    check_lockable(found, HOUSES.dressing, HOUSES.what)
     return (found,)
 
 

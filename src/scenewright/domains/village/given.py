@@ -5,8 +5,9 @@ from __future__ import annotations
 from scenewright.core.brief import Brief
 from scenewright.core.catalog import Catalog
 from scenewright.core.plan import Plan
-from scenewright.core.scene import Piece, Pose, Size
+from scenewright.core.scene import Piece
 from scenewright.domains.village.blocks import BlockPlan
+from scenewright.ground.edits.locks import standing_piece
 
 
 def given_pieces(_brief: Brief, plan: Plan, _kinds: Catalog) -> tuple[Piece, ...]:
@@ -17,17 +18,6 @@ def given_pieces(_brief: Brief, plan: Plan, _kinds: Catalog) -> tuple[Piece, ...
 def standing_pieces(plan: BlockPlan) -> tuple[Piece, ...]:
     """The houses that stay where they stand."""
     return tuple(
-        Piece(
-            id=row.id,
-            category="building",
-            asset=row.asset,
-            space=plan.id,
-            pose=Pose(*row.box[:2], 0.0, row.box[2]),
-            size=Size(row.box[3], row.box[4], row.height),
-            group=f"{plan.id}/houses",
-            function=row.house or "house",
-            fixed=True,
-            footprint=row.local,
-        )
+        standing_piece(row, plan.id, row.asset, row.house or "house", "houses")
         for row in plan.fixed
     )

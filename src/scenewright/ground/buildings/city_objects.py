@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from scenewright.building.outlines import ring, signed_area
 from scenewright.core.space import Points
+from scenewright.ground.plan import Way
 
 SCALE = 0.001
 GROUND, ROOF, WALL = 0, 1, 2
@@ -67,6 +68,15 @@ def flat_object(
     ]
     geometry = {"type": "MultiSurface", "lod": "1", "boundaries": boundaries}
     return {"type": kind, "attributes": attributes, "geometry": [geometry]}
+
+
+def add_roads(ways: Sequence[Way], objects: dict[str, Any], vertices: Vertices) -> None:
+    """Add a ``Road`` for each street and path to the objects of a city model."""
+    for way in ways:
+        areas = [(area.outline, *area.holes) for area in way.areas]
+        if areas:
+            attributes = {"name": way.name or way.id, "class": way.kind, "width": way.width}
+            objects[free_key(way.id, objects)] = flat_object("Road", areas, attributes, vertices)
 
 
 def free_key(wish: str, taken: dict[str, Any]) -> str:

@@ -16,6 +16,7 @@ import shapely
 from scenewright.building.outlines import signed_area
 from scenewright.catalog.assets.buildings.roof_planes import RoofPlane, roof_planes
 from scenewright.core.footprint import Footprint, place_outline
+from scenewright.core.piece_outlines import outline_of
 from scenewright.core.scene import Piece
 from scenewright.ground.buildings.city_objects import (
     GROUND,
@@ -25,6 +26,7 @@ from scenewright.ground.buildings.city_objects import (
     WALL,
     Vertices,
     add_vertex,
+    prism_object,
 )
 
 STEP = 0.005
@@ -42,6 +44,16 @@ def add_roof(made: dict[str, Any], piece: Piece, vertices: Vertices) -> dict[str
         return add_flat_roof(made)
     solid = find_roofed(piece, vertices)
     return made if solid is None else made | {"geometry": [*made["geometry"], solid]}
+
+
+def roofed_building(piece: Piece, attributes: dict[str, Any], vertices: Vertices) -> dict[str, Any]:
+    """A building as a prism over its footprint, and its body under its roof where that is known;
+    name, height and front are told beside ``attributes``."""
+    told = {"name": piece.function, "measuredHeight": round(piece.size[2], 3), **attributes}
+    told["heading"] = round(float(np.rad2deg(piece.pose.heading)), 3)
+    low = piece.pose.z
+    made = prism_object(outline_of(piece), low, low + piece.size[2], told, vertices)
+    return add_roof(made, piece, vertices)
 
 
 def find_roofed(piece: Piece, vertices: Vertices) -> dict[str, Any] | None:

@@ -4,11 +4,25 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Sequence
-from typing import Any, Protocol, TypeVar
+from typing import Any, NamedTuple, Protocol, TypeVar
 
+from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
-from scenewright.core.scene import Piece
+from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.solution import Solution
+from scenewright.ground.names import assign_ids
+
+
+class Lockable(NamedTuple):
+    """What of a domain's brief can be locked: the key of its parts (``blocks``) and what one is
+    called (``block``), how a building is kept (``None``: it stands by the brief), things that
+    follow the buildings, and what these are called."""
+
+    key: str
+    word: str
+    keep: Callable[[Piece], Any | None]
+    dressing: str
+    what: str
 
 
 class LockableArea(Protocol):
@@ -21,6 +35,60 @@ class LockableArea(Protocol):
 
 
 AreaT = TypeVar("AreaT", bound=LockableArea)
+
+
+def standing_piece(
+    row: Any, space: str, asset: str, function: str, what: str = "buildings"
+) -> Piece:
+    """The piece of a building that stays where it stands: ``row`` has its id, box (x, y, heading,
+    width, depth), height and ``local``, its footprint in the frame of the box."""
+    return Piece(
+        id=row.id,
+        category="building",
+        asset=asset,
+        space=space,
+        pose=Pose(*row.box[:2], 0.0, row.box[2]),
+        size=Size(row.box[3], row.box[4], row.height),
+        group=f"{space}/{what}",
+        function=function,
+        fixed=True,
+        footprint=row.local,
+    )
+
+
+def kept_values(piece: Piece) -> dict[str, Any]:
+    """What every brief keeps of a building that stays."""
+    return {
+        "id": piece.id,
+        "model": piece.asset,
+        "at": piece.pose[:2],
+        "heading": piece.pose.heading,
+        "size": (*piece.size,),
+        "footprint": list(piece.footprint) or None,
+    }
+
+
+def lock_brief(solution: Solution, lockable: Lockable) -> Brief:
+    """The brief to solve again: locked buildings are ``fixed`` in their part and count for what is
+    asked; all others are free."""
+    areas = getattr(solution.brief.part, lockable.key)
+    names = assign_ids(areas, lockable.word, lockable.key)
+    updated = lock_areas(solution, areas, names, *lockable[2:])
+    return with_areas(solution.brief, lockable.key, updated)
+
+
+def lock_and_count(solution: Solution, lockable: Lockable) -> Brief:
+    """That brief, asking for as many buildings in each part as the solution has there."""
+    brief = lock_brief(solution, lockable)
+    areas = getattr(brief.part, lockable.key)
+    names = assign_ids(areas, lockable.word, lockable.key)
+    return with_areas(brief, lockable.key, count_buildings(solution, areas, names))
+
+
+def with_areas(brief: Brief, key: str, areas: Sequence[Any]) -> Brief:
+    """A brief with other parts."""
+    part = brief.part.model_copy(update={key: [*areas]})
+    return brief.model_copy(update={"part": part})
 
 
 def lock_areas(

@@ -7,17 +7,12 @@ front's heading are attributes.
 
 from __future__ import annotations
 
-import json
 import os
 from typing import Any
-
-import numpy as np
 
 from scenewright.building.outlines import rings
 from scenewright.catalog import credits as authorship
 from scenewright.catalog.loading import catalog_of
-from scenewright.core.atomic_file import write_atomically
-from scenewright.core.piece_outlines import outline_of
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
 from scenewright.core.solution import Solution
@@ -28,19 +23,20 @@ from scenewright.domains.extend.works import plots_of_extension
 from scenewright.domains.terrain import lay_city_on_terrain
 from scenewright.ground.buildings.city_objects import (
     Vertices,
+    add_roads,
     city_document,
     flat_object,
     free_key,
-    prism_object,
 )
-from scenewright.ground.buildings.city_roofs import add_roof
+from scenewright.ground.buildings.city_roofs import roofed_building
+from scenewright.ground.maps.places import write_document
 from scenewright.ground.streetside.plot_writing import add_plots
 
 
 def write(solution: Solution, path: str | os.PathLike[str], plan: Plan | None = None) -> None:
     """Write the city model of a solution to ``path``; the file appears whole or not at all."""
     made = lay_city_on_terrain(document(solution, plan), solution, plan)
-    write_atomically(path, json.dumps(made, ensure_ascii=False) + "\n")
+    write_document(made, path)
 
 
 def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
@@ -56,11 +52,7 @@ def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
         attributes: dict[str, Any] = {"name": area.name, "class": "extension", "credits": credited}
         key = free_key(area.id, objects)
         objects[key] = flat_object("LandUse", [(outline, *holes)], attributes, vertices)
-    for way in plan.ground.roads:
-        parts = [(part.outline, *part.holes) for part in way.areas]
-        if parts:
-            attributes = {"name": way.name or way.id, "class": way.kind, "width": way.width}
-            objects[free_key(way.id, objects)] = flat_object("Road", parts, attributes, vertices)
+    add_roads(plan.ground.roads, objects, vertices)
     add_plots(plots_of_extension(solution, whole), objects, vertices)
     for piece in solution.pieces:
         if piece.category == "building":
@@ -70,13 +62,8 @@ def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
 
 def _building(piece: Piece, vertices: Vertices) -> dict[str, Any]:
     attributes = {
-        "name": piece.function,
-        "measuredHeight": round(piece.size.height, 3),
         "model": piece.asset,
         "storeysAboveGround": max(1, round(piece.size.height / STOREY)),
         "new": piece.space != OLD,
-        "heading": round(float(np.rad2deg(piece.pose.heading)), 3),
     }
-    low = piece.pose.z
-    made = prism_object(outline_of(piece), low, low + piece.size.height, attributes, vertices)
-    return add_roof(made, piece, vertices)
+    return roofed_building(piece, attributes, vertices)

@@ -10,7 +10,6 @@ properties of the whole would need an extension of the schema.
 
 from __future__ import annotations
 
-import json
 import os
 from collections.abc import Iterator
 from typing import Any
@@ -21,7 +20,6 @@ import shapely
 from scenewright.building.outlines import rings
 from scenewright.catalog import credits as authorship
 from scenewright.catalog.loading import catalog_of
-from scenewright.core.atomic_file import write_atomically
 from scenewright.core.brief import Brief
 from scenewright.core.georeference import georeference_of
 from scenewright.core.plan import Plan
@@ -34,12 +32,14 @@ from scenewright.domains.site.shapes import StandingBuilding, standing
 from scenewright.domains.terrain import lay_city_on_terrain
 from scenewright.ground.buildings.city_objects import (
     Vertices,
+    add_roads,
     city_document,
     flat_object,
     free_key,
     prism_object,
 )
 from scenewright.ground.buildings.city_roofs import add_flat_roof, add_roof
+from scenewright.ground.maps.places import write_document
 from scenewright.ground.plan import SitePlan
 from scenewright.ground.ways.surfaces import pave
 from scenewright.ground.works import GREEN, GroundWorks
@@ -48,7 +48,7 @@ from scenewright.ground.works import GREEN, GroundWorks
 def write(solution: Solution, path: str | os.PathLike[str], plan: Plan | None = None) -> None:
     """Write the city model of a solution to ``path``; the file appears whole or not at all."""
     made = lay_city_on_terrain(document(solution, plan), solution, plan)
-    write_atomically(path, json.dumps(made, ensure_ascii=False) + "\n")
+    write_document(made, path)
 
 
 def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
@@ -62,13 +62,7 @@ def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
         name = free_key(plan.id, objects)
         attributes: dict[str, Any] = {"name": plan.name, "class": "site", "credits": credited}
         objects[name] = flat_object("LandUse", [(plan.outline, *plan.holes)], attributes, vertices)
-        for way in plan.roads:
-            areas = [(area.outline, *area.holes) for area in way.areas]
-            if areas:
-                attributes = {"name": way.name or way.id, "class": way.kind, "width": way.width}
-                objects[free_key(way.id, objects)] = flat_object(
-                    "Road", areas, attributes, vertices
-                )
+        add_roads(plan.roads, objects, vertices)
     for works in solution.detail or ():
         for name, made_of in _laid_out(works, vertices):
             objects[free_key(name, objects)] = made_of

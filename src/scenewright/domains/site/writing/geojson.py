@@ -8,7 +8,6 @@ OpenStreetMap, and the file reads as a site again.
 
 from __future__ import annotations
 
-import json
 import os
 from typing import Any
 
@@ -16,7 +15,6 @@ import numpy as np
 
 from scenewright.catalog import credits as authorship
 from scenewright.catalog.loading import catalog_of
-from scenewright.core.atomic_file import write_atomically
 from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
 from scenewright.core.plan import Plan
@@ -26,6 +24,7 @@ from scenewright.core.solution import Solution
 from scenewright.domains.site.brief import Site
 from scenewright.domains.site.plan import plans_of
 from scenewright.domains.site.shapes import StandingBuilding, standing
+from scenewright.ground.maps.places import write_document, write_way
 from scenewright.ground.maps.writing import bearing_of, write_feature, write_points, write_ring
 from scenewright.ground.plan import SitePlan, Way
 from scenewright.ground.ways.junctions import Crossing
@@ -63,7 +62,7 @@ AREA_TAGS = {
 def write(solution: Solution, path: str | os.PathLike[str], plan: Plan | None = None) -> None:
     """Write the map of a solution to ``path``; the file appears whole or not at all."""
     check(solution.brief)
-    write_atomically(path, json.dumps(document(solution, plan), ensure_ascii=False) + "\n")
+    write_document(document(solution, plan), path)
 
 
 def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
@@ -124,10 +123,8 @@ def _site(site: Site, plan: SitePlan, map_: Projection) -> dict[str, Any]:
 
 
 def _way(way: Way, map_: Projection) -> dict[str, Any]:
-    kind = "residential" if way.kind == "road" else "footway"
-    tags = {"highway": kind, "name": way.name, "width": way.width}
-    tags |= {"sidewalk": "both"} if way.kind == "road" and kerb(way.width) else {}
-    return write_feature(way.id, "LineString", write_points(way.line, map_), tags)
+    beside = way.kind == "road" and kerb(way.width)
+    return write_way(way, map_, **({"sidewalk": "both"} if beside else {}))
 
 
 def _crossing(one: Crossing, site: str, number: int, map_: Projection) -> dict[str, Any]:
