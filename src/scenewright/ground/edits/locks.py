@@ -47,7 +47,7 @@ def standing_piece(
         category="building",
         asset=asset,
         space=space,
-        pose=Pose(*row.box[:2], 0.0, row.box[2]),
+        pose=Pose(row.box[0], row.box[1], 0.0, row.box[2]),
         size=Size(row.box[3], row.box[4], row.height),
         group=f"{space}/{what}",
         function=function,
