@@ -23,6 +23,8 @@ which ways, walks and doors meet."""
 SMALL = 50.0
 """Square metres below which a building is an outbuilding, whatever it is called."""
 SERVING = ("barn", "shed", "garage", "stable", "wash")
+BELONGS = 9.0
+"""Metres from a house within which an outbuilding belongs to it."""
 RIM = 1.0
 """Metres between the points looked at along the rim of a square."""
 HEAD, LONG = 5.0, 30.0
@@ -98,6 +100,7 @@ def counts_of(ground: Ground) -> dict[str, tuple[float, float]]:
         "plots on a way": _plots_on_ways(ground),
         "rim of squares fronted": _rim(ground),
         "outbuildings": (float(serving.sum()), float(len(serving))),
+        "outbuildings behind a house": _behind(ground, serving),
         "coverage": (float(shapely.area(shapely.union_all(ground.shapes))), ground.area),
     }
 
@@ -162,6 +165,17 @@ def _plots(ground: Ground, home: Any) -> tuple[float, float]:
         for p, s in zip(ground.houses, ground.shapes, strict=True)
     ]
     return float((home & np.array(held, bool)).sum()), float(home.sum())
+
+
+def _behind(ground: Ground, serving: Any) -> tuple[float, float]:
+    """Outbuildings within :data:`BELONGS` of a house that is nearer to a way or square."""
+    ways = shapely.union_all([ground.ways, *ground.squares])
+    away, homes = shapely.distance(ground.shapes, ways), np.flatnonzero(~serving)
+    behind = 0
+    for k in np.flatnonzero(serving).tolist():
+        near = homes[shapely.distance(ground.shapes[homes], ground.shapes[k]) <= BELONGS]
+        behind += bool((away[near] < away[k]).any())
+    return float(behind), float(serving.sum())
 
 
 def _plots_on_ways(ground: Ground) -> tuple[float, float]:

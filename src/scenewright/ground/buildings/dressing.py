@@ -26,7 +26,7 @@ from scenewright.core.scene import Piece
 
 TOUCH, SHARED = 0.06, 0.5
 """Metres within which walls touch, and the share of a side wall that a terraced house shares."""
-NEAR, ASIDE = 8.0, 0.7
+NEAR, ASIDE = 12.0, 0.7
 """Metres from a way or square within which a front stands at it, and the least cosine between
 where it looks and the way there."""
 LEAST_FRONT = 4.0

@@ -93,7 +93,7 @@ def list_unmet(
 
 def _reason(use: UseName, held: set[UseName], fronts: int) -> str:
     if use == "shop":
-        return f"{fronts} houses look at a square or main street"
+        return f"houses that look at a square or main street: {fronts}"
     if use not in held:
         return "none of the houses to choose from is one"
     return "no more place for one that a way from the street leads to"
