@@ -28,10 +28,11 @@ export async function showWishes(one, domain, given, act, of = {}) {
   for (const field of $("wish-keys").elements) if (field.name && document.activeElement !== field) show(field, asked[field.name]);
 }
 
+const joined = (value) => value.join(typeof value[0] === "number" ? " × " : ", ");
 const told = (row) => Object.entries(row).filter(([key]) => !["id", "clearance", "footprint"].includes(key) && !(row.required === false && ["name", "size"].includes(key))).map(([key, value]) => {
   if (key === "required") return value ? WORDS[key] : t("if there is room");
   if (value === true) return WORDS[key] ?? key;
-  const words = key === "zone" ? zones.find((one) => one.id === value)?.name ?? value : Array.isArray(value) ? value.join(" × ") : typeof value === "object" ? "…" : String(value).replaceAll("_", " ");
+  const words = key === "zone" ? zones.find((one) => one.id === value)?.name ?? value : Array.isArray(value) ? joined(value) : typeof value === "object" ? "…" : String(value).replaceAll("_", " ");
   return ["what", "category", "model"].includes(key) ? words : `${WORDS[key] ?? key.replaceAll("_", " ")} ${words}`;
 }).join(" · ");
 
@@ -75,7 +76,7 @@ function field(key, given, one, defs, needed) {
 
 function show(input, value) {
   if (input.type === "checkbox") input.checked = value ?? input.dataset.usual === "true";
-  else input.value = Array.isArray(value) ? value.join(" × ") : value ?? "";
+  else input.value = Array.isArray(value) ? joined(value) : value ?? "";
 }
 
 // What a field holds, undefined where it says nothing.
