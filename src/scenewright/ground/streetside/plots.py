@@ -14,6 +14,7 @@ import shapely
 from numpy.typing import NDArray
 
 from scenewright.core.space import Points
+from scenewright.ground.streetside.terraces import find_terraces, split_terrace
 
 Shapes = NDArray[np.object_]
 Indices = NDArray[np.int64]
@@ -52,7 +53,8 @@ def share_ground(ground: shapely.Geometry, shapes: Shapes) -> Shapes:
     """The part (n,) of some ground that is nearest to each of some footprints (n,), which it holds;
     borders between are as straight as :data:`BENT` allows.
 
-    Voronoi cells of points along the walls (Voronoi 1908), joined by house.
+    Voronoi cells of points along the walls (Voronoi 1908), joined by house; the ground of a
+    straight terrace is shared out by the walls between its houses.
 
     >>> two = np.array([shapely.box(2, 2, 4, 4), shapely.box(8, 2, 10, 4)], object)
     >>> [round(float(part.area), 1) for part in share_ground(shapely.box(0, 0, 12, 6), two)]
@@ -60,18 +62,25 @@ def share_ground(ground: shapely.Geometry, shapes: Shapes) -> Shapes:
     """
     if not len(shapes):
         return shapes
+    rows = find_terraces(shapes)
+    owner_of = np.arange(len(shapes))
+    for row in rows:
+        owner_of[row.houses] = row.houses[0]
     walls = shapely.buffer(shapes, -APART, join_style="mitre")
     walls = np.where(shapely.is_empty(walls), shapes, walls)
     dense = shapely.segmentize(shapely.normalize(walls), STEP)
     points, owner = shapely.get_coordinates(dense, return_index=True)
     points, first = np.unique(np.round(points, 4), axis=0, return_index=True)
-    owner = owner[first]
+    owner = owner_of[owner[first]]
     if len(shapes) == 1:
         return np.array([_near(ground, shapes[0])], object)
     parts = _cells(points, ground)
     runs = np.split(*_runs(owner, len(shapes)))
-    joined = [shapely.union_all(parts[rows]) for rows in runs]
-    straight = shapely.coverage_simplify(np.array(joined, object), BENT)
+    straight = np.array([shapely.union_all(parts[rows]) for rows in runs], object)
+    holds = shapely.area(straight) > 0  # the first of a terrace for all of it
+    straight[holds] = shapely.coverage_simplify(straight[holds], BENT)
+    for row in rows:
+        straight[row.houses] = split_terrace(straight[row.houses[0]], row)
     own = _less_walls(shapely.intersection(straight, ground), shapes)
     return np.array([_near(a, b) for a, b in zip(own, shapes, strict=True)], object)
 
