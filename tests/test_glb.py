@@ -243,7 +243,10 @@ def test_levels_are_raised_and_equal_pieces_share_a_mesh() -> None:
     document = document_of(scene_of(made), shipped())[0]
     nodes = {node["name"]: node for node in document["nodes"]}
     assert nodes["Upstairs"]["translation"] == [0, 2.9, 0]
-    assert len({nodes[piece.id]["mesh"] for piece in pieces}) == 1
+    assert {piece.id for piece in pieces} <= set(nodes), "each is found by its name"
+    (shared,) = (node for node in nodes.values() if node.get("extras", {}).get("instances"))
+    assert shared["extras"]["instances"] == 3
+    assert "mesh" in shared
 
 
 def test_every_node_is_named_in_trimesh_and_the_home_has_its_size(scene: Scene) -> None:

@@ -111,7 +111,7 @@ def test_another_value_finds_another_layout(
         ("aims", "lit", 1, "fill", 8),
         ("fill", "steps", 0, "fill", 8),
         ("exchange", "rays", 1, "fill", 8),
-        ("exchange", "paces", 30, "fill", 8),
+        ("exchange", "paces", 300, "fill", 8),
         ("matrix", "templates", 9, "vp", 100),
         ("matrix", "rays", 1, "vp", 200),
     ],

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import struct
+from typing import Any
 
 import numpy as np
 import pytest
@@ -115,11 +116,15 @@ def test_like_buildings_differ_in_colour_and_landmarks_do_not(street: Solution) 
     data = encode_scene(scene_of(street), shipped())
     document = json.loads(data[20 : 20 + struct.unpack("<I", data[12:16])[0]])
 
+    def is_shared(node: dict[str, Any], prefix: str) -> bool:
+        return prefix.strip("-_s") in node["name"] and "instances" in node["extras"]
+
     def colours(prefix: str) -> list[set[str]]:
         used = [
             document["meshes"][node["mesh"]]["primitives"]
             for node in document["nodes"]
-            if node["name"].startswith(prefix) and "mesh" in node
+            if node["name"].startswith(prefix) or is_shared(node, prefix)
+            if "mesh" in node
         ]
         names = [{document["materials"][row["material"]]["name"] for row in rows} for rows in used]
         return [set(row) for row in {frozenset(row) for row in names}]

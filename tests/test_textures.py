@@ -11,6 +11,7 @@ from PIL import Image
 
 from scenewright.building.finishes import FLOORS, SURFACES, WOOD_FLOOR, floor_of
 from scenewright.building.palettes import PALETTES, list_coats
+from scenewright.building.regions import REGIONS
 from scenewright.catalog.assets import materials
 from scenewright.core.catalog import Material, Part
 from scenewright.core.space import Space
@@ -51,6 +52,7 @@ def test_every_material_that_wears_a_texture_exists() -> None:
         one.name
         for one in (*values, *materials.PAINTINGS, *SURFACES.values(), *FLOORS.values(), WOOD_FLOOR)
     }
+    known |= {one.name for row in REGIONS.values() for one in row[1:]}
     worn = {name.partition("/")[0] for name in WORN}
     built = {"door oak", "threshold", "slab concrete", "wall plaster", "meadow"}
     trees = {"crown", "light crown", "needles"}

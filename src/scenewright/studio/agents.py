@@ -233,7 +233,7 @@ def list_all() -> list[tuple[str, str, Json]]:
     """Name, sentence and schema of every tool.
 
     >>> sorted(name for name, _, _ in list_all())[:3]
-    ['add', 'again', 'arrange']
+    ['accept', 'add', 'again']
     """
     mine = ((name, row) for name, row in VERBS.items() if name not in LOOKING and row.right != OWN)
     verbs = [(name, row.about, row.schema()) for name, row in mine]

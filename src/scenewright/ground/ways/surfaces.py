@@ -71,22 +71,22 @@ def _of_plan(
     lanes = shapely.intersection(lanes, floor, grid_size=GRID)
     shapely.prepare(lanes)
     roads = shapely.union(roads, lanes, grid_size=GRID)
-    ways = shapely.union(roads, paths)
-    drives = shapely.union(pave(works.pathways, "lane"), ways)
-    drives = shapely.difference(round_corners(drives, LANE_RADIUS, solids), ways)
-    squares = shapely.difference(_paved_areas(works, "square", "forecourt"), ways)
-    lots = shapely.difference(_paved_areas(works, "parking"), ways)
-    hard = shapely.union_all([ways, drives, squares, lots])
-    strips = shapely.difference(pave(works.pathways, "walk"), hard)
-    hard = shapely.union(hard, strips)
-    courts = shapely.difference(_paved_areas(works, "court"), hard)
-    parks = shapely.difference(_paved_areas(works, "park"), shapely.union(hard, courts))
-    drives = shapely.difference(drives, shapely.union(squares, lots))
+    ways = _join(roads, paths)
+    drives = _join(pave(works.pathways, "lane"), ways)
+    drives = _less(round_corners(drives, LANE_RADIUS, solids), ways)
+    squares = _less(_paved_areas(works, "square", "forecourt"), ways)
+    lots = _less(_paved_areas(works, "parking"), ways)
+    hard = _join(ways, drives, squares, lots)
+    strips = _less(pave(works.pathways, "walk"), hard)
+    hard = _join(hard, strips)
+    courts = _less(_paved_areas(works, "court"), hard)
+    parks = _less(_paved_areas(works, "park"), _join(hard, courts))
+    drives = _less(drives, _join(squares, lots))
     zebras = list_zebras(plan)
     found = {
         "asphalt": lanes,
-        "pavement": shapely.difference(roads, lanes, grid_size=GRID),
-        "path": shapely.difference(paths, roads, grid_size=GRID),
+        "pavement": _less(roads, lanes),
+        "path": _less(paths, roads),
         "lane": _lie_on(drives, floor),
         "walk": _lie_on(strips, floor),
         "marking": shapely.union_all(
@@ -101,6 +101,22 @@ def _of_plan(
         areas = tuple(rings(part) for part in _polygons(shape))
         if areas:
             yield GroundSurface(f"{kind} of {plan.id}", plan.id, kind, areas, -0.01, HEIGHTS[kind])
+
+
+def _areal(shape: shapely.Geometry) -> shapely.Geometry:
+    """What of a shape is area: overlays also leave lines where borders meet, and fail on them."""
+    if shape.geom_type in ("Polygon", "MultiPolygon"):
+        return shape
+    parts = shapely.get_parts(shapely.get_parts(shape))
+    return shapely.union_all([part for part in parts if part.geom_type == "Polygon"])
+
+
+def _less(shape: shapely.Geometry, other: shapely.Geometry) -> shapely.Geometry:
+    return _areal(shapely.difference(_areal(shape), _areal(other), grid_size=GRID))
+
+
+def _join(*shapes: shapely.Geometry) -> shapely.Geometry:
+    return _areal(shapely.union_all([_areal(shape) for shape in shapes], grid_size=GRID))
 
 
 def pave(pathways: Sequence[Pathway], kind: str) -> shapely.Geometry:
