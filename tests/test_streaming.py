@@ -9,9 +9,9 @@ from threading import Event
 import pytest
 
 import scenewright as sw
-from scenewright.core.layout import BestLayout, NamedBox
+from scenewright.core.layout import SEARCH, SETTLED, STAGES, BestLayout, NamedBox
 from scenewright.core.plan import Plan
-from scenewright.domains import plan_of, solvers
+from scenewright.domains import domain_of, plan_of, solvers
 from scenewright.domains.hall.solvers.blocks import stop_when
 from scenewright.engine.shared_progress import SharedProgress
 from scenewright.engine.solve import Report
@@ -98,12 +98,14 @@ def test_the_best_layout_so_far_is_streamed_and_makes_a_solution(
 ) -> None:
     domain, name = case
     brief, plan = planned[domain]
-    heard: list[tuple[str, float]] = []
+    heard: list[tuple[str, str]] = []
+    whys: set[tuple[str, bool]] = set()
     shares: list[float] = []
     rows: dict[str, tuple[NamedBox, ...]] = {}
 
     def watch(best: BestLayout) -> None:
-        heard.append((best.space, best.energy))
+        heard.append((best.space, best.stage))
+        whys.add((best.stage, bool(best.reason)))
         rows[best.space] = best.rows()
 
     found = sw.solve(
@@ -119,6 +121,11 @@ def test_the_best_layout_so_far_is_streamed_and_makes_a_solution(
     assert shares[-1] == 1.0
     assert {piece.space for piece in found.pieces} - STOOD <= set(rows)
     assert len(heard) > len(rows), "heard of more than once"
+    assert {stage for _, stage in heard} <= {*STAGES}
+    assert all(told == (stage not in (SEARCH, SETTLED)) for stage, told in whys)
+    if domain_of(brief.domain).has("passes"):
+        last = dict(heard)
+        assert {last[space] for space in last} == {SETTLED}, "the last picture is of what stays"
     drawn = sw.solution_of(brief, rows, plan=plan)
     assert len(drawn.pieces) > len(brief.rooms)
     assert not any(

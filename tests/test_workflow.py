@@ -21,6 +21,7 @@ from scenewright.formats import solution_json
 from scenewright.workflow.alternatives import arrange_alternatives
 from scenewright.workflow.arrange import arrange_file
 from scenewright.workflow.events import (
+    Changed,
     Event,
     Judged,
     Notice,
@@ -110,6 +111,10 @@ def kinds(events: Iterator[Event]) -> list[type]:
 def test_events_come_in_order() -> None:
     request = ArrangeRequest(ROOM, (Path("a.json"), Path("a.svg")), steps=100)
     events = list(arrange_file(request))
+    changes = [event for event in events if isinstance(event, Changed)]
+    assert all(change.stage and change.reason for change in changes)
+    assert {change.stage for change in changes} >= {"fit"}
+    events = [event for event in events if not isinstance(event, Changed)]
     assert kinds(iter(events)) == [Planned, Progress, Solved, Judged, Progress, Wrote, Notice]
     assert [str(e) for e in events if isinstance(e, Notice) and "a.svg: left out:" in str(e)]
     assert [event.path.name for event in events if isinstance(event, Wrote)] == ["a.json", "a.svg"]

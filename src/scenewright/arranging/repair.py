@@ -49,12 +49,16 @@ class Repair(NamedTuple, Generic[State]):
 
 
 def repair(
-    by: Repair[State], start: State, budget: int, stopped: Callable[[], bool] = lambda: False
+    by: Repair[State],
+    start: State,
+    budget: int,
+    stopped: Callable[[], bool] = lambda: False,
+    show: Callable[[Step], None] | None = None,
 ) -> Repaired[State]:
     """The state after the loop: for the worst row that does not hold the moves it names are tried,
     and the first better state is kept; then the worst row again. It ends when no move of any row
     gains (settled), after ``budget`` states weighed, or when ``stopped``. No state is weighed
-    twice.
+    twice. ``show`` gets every step as it is made, its state the one judged last.
 
     >>> judge = lambda n: Verdict(cost={"even": float(n % 2), "large": float(n)})
     >>> moves = {"less": lambda n, row: [n - 1] if n else [], "half": lambda n, row: [n // 2]}
@@ -78,6 +82,8 @@ def repair(
             if better(found, verdict, by.least) and (by.holds is None or by.holds(state)):
                 steps.append(Step(row, move, _gain(verdict, found)))
                 now, verdict = state, found
+                if show is not None:
+                    show(steps[-1])
                 break
         else:
             return Repaired(now, verdict, tuple(steps), weighed, True)

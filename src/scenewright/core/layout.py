@@ -38,16 +38,26 @@ Layouts = Mapping[str, Sequence[NamedBox]]
 """Rows of a layout by the id of the room, hall or site they are in."""
 
 
+SEARCH, FIT, ROUTES, REPAIR, SETTLED = STAGES = ("search", "fit", "routes", "repair", "settled")
+"""Stages of a run in which a space is pictured, in the order in which they first come."""
+
+
 class BestLayout(NamedTuple):
     """What a run has found so far in one space: the ``share`` of its present search, the energy of
     its best layout (infinite where the solver knows none), and ``rows``, which makes that layout
     as it may be given by hand. It may only be called before the listener returns: the search goes
-    on with the same arrays."""
+    on with the same arrays.
+
+    ``stage`` is what it comes from: the search; what fits furniture into it; what keeps routes
+    open; a repair; or that it is settled. What changes a layout after the search has its
+    ``reason`` in words. A stage may be met again: rooms that lack something are tried again."""
 
     space: str
     share: float
     energy: float
     rows: Callable[[], tuple[NamedBox, ...]]
+    stage: str = SEARCH
+    reason: str = ""
 
 
 Watch = Callable[[BestLayout], None]

@@ -89,9 +89,11 @@ def run_passes(
     options: PassOptions,
     apply: Callable[[Run, State], State],
     compare: Callable[[State, State], Iterable[PassChange]],
+    show: Callable[[str, State, State], None] | None = None,
 ) -> State:
     """The state after all passes that are not off: ``apply`` calls one, ``compare`` lists what it
-    changed, and is called only where somebody hears.
+    changed, and is called only where somebody hears. ``show`` gets what each is for, and the
+    states before and after it.
 
     >>> grow, heard = Pass("grow", "all", 2, "twice as large"), []
     >>> options = PassOptions(hear=heard.append)
@@ -111,6 +113,8 @@ def run_passes(
         if options.hear is not None:
             seconds = time.thread_time() - begun
             options.hear(PassRun(each.name, seconds, tuple(compare(state, after))))
+        if show is not None:
+            show(f"{each.name}: {each.purpose}", state, after)
         state = after
     return state
 

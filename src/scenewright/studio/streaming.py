@@ -6,7 +6,7 @@ import time
 from collections.abc import Callable
 from threading import Lock
 
-from scenewright.core.layout import BestLayout
+from scenewright.core.layout import SETTLED, BestLayout
 from scenewright.studio.shapes import Json
 
 PAUSE = 0.2
@@ -15,13 +15,17 @@ PAUSE = 0.2
 
 def stream_layouts(tell: Callable[[Json], None]) -> Callable[[BestLayout], None]:
     """A listener for :func:`scenewright.domains.solve` that tells boxes (name, x, y, heading,
-    width, depth) of a space, the latest only; it may be called from several threads.
+    width, depth) of a space, the latest only, and at which ``stage`` they are. A reason is always
+    told, and so is what is settled. It may be called from several threads.
 
     >>> told = []
     >>> hear = stream_layouts(told.append)
     >>> for _ in range(100): hear(BestLayout("living", 0.1, 9.0, lambda: ()))
     >>> told
-    [{'space': 'living', 'boxes': []}]
+    [{'space': 'living', 'stage': 'search', 'boxes': []}]
+    >>> hear(BestLayout("living", 1.0, 9.0, lambda: (), "repair", "as wide as its wall allows"))
+    >>> told[-1]
+    {'space': 'living', 'stage': 'repair', 'reason': 'as wide as its wall allows'}
     """
     last: dict[str, float] = {}
     busy = Lock()
@@ -29,11 +33,20 @@ def stream_layouts(tell: Callable[[Json], None]) -> Callable[[BestLayout], None]
     def hear(layout: BestLayout) -> None:
         now = time.monotonic()
         with busy:
-            if now - last.get(layout.space, -PAUSE) < PAUSE:
-                return
-            last[layout.space] = now
-        rows = layout.rows()
-        boxes = [[row.name, *(round(float(side), 3) for side in row.box)] for row in rows]
-        tell({"space": layout.space, "boxes": boxes})
+            due = layout.stage == SETTLED or now - last.get(layout.space, -PAUSE) >= PAUSE
+            if due:
+                last[layout.space] = now
+        if due or layout.reason:
+            tell(_describe(layout, due))
 
     return hear
+
+
+def _describe(layout: BestLayout, whole: bool) -> Json:
+    """A layout as an event, without its boxes unless ``whole``."""
+    told: Json = {"space": layout.space, "stage": layout.stage}
+    told |= {"reason": layout.reason} if layout.reason else {}
+    if whole:
+        rows = layout.rows()
+        told["boxes"] = [[row.name, *(round(float(side), 3) for side in row.box)] for row in rows]
+    return told

@@ -6,21 +6,31 @@ import os
 from collections.abc import Callable, Generator, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from scenewright import domains
 from scenewright.core.atomic_file import recorded_run
 from scenewright.core.errors import CancelledError, InputError
+from scenewright.core.layout import BestLayout, Watch
 from scenewright.core.map_options import AS_IT_IS, MapOptions
 from scenewright.core.plan import Plan
 from scenewright.core.report import Report
 from scenewright.core.solution import Solution
 from scenewright.engine.trace import Step
 from scenewright.workflow.disturb import disturb
-from scenewright.workflow.events import Event, Hear, Judged, Progress, Solved, Wrote, run_to_end
+from scenewright.workflow.events import (
+    Changed,
+    Event,
+    Hear,
+    Judged,
+    Progress,
+    Solved,
+    Wrote,
+    run_to_end,
+)
 from scenewright.workflow.looks import draw_clutter, stream_of
 from scenewright.workflow.request import ArrangeRequest, note_heavy, note_losses, open_request
-from scenewright.workflow.stream import Cancel, stream_progress
+from scenewright.workflow.stream import Cancel, stream_events
 from scenewright.workflow.trace import write_trace
 from scenewright.workflow.writing import write_all
 
@@ -53,9 +63,9 @@ def arrange_file(
     """
     brief, plan, domain = yield from open_request(request)
     steps = list[Step]()
-    heard = {} if request.trace is None else {"hear": steps.append}
+    heard: dict[str, Any] = {} if request.trace is None else {"hear": steps.append}
     try:
-        solution = yield from stream_progress(
+        solution = yield from stream_events(
             lambda tell, cancelled: domain.verb("solve")(
                 brief,
                 plan=plan,
@@ -65,9 +75,9 @@ def arrange_file(
                 steps=request.work,
                 seed=request.seed,
                 threads=threads,
-                progress=tell,
+                progress=lambda share, what: tell(Progress(share, what)),
                 cancel=cancelled,
-                **heard,
+                **(heard | ({"watch": _tell_changes(tell)} if domain.has("passes") else {})),
             ),
             cancel,
         )
@@ -79,6 +89,7 @@ def arrange_file(
     if look is not None and look.number and "poses" in look.vary:
         solution, report, _ = disturb(solution, plan, stream_of(brief, look, "poses"))
     solution = replace(solution, clutter=draw_clutter(brief, look, request.clutter))
+    yield from (Changed(o.space, "left out", f"{o.what}: {o.reason}") for o in solution.left_out)
     yield Solved(solution)
     report = report or domains.check(solution, plan=plan)
     yield Judged(report)
@@ -89,6 +100,16 @@ def arrange_file(
     yield from note_losses(solution, request.outputs)
     yield from note_heavy(solution)
     return Arranged(solution, plan, report)
+
+
+def _tell_changes(tell: Callable[[Changed], None]) -> Watch:
+    """A listener to layouts that tells those changed after the search; no picture is made."""
+
+    def hear(layout: BestLayout) -> None:
+        if layout.reason:
+            tell(Changed(layout.space, layout.stage, layout.reason))
+
+    return hear
 
 
 def arrange(

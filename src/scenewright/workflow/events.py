@@ -31,6 +31,15 @@ class Progress(NamedTuple):
     what: str
 
 
+class Changed(NamedTuple):
+    """A layout was changed after the search of its space: at which stage (``fit``, ``routes``,
+    ``repair``), or that something is ``left out``, and the reason."""
+
+    space: str
+    stage: str
+    reason: str
+
+
 class Solved(NamedTuple):
     """A solution is found."""
 
@@ -55,7 +64,7 @@ class Notice(NamedTuple):
     text: str
 
 
-Event = Planned | Progress | Solved | Judged | Wrote | Notice
+Event = Planned | Progress | Changed | Solved | Judged | Wrote | Notice
 Hear = Callable[[Event], None]
 
 

@@ -13,7 +13,7 @@ from threading import Event as Flag
 from threading import Thread
 from typing import NamedTuple, TypeVar
 
-from scenewright.workflow.events import Progress
+from scenewright.workflow.events import Changed, Progress
 
 T = TypeVar("T")
 Tell = Callable[[float, str], None]
@@ -29,11 +29,9 @@ class _End(NamedTuple):
 
 def stream_progress(
     work: Callable[[Tell, Cancel], T], cancel: Cancel | None = None
-) -> Generator[Progress, None, T]:
-    """What ``work(tell, cancelled)`` returns; every ``tell(share, what)`` is yielded meanwhile.
-
-    ``cancelled`` answers true when ``cancel`` does, or nobody listens any more. An error of the
-    work is raised here.
+) -> Generator[Progress | Changed, None, T]:
+    """What ``work(tell, cancelled)`` returns; every ``tell(share, what)`` is yielded meanwhile, as
+    :func:`stream_events` does.
 
     >>> def work(tell, cancelled):
     ...     tell(0.5, "half")
@@ -47,7 +45,22 @@ def stream_progress(
     ...     end.value
     False
     """
-    queue: SimpleQueue[Progress | _End] = SimpleQueue()
+
+    def pass_on(tell: Callable[[Progress | Changed], None], cancelled: Cancel) -> T:
+        return work(lambda share, what: tell(Progress(share, what)), cancelled)
+
+    return stream_events(pass_on, cancel)
+
+
+def stream_events(
+    work: Callable[[Callable[[Progress | Changed], None], Cancel], T], cancel: Cancel | None = None
+) -> Generator[Progress | Changed, None, T]:
+    """What ``work(tell, cancelled)`` returns; every ``tell(event)`` is yielded meanwhile.
+
+    ``cancelled`` answers true when ``cancel`` does, or nobody listens any more. An error of the
+    work is raised here.
+    """
+    queue: SimpleQueue[Progress | Changed | _End] = SimpleQueue()
     left = Flag()
 
     def cancelled() -> bool:
@@ -55,7 +68,7 @@ def stream_progress(
 
     def run() -> None:
         try:
-            result = work(lambda share, what: queue.put(Progress(share, what)), cancelled)
+            result = work(queue.put, cancelled)
         except BaseException as error:  # raised again where it is listened to
             queue.put(_End(error=error))
         else:

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Callable
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 
 from scenewright.core.catalog import Catalog
-from scenewright.core.layout import NamedBox, Watch, name_rows
+from scenewright.core.layout import BestLayout, Boxes, NamedBox, Watch, name_rows
 from scenewright.core.passes import ALL_PASSES, PassOptions
 from scenewright.domains.hall.build_problem import HallContext, build_problem
 from scenewright.domains.hall.demands.holdings import HallDemand
@@ -203,12 +205,40 @@ def _watch_objects(
 ) -> OnReport | None:
     """A listener that tells who watches of the objects, by the ids of their demands and without
     the chairs at them."""
-    each = [search.wishes[unit.demand] for unit in fitted.units for _ in range(*unit[2:4])]
 
     def rows(layout: MeasuredLayout) -> tuple[NamedBox, ...]:
-        return name_rows([wish.id for wish in each], bare_tables(each, layout.boxes))
+        return name_objects(search, fitted, layout.boxes)
 
     return add_watch(on_progress, search.watch, search.hall.space.id, rows)
+
+
+def name_objects(search: HallSearch, fitted: Fitted, boxes: Boxes) -> tuple[NamedBox, ...]:
+    """Objects by the ids of their demands, without the chairs at them."""
+    each = [search.wishes[unit.demand] for unit in fitted.units for _ in range(*unit[2:4])]
+    return name_rows([wish.id for wish in each], bare_tables(each, boxes))
+
+
+def show_objects(
+    search: HallSearch, fitted: Fitted, boxes: Callable[[], Boxes], stage: str, reason: str
+) -> None:
+    """Show objects as they stand to who watches, if anybody does, with what changed them."""
+    if search.watch is not None:
+        rows = partial(_make_rows, search, fitted, boxes)
+        search.watch(BestLayout(search.hall.space.id, 1.0, math.inf, rows, stage, reason))
+
+
+def show_found(
+    search: HallSearch, fitted: Fitted, before: HallFound, now: HallFound, stage: str, reason: str
+) -> None:
+    """Show the best layout if it is another than before."""
+    if now.layouts[0] is not before.layouts[0]:
+        show_objects(search, fitted, lambda: now.layouts[0].boxes, stage, reason)
+
+
+def _make_rows(
+    search: HallSearch, fitted: Fitted, boxes: Callable[[], Boxes]
+) -> tuple[NamedBox, ...]:
+    return name_objects(search, fitted, boxes())
 
 
 def halve_groups(search: HallSearch, fitted: Fitted, seed: int) -> Fitted:

@@ -21,11 +21,11 @@ from scenewright.building.standing import fixed_pieces, reaching_in
 from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief
 from scenewright.core.catalog import Catalog
-from scenewright.core.layout import Watch
+from scenewright.core.layout import FIT, ROUTES, SETTLED, BestLayout, Watch
 from scenewright.core.passes import ALL_PASSES, PassOptions
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
-from scenewright.core.solution import LeftOut, Solution
+from scenewright.core.solution import Solution
 from scenewright.core.space import Space
 from scenewright.domains.hall.accessories import count_groups
 from scenewright.domains.hall.alike import Alike, carry_over
@@ -33,7 +33,7 @@ from scenewright.domains.hall.build_problem import HallContext, hall_of
 from scenewright.domains.hall.compose import compose
 from scenewright.domains.hall.demands.checked import ids_of
 from scenewright.domains.hall.demands.filling import fill_halls, settle_counts
-from scenewright.domains.hall.demands.holdings import HallDemand, collect_demands, restrict_patterns
+from scenewright.domains.hall.demands.holdings import collect_demands, restrict_patterns
 from scenewright.domains.hall.demands.open_numbers import with_theme
 from scenewright.domains.hall.demands.shared import find_models, share_demands
 from scenewright.domains.hall.demands.split import find_locked, split_demands
@@ -42,13 +42,18 @@ from scenewright.domains.hall.desks.unserved import count_unserved
 from scenewright.domains.hall.furnishing.assemble import Laid, assemble_solution
 from scenewright.domains.hall.furnishing.layout import furnish_guided
 from scenewright.domains.hall.furnishing.on_stage import put_on_stage
-from scenewright.domains.hall.furnishing.pieces import kept_groups
+from scenewright.domains.hall.furnishing.standing import keep_standing
 from scenewright.domains.hall.furnishing.varied import vary_halls
 from scenewright.domains.hall.gates.boarding import set_at_doors
 from scenewright.domains.hall.gates.leaves import with_leaves
-from scenewright.domains.hall.hall_layout import HallLayout
 from scenewright.domains.hall.presets import PRESETS, HallPreset, count_steps
-from scenewright.domains.hall.search import HallSearch, may_retry, search_layout
+from scenewright.domains.hall.search import (
+    HallSearch,
+    may_retry,
+    name_objects,
+    search_layout,
+    show_found,
+)
 from scenewright.domains.hall.settings import USUAL_ZONING, ZoningSettings
 from scenewright.domains.hall.shortfall.measures import (
     falls_short,
@@ -59,7 +64,6 @@ from scenewright.domains.hall.shortfall.measures import (
 from scenewright.domains.hall.shortfall.unplaceable import left_out
 from scenewright.domains.hall.shortfall.unreached import drop_unreached
 from scenewright.domains.hall.solvers.outcome import StartedHall
-from scenewright.domains.hall.visit.tour import tour
 from scenewright.domains.hall.zoning.move_borders import (
     move_borders,
     read_slack,
@@ -274,7 +278,11 @@ def _run(
         if shared is not None and not alone:
             on_progress = partial(shared.hear, task.number)
         cancelled = cancel or (lambda: False)
-        return _lay_best(brief, task, partial(lay_once, on_progress), cancelled)
+        laid = _lay_best(brief, task, partial(lay_once, on_progress), cancelled)
+        if watch is not None and laid.picture:
+            rows = partial(tuple, laid.picture)
+            watch(BestLayout(task.hall.space.id, 1.0, laid.energy, rows, SETTLED))
+        return laid
 
     answers: dict[int, Laid] = {}
     with ThreadPoolExecutor(max(min(threads, len(tasks)), 1)) as pool:
@@ -336,7 +344,7 @@ def _lay(
     wishes, carried, small = split_demands(hall, asked, catalog, together, played)
     wishes, fitted = fit_with_staff(hall, wishes, weights, catalog, seed, cancel, small)
     if not fitted.units:
-        laid = _keep(hall, locked, carried, left_out(hall, wishes, []), catalog)
+        laid = keep_standing(hall, locked, carried, left_out(hall, wishes, []), catalog)
         return laid._replace(pieces=(*boarding, *laid.pieces))
     budget = task.budget._replace(hear=hear_in(task.budget.hear, task.hall.space.id))
     if budget.steps is None and budget.seconds is None and task.solver == preset.solver:
@@ -359,8 +367,14 @@ def _lay(
     given_up, crowding = frozenset[int](), frozenset[int]()
     shifts: tuple[tuple[str, float], ...] = ()
     if may_retry(search) and not (cancel is not None and cancel()):
+        before = found
         fitted, found, given_up, crowding = drop_unreached(search, fitted, found)
+        show_found(
+            search, fitted, before, found, ROUTES, "stands elsewhere, or less: ways are open"
+        )
+        before = found
         hall, fitted, found, shifts = move_borders(search, fitted, found, slack, progress, cancel)
+        show_found(search, fitted, before, found, FIT, "borders of zones moved")
     missing = left_out(hall, wishes, fitted.units, given_up, crowding)
     best = found.layouts[0]
     if may_retry(search):
@@ -375,19 +389,5 @@ def _lay(
         zones=hall.plan.zones,
         shifts=shifts,
         given_up=bool(given_up or crowding),
+        picture=name_objects(search, fitted, best.boxes),
     )
-
-
-def _keep(
-    hall: HallContext,
-    locked: tuple[Piece, ...],
-    carried: list[HallDemand],
-    missing: tuple[LeftOut, ...],
-    catalog: Catalog,
-) -> Laid:
-    """A hall in which nothing is laid out beside what is locked and stands on its stage."""
-    on, groups, out = put_on_stage(hall, carried, hall.fixed, catalog)
-    kept = (*kept_groups(hall, locked), *groups)
-    layout = HallLayout(hall.plan.zones, hall.plan.links, kept)
-    way = tour(hall.space, hall.fixed, layout, catalog, hall.route) if kept else None
-    return Laid(on, kept, (), (), (*missing, *out), 0.0, 0, way)

@@ -20,7 +20,7 @@ from scenewright.building.standing import fixed_pieces, reaching_in
 from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief, Room
 from scenewright.core.catalog import Catalog
-from scenewright.core.layout import Watch
+from scenewright.core.layout import FIT, REPAIR, ROUTES, Watch
 from scenewright.core.passes import ALL_PASSES, PassOptions
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
@@ -28,6 +28,7 @@ from scenewright.core.solution import LeftOut, Solution
 from scenewright.core.space import Space
 from scenewright.domains.home.attempts.attempt import RoomAnswer, RoomTask, build_task_problem
 from scenewright.domains.home.attempts.drafts import choose_open, furnish_best
+from scenewright.domains.home.attempts.picturing import show_groups, show_home, show_settled
 from scenewright.domains.home.attempts.second_try import tried_again
 from scenewright.domains.home.attempts.variants import other_groups, vary_task
 from scenewright.domains.home.cases.own_library import libraries_of, taste_of
@@ -131,6 +132,7 @@ def solve(
     if floors:
         every = AskedRooms(turned, wishes, budgets)
         answers = _walk_home(brief, every, answers, floors, again=seconds is None)
+    show_settled(turned, answers)
     if shared is not None:
         shared.ended(len(work), "routes")
     spent = time.perf_counter() - started
@@ -156,15 +158,21 @@ def _walk_home(
         catalog=every.tasks[0].catalog,
         settings=every.tasks[0].preset.settings,
     )
+    begun, show = answers, partial(show_home, every.tasks)
     answers = choose_open(every, answers, opened)
+    show(begun, answers, ROUTES, "ways through the home are kept open")
     found = tried_again(every.tasks, every.wishes, every.budgets, answers, opened)
+    show(answers, found, ROUTES, "furnished again: it had lost something essential to a way")
     household = decide_household(rooms, brief.residents)
     if again:
-        found = meet_stated_needs(household, every, found, opened)
+        lacking, found = found, meet_stated_needs(household, every, found, opened)
+        show(lacking, found, REPAIR, "what those who live there need")
     home = HomeState(every.tasks, opened, household, not again, every.wishes, every.budgets)
     mended = finish_home(home, found, MENDING)
-    fewer = measure_shortage(household, mended) > measure_shortage(household, found)
-    return finish_home(home, found if fewer else mended, (*SETTLING, *ALIGNING))
+    if measure_shortage(household, mended) > measure_shortage(household, found):
+        show(mended, found, REPAIR, "taken back: the home lacked more of what it needs")
+        mended = found
+    return finish_home(home, mended, (*SETTLING, *ALIGNING))
 
 
 def problems(
@@ -280,7 +288,9 @@ def _furnish(task: RoomTask, wishes: tuple[Wish, ...], budget: Budget) -> RoomAn
         return RoomAnswer(0.0, (), (), (), None, 0.0, 0)
 
     def furnish(draft: RoomTask) -> RoomAnswer:
-        return compose(draft, furnish_by_use(draft, wishes, budget))
+        furnished = furnish_by_use(draft, wishes, budget)
+        show_groups(draft, furnished.placed, FIT, "furniture fitted into its areas")
+        return compose(draft, furnished)
 
     return furnish_best(task, wishes, furnish) if budget.seconds is None else furnish(task)
 

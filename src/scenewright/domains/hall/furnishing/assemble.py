@@ -8,6 +8,7 @@ from typing import NamedTuple
 from scenewright._version import __version__
 from scenewright.core.brief import Brief
 from scenewright.core.brief.zones import Demand
+from scenewright.core.layout import NamedBox
 from scenewright.core.scene import Piece
 from scenewright.core.solution import STOPPED, LeftOut, Solution, TermValue
 from scenewright.domains.hall.build_problem import HallContext
@@ -19,7 +20,8 @@ from scenewright.engine.energy import Part
 
 class Laid(NamedTuple):
     """One hall laid out; ``zones`` as they lie now and how far borders have moved (empty: as
-    before); whether something was ``given_up`` though there is floor for it, for want of a way."""
+    before); whether something was ``given_up`` though there is floor for it, for want of a way;
+    and the ``picture`` of its objects for who watches."""
 
     pieces: tuple[Piece, ...]
     groups: tuple[PlacedGroup, ...]
@@ -32,6 +34,7 @@ class Laid(NamedTuple):
     zones: tuple[Zone, ...] = ()
     shifts: tuple[tuple[str, float], ...] = ()
     given_up: bool = False
+    picture: tuple[NamedBox, ...] = ()
 
 
 def assemble_solution(

@@ -6,6 +6,10 @@ weighs the energy and the faults of all rows, one loop (:mod:`.loop`) keeps what
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
+
+from scenewright.core.layout import Boxes
 from scenewright.core.passes import ALL_PASSES, Pass, PassChange, PassOptions, PassRun
 from scenewright.domains.hall.problem import HallProblem
 from scenewright.domains.hall.retouch.audience import propose_audiences, sit_aside
@@ -29,7 +33,7 @@ from scenewright.domains.hall.retouch.gates import (
     propose_gates,
 )
 from scenewright.domains.hall.retouch.lecterns import lecterns_adrift, propose_lecterns
-from scenewright.domains.hall.retouch.loop import list_runs, mend_layout
+from scenewright.domains.hall.retouch.loop import Show, list_runs, mend_layout
 from scenewright.domains.hall.retouch.mending import Retouch, SeenTouch
 from scenewright.domains.hall.retouch.queues import measure_queues, propose_queues
 from scenewright.domains.hall.retouch.ropes import propose_ropes, ropes_adrift
@@ -194,15 +198,21 @@ def retouch_named(name: str) -> Retouch:
 
 
 def retouch_layout(
-    problem: HallProblem, layout: MeasuredLayout, passes: PassOptions = ALL_PASSES, space: str = ""
+    problem: HallProblem,
+    layout: MeasuredLayout,
+    passes: PassOptions = ALL_PASSES,
+    space: str = "",
+    show: Show | None = None,
 ) -> MeasuredLayout:
     """A layout of patterns with as little of each fault as it costs no more to mend; ``passes``
-    switches touches off or hears what each changed in the hall ``space``."""
+    switches touches off or hears what each changed in the hall ``space``; ``show`` gets the purpose
+    of each change as it is made, and what makes the boxes that stand then."""
     if layout.loose or not len(layout.boxes) or passes.cancelled():
         return layout
     made = [each for each in RETOUCHES if not {each.name, each.group} & passes.off]
     touches = {each.name: SeenTouch(each.run, each.run.look(problem)) for each in made}
-    mended = mend_layout(problem, layout.kept, touches, passes.cancelled)
+    told = None if show is None else partial(_tell_purpose, show)
+    mended = mend_layout(problem, layout.kept, touches, passes.cancelled, told)
     if mended.found.steps:
         layout = layout_of(begin_chain(problem, mended.found.state, streams(0, 1)[0]))
     if passes.hear is not None:
@@ -211,6 +221,11 @@ def retouch_layout(
         left = PassChange(space, 0.0, -measure_faults(problem, layout), 0)
         passes.hear(PassRun(LEFT, 0.0, (left,)))
     return layout
+
+
+def _tell_purpose(show: Show, name: str, boxes: Callable[[], Boxes]) -> None:
+    purpose = next(each.purpose for each in RETOUCHES if each.name == name)
+    show(f"{name}: {purpose}", boxes)
 
 
 def measure_faults(problem: HallProblem, layout: MeasuredLayout) -> float:

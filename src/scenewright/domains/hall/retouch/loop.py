@@ -16,6 +16,7 @@ import numpy as np
 
 from scenewright.arranging.repair import Repair, Repaired, Step, repair
 from scenewright.arranging.verdict import Verdict
+from scenewright.core.layout import Boxes
 from scenewright.core.passes import PassChange, PassRun
 from scenewright.domains.hall.problem import HallProblem
 from scenewright.domains.hall.retouch.mending import LEAST, WEIGHT, SeenTouch, list_likely, stand
@@ -26,6 +27,7 @@ from scenewright.domains.hall.terms.state import Kept
 from scenewright.engine.draws import streams
 
 Touches = Mapping[str, SeenTouch]
+Show = Callable[[str, Callable[[], Boxes]], None]
 BUDGET, ROUNDS, GAIN = 400, 6, 0.5
 """Layouts judged at most, how often a row is looked at, and what a change has to gain."""
 LAST = ("bare", "spread")
@@ -42,21 +44,31 @@ class Mended(NamedTuple):
 
 
 def mend_layout(
-    problem: HallProblem, kept: Kept, touches: Touches, stopped: Callable[[], bool] = lambda: False
+    problem: HallProblem,
+    kept: Kept,
+    touches: Touches,
+    stopped: Callable[[], bool] = lambda: False,
+    show: Show | None = None,
 ) -> Mended:
     """The layout with the touches made that gain, the worst row first; those that fill the floor
-    only then. A row is not looked at again until its fault is another; none is once ``stopped``."""
+    only then. A row is not looked at again until its fault is another; none is once ``stopped``.
+    ``show`` gets the row of each step, and what makes the boxes that stand then."""
     chain = begin_chain(problem, kept, streams(0, 1)[0])
     tried, seconds = {name: list[float]() for name in touches}, dict.fromkeys(touches, 0.0)
     propose = partial(_propose, chain, touches, tried, seconds)
     moves = {name: lambda kept, row: [] if stopped() else propose(kept, row) for name in touches}
     rows = {name: (name,) for name in touches} | {ENERGY: (), PASSAGE: ()}
     begun, steps = judge_layout(chain, touches, kept).cost, list[Step]()
+    told = None if show is None else partial(_tell, show, chain)
     for some in ({name: touches[name] for name in touches if name not in LAST}, touches):
         by = Repair(partial(judge_layout, chain, some), moves, rows, _identify, GAIN)
-        found = repair(by, kept, BUDGET, stopped)
+        found = repair(by, kept, BUDGET, stopped, told)
         kept, steps = found.state, [*steps, *found.steps]
     return Mended(found._replace(steps=tuple(steps)), begun, seconds)
+
+
+def _tell(show: Show, chain: HallChain, step: Step) -> None:
+    show(step.row, partial(stand, chain))
 
 
 def list_runs(mended: Mended, space: str) -> Iterator[PassRun]:

@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from functools import partial
 
+from scenewright.core.layout import REPAIR
 from scenewright.core.passes import ALL_PASSES, Pass, run_passes
 from scenewright.domains.home.attempts.attempt import RoomAnswer, RoomTask
+from scenewright.domains.home.attempts.picturing import show_home
 from scenewright.domains.home.composing.alignment.homes import align_rooms
 from scenewright.domains.home.composing.comparing import compare_homes
 from scenewright.domains.home.composing.filling.widening import widen_storage
@@ -67,5 +69,8 @@ def finish_home(home: HomeState, answers: Answers, passes: Sequence[Pass[HomePas
     def apply(run: HomePass, now: Answers) -> Answers:
         return run(home, now)
 
+    def show(reason: str, old: Answers, new: Answers) -> None:
+        show_home(home.tasks, old, new, REPAIR, reason)
+
     options = home.tasks[0].passes if home.tasks else ALL_PASSES
-    return run_passes(passes, answers, options, apply, partial(compare_homes, home.tasks))
+    return run_passes(passes, answers, options, apply, partial(compare_homes, home.tasks), show)

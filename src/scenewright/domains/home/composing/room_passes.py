@@ -6,8 +6,10 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any
 
+from scenewright.core.layout import REPAIR
 from scenewright.core.passes import Pass, run_passes
 from scenewright.domains.home.attempts.attempt import RoomAnswer, RoomTask
+from scenewright.domains.home.attempts.picturing import show_change
 from scenewright.domains.home.composing.anew import compose_anew
 from scenewright.domains.home.composing.bedrooms.beds import restore_double_bed
 from scenewright.domains.home.composing.comparing import compare_answers, compare_judged
@@ -70,8 +72,11 @@ def complete_room(
     def apply(run: AnswerPass, now: RoomAnswer) -> RoomAnswer:
         return run(task, now, barred)
 
+    def show(reason: str, old: RoomAnswer, new: RoomAnswer) -> None:
+        show_change(task, old.placed, new.placed, REPAIR, reason)
+
     compare = partial(compare_answers, task)
-    return run_passes(passes, answer, task.passes, apply, compare)
+    return run_passes(passes, answer, task.passes, apply, compare, show)
 
 
 def mend_room(
@@ -82,5 +87,8 @@ def mend_room(
     def apply(run: JudgedPass, now: JudgedRoom) -> JudgedRoom:
         return run(task, now, barred)
 
+    def show(reason: str, old: JudgedRoom, new: JudgedRoom) -> None:
+        show_change(task, old.placed, new.placed, REPAIR, reason)
+
     compare = partial(compare_judged, task)
-    return run_passes(passes, best, task.passes, apply, compare)
+    return run_passes(passes, best, task.passes, apply, compare, show)
