@@ -228,7 +228,7 @@ def test_what_is_brought_names_no_other_file(client: TestClient) -> None:
         in client.post("/bring?name=../a.json", content=b"{}", headers=told).json()["fault"]
     )
     reply = client.post("/bring?name=a.txt", content=b"hello", headers=told)
-    assert reply.status_code == 422
+    assert reply.status_code == 200, "refused is an answer: no error of the page"
     assert "\n" not in reply.json()["fault"]
 
 

@@ -296,3 +296,28 @@ def test_what_was_done_is_there_after_a_kill(browser: Any, tmp_path: Path) -> No
     ):
         page.locator("#plan .piece").nth(count - 1).wait_for()
         assert page.locator("#plan .piece").count() == count
+
+
+def test_a_flat_that_was_brought_is_drawn_over(browser: Any, tmp_path: Path) -> None:
+    with started(tmp_path, "sample:home-flat") as studio, visiting(browser, studio.link) as page:
+        page.click("#draw")
+        page.click("#redraw")
+        page.locator("#draft path.sketch").first.wait_for()
+        page.screenshot(path=tmp_path / "over.png")
+        before = page.evaluate("fetch('/state').then((r) => r.json()).then((s) => s.draft.rooms)")
+        frame = page.locator("#draft path.sketch[data-id]").first.bounding_box()
+        edge = frame["x"] + 1, frame["y"] + frame["height"] / 2
+        drag(page, edge, (edge[0] - 30, edge[1]))
+        page.locator("#history li", has_text="moved a wall").wait_for(state="attached")
+        after = page.evaluate("fetch('/state').then((r) => r.json()).then((s) => s.draft.rooms)")
+        assert after != before
+        page.screenshot(path=tmp_path / "moved.png")
+        refused = "fetch('/do', { method: 'POST', body: '{\"verb\": \"fly\"}' })"
+        assert page.evaluate(f"{refused}.then((r) => r.json())")["fault"]
+        page.locator("#furnish:enabled").wait_for()
+        page.click("#furnish")
+        stage = page.locator("#stage")
+        stage.filter(has_text=re.compile("mended|fitted|settled")).wait_for()
+        page.screenshot(path=tmp_path / "stage.png")
+        page.locator("#stop").wait_for(state="hidden")
+        page.screenshot(path=tmp_path / "furnished.png")

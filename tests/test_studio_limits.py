@@ -100,7 +100,7 @@ def test_hostile_requests_are_refused(
 @pytest.mark.parametrize("body", [b"", b"[" * 200_000, b'{"verb": 1e999}', b"\xff\xfe", b"null"])
 def test_bodies_that_mean_nothing_are_one_line(served: Served, body: bytes) -> None:
     status, answer = served.ask("POST", "/do", body)
-    assert status == 422
+    assert status == 200, "refused is an answer: no error of the page"
     assert b"fault" in answer
 
 

@@ -69,7 +69,7 @@ def _picture(session: Session, _folder: Path, asked: Json) -> Answer:
     elif asked.get("of") == "view":
         return session.file("png")
     else:
-        _, solution, plan, _ = session.must_show()
+        _, solution, plan, _ = session.versions.must_show()
     catalog = catalog_of(solution.brief.catalogs)
     return _png(draw_scene_plan(scene_of(solution, plan), catalog, SIDE))
 
@@ -163,6 +163,7 @@ def call(session: Session, folder: Path, name: str, asked: Json) -> Answer:
 def _tell(session: Session, name: str, row: Verb, said: Json) -> str:
     lines = [one["message"] for one in said.get("findings", ())]
     lines += tell_changes(said.get("changes", ())) + said.get("differences", [])
+    lines += [f"not held: {what}" for what in said.get("lost", ())]
     if name in ("breed", "next", "say"):
         return tell_sheet(session.breeding.state())
     if row.right == EDIT and name != "judge":

@@ -9,7 +9,7 @@ import shapely
 
 from scenewright.core.brief import Brief
 from scenewright.formats import brief_json
-from scenewright.studio.draft_geometry import REACH, holds, nearest_edge, on_level
+from scenewright.studio.draft_geometry import REACH, holds, is_inner, nearest_edge, on_level
 from scenewright.studio.shapes import Json
 
 SLAB = 0.25
@@ -21,6 +21,7 @@ ABOUT = 20.0
 def brief_of(draft: Json) -> Brief:
     """The brief that a draft means; InputError where it means none."""
     document = {
+        **draft.get("kept", {}),
         "name": draft["name"],
         "domain": draft["domain"],
         **MEANINGS[draft["domain"]](draft),
@@ -37,9 +38,9 @@ def outlines_in_brief(domain: str) -> str:
 
 def _home(draft: Json) -> Json:
     rooms = [*_rooms(draft)]
-    document: Json = {"outlines": "centre", "rooms": rooms}
+    document: Json = {"rooms": rooms, "outlines": "inner" if is_inner(draft) else "centre"}
     document |= {key: draft[key] for key in ("wall_thickness", "outer_wall_thickness")}
-    if len(draft["levels"]) < 2:
+    if len(draft["levels"]) < 2 and "kept" not in draft:
         return document
     for room, row in zip(rooms, draft["rooms"], strict=True):
         room["level"] = row["level"]
@@ -47,11 +48,11 @@ def _home(draft: Json) -> Json:
 
 
 def _levels(draft: Json) -> Iterator[Json]:
-    elevation = 0.0
+    elevation = draft["levels"][0].get("elevation", 0.0)
     for number, one in enumerate(draft["levels"]):
         name = one["name"] or ("Ground floor" if not number else f"Floor {number}")
-        yield {**one, "name": name, "elevation": round(elevation, 4)}
-        elevation += one["height"] + SLAB
+        yield {**_without(one, "slab"), "name": name, "elevation": round(elevation, 4)}
+        elevation += one["height"] + one.get("slab", SLAB)
 
 
 def _hall(draft: Json) -> Json:
@@ -62,7 +63,7 @@ def _hall(draft: Json) -> Json:
             _without(row, "level")
             for row in draft["zones"]
             if shape.contains(shapely.Polygon(row["outline"]).representative_point())
-        ]
+        ] + room.pop("proposed", [])
     return document
 
 
@@ -102,7 +103,7 @@ def _rooms(draft: Json) -> Iterator[Json]:
             **_without(room, "level", "asked"),
             "doors": [_opening(row) for row in here if row["kind"] != "window"],
             "windows": [_opening(row) for row in here if row["kind"] == "window"],
-            "holes": [*_columns(draft, room)],
+            "holes": [*room.get("holes", ()), *_columns(draft, room)],
             **room.get("asked", {}),
         }
 
@@ -116,8 +117,7 @@ def _columns(draft: Json, room: Json) -> Iterator[list[list[float]]]:
 
 
 def _opening(row: Json) -> Json:
-    keys = ("id", "at", "width", "hinge", "swing", "sill")
-    kept: Json = {key: row[key] for key in keys if key in row}
+    kept = _without(row, "kind", "level")
     return kept | ({"swing": "none"} if row["kind"] == "passage" else {})
 
 

@@ -16,7 +16,7 @@ from scenewright.core.errors import InputError
 from scenewright.core.plan import Plan
 from scenewright.domains import plan_valid
 from scenewright.studio.draft_brief import ABOUT, brief_of, outlines_in_brief
-from scenewright.studio.draft_geometry import edges_of, nearest_edge, on_level
+from scenewright.studio.draft_geometry import THICK, edges_of, is_inner, nearest_edge, on_level
 from scenewright.studio.shapes import Json
 
 ON = 0.02
@@ -65,6 +65,7 @@ def read_draft(draft: Json) -> ReadDraft:
         for one in _find_on_level(draft, level["id"])
     ]
     faults += find_street_faults(draft)
+    faults += [DraftFault(f"not held: {text}", [], (), True) for text in draft.get("lost", ())]
     if not draft["rooms"]:
         return ReadDraft(None, None, faults)
     if not any(not fault.warns for fault in faults):
@@ -126,8 +127,9 @@ def find_closed_rooms(draft: Json, level: str, sound: Sound) -> Iterator[DraftFa
     openings = on_level(draft, "openings", level)
     doors = [shapely.Point(one["at"]) for one in openings if one["kind"] != "window"]
     stairs = [_flight(one) for one in draft["stairs"]]
+    reach = THICK if is_inner(draft) else ON
     for number, (name, shape) in sound.items():
-        led = any(shape.boundary.distance(door) < ON for door in doors)
+        led = any(shape.boundary.distance(door) < reach for door in doors)
         if not led and not any(shape.intersects(flight) for flight in stairs):
             spot = shape.representative_point()
             message = f"no door leads into {name}"

@@ -17,6 +17,8 @@ REACH = 0.6
 """Metres from a wall within which an opening is put on it."""
 SHORTEST = 0.05
 """Metres that a wall or an opening has at least."""
+THICK = 0.6
+"""Metres between the faces of a wall at most."""
 MOST, FARTHEST = 200, 2000.0
 """Rows of a kind and corners of one at most; metres from the origin."""
 
@@ -36,6 +38,11 @@ class Edge(NamedTuple):
 def on_level(draft: Json, group: str, level: str) -> list[Json]:
     """The rows of a group on one storey."""
     return [row for row in draft[group] if row["level"] == level]
+
+
+def is_inner(draft: Json) -> bool:
+    """Whether outlines of a draft are the inner faces of walls, as in a plan that was brought."""
+    return bool(draft.get("kept", {}).get("outlines") == "inner")
 
 
 def nearest_edge(draft: Json, at: Point, level: str) -> Edge:
@@ -64,6 +71,16 @@ def edges_of(outline: list[Point]) -> Iterator[tuple[Any, Any]]:
     """The ends of every side of an outline, as arrays."""
     corners = np.array(outline, float)
     yield from zip(corners, np.roll(corners, -1, axis=0), strict=True)
+
+
+def close_edge(outline: list[Point], at: Point) -> Point:
+    """The place on an outline that is nearest to a point.
+
+    >>> close_edge([[0, 0], [4, 0], [4, 3], [0, 3]], [1.0, -0.1])
+    [1.0, 0.0]
+    """
+    alone = {"rooms": [{"outline": outline, "level": ""}]}
+    return point_along(alone, nearest_edge(alone, at, ""))
 
 
 def place_on_wall(draft: Json, at: Point, level: str) -> Point:
@@ -102,6 +119,45 @@ def prolong(outlines: list[list[Point]], ends: list[Point]) -> list[Point]:
         low = min(low, *(s[0] for s in touching))
         high = max(high, *(s[1] for s in touching))
     return [rounded(a + low * along), rounded(a + high * along)]
+
+
+def find_faces(outlines: list[list[Point]], ends: list[Point]) -> list[list[Point]]:
+    """The sides of outlines that are faces of one wall, from one of its faces on: those in one line
+    that are joined, and those that look at them from the other side of the wall.
+
+    >>> outlines = [[[0, 0], [2, 0], [2, 2], [0, 2]], [[2.1, 0], [5, 0], [5, 2], [2.1, 2]]]
+    >>> find_faces(outlines, [[2, 0], [2, 2]])
+    [[[2.0, 0.0], [2.0, 2.0]], [[2.1, 2.0], [2.1, 0.0]]]
+    """
+    sides = [(a, b) for outline in outlines for a, b in edges_of(outline)]
+    found, new = list[list[Point]](), [prolong(outlines, ends)]
+    while new:
+        face = new.pop()
+        found.append(face)
+        behind = [[*map(rounded, side)] for side in sides if _is_behind(face, *side)]
+        for side in (prolong(outlines, one) for one in behind):
+            known = any(lies_on(end, one) for one in (*found, *new) for end in (middle_of(side),))
+            new += [] if known else [side]
+    return found
+
+
+def middle_of(ends: list[Point]) -> Point:
+    """The middle between two places."""
+    (ax, ay), (bx, by) = ends
+    return [(ax + bx) / 2, (ay + by) / 2]
+
+
+def _is_behind(face: list[Point], a: Any, b: Any) -> bool:
+    """Whether a side looks at a face from the other side of a wall, or lies on it the other way
+    round: it runs the other way, at most :data:`THICK` outside, and shares some of its length."""
+    start, end = np.array(face, float)
+    along, side = end - start, b - a
+    long, wide = float(np.hypot(*along)), float(np.hypot(*side))
+    if min(long, wide) < SAME or along @ side > -(1 - 1e-6) * long * wide:
+        return False
+    out = float((a - start) @ np.array([along[1], -along[0]])) / long
+    low, high = sorted((float((b - start) @ along) / long, float((a - start) @ along) / long))
+    return -SAME <= out <= THICK and min(high, long) - max(low, 0.0) > SHORTEST
 
 
 def lies_on(at: Point, points: list[Point]) -> bool:

@@ -21,6 +21,8 @@ from scenewright.studio.draft_geometry import (
     REACH,
     SAME,
     Point,
+    find_faces,
+    is_inner,
     lies_on,
     nearest_edge,
     on_level,
@@ -186,14 +188,17 @@ def _move(draft: Json, asked: Mapping[str, Any]) -> str:
     rows = [
         ("outline", row) for group in ("rooms", "zones") for row in on_level(draft, group, level)
     ]
+    outlines = [row["outline"] for _, row in rows]
+    walls = [points]
     if len(points) == 2:
-        points = prolong([row["outline"] for _, row in rows], points)
+        walls = find_faces(outlines, points) if is_inner(draft) else [prolong(outlines, points)]
     held = [
         (row, nearest_edge(draft, row["at"], level)) for row in on_level(draft, "openings", level)
     ]
     for key, row in [*rows, *(("line", row) for row in draft["streets"])]:
         row[key] = [
-            rounded((x + dx, y + dy)) if lies_on([x, y], points) else [x, y] for x, y in row[key]
+            rounded((x + dx, y + dy)) if any(lies_on([x, y], wall) for wall in walls) else [x, y]
+            for x, y in row[key]
         ]
     for row, edge in held:
         if edge.far <= REACH:
@@ -225,6 +230,8 @@ def _set(draft: Json, asked: Mapping[str, Any]) -> str:
     if key not in keys or key not in row:
         raise InputError(f"{key} of {asked.get('id')!r} cannot be set", "choose what is drawn")
     row[key] = keys[key](draft, row, value)
+    if key == "name":
+        row.pop("function", None)  # of a file that was drawn over: what the new name means holds
     named = f" of {row.get('name') or row['id']}" if row is not draft else ""
     return f"changed {key.replace('_', ' ')}{named}"
 

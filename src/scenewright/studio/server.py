@@ -248,13 +248,14 @@ def choose_language(header: str) -> str:
 
 
 async def _answer(request: Request, verb: Callable[..., Any], *given: Any) -> Response:
-    """What a verb answers, or its fault in one line."""
+    """What a verb answers, or its fault in one line: refused is an answer too, no failure of the
+    server, and browsers would log another status as an error of the page."""
     try:
         told = await run_in_threadpool(verb, *given)
         text = json.dumps(told, ensure_ascii=False, separators=(",", ":"), allow_nan=False)
         return reply(request, text.encode(), "application/json")
     except (InputError, CancelledError) as error:
-        return JSONResponse({"fault": str(error)}, 422)
+        return JSONResponse({"fault": str(error)}, headers={"cache-control": "no-store"})
 
 
 def _bring(session: Session, body: bytes, folder: Path, name: str) -> Json:

@@ -298,6 +298,11 @@ VERBS: Mapping[str, Verb] = {
         {"kind": {"enum": [*NOUNS], "description": "of scene; a home if left out"}},
         lambda session, asked: session.begin(str(asked.get("kind") or "home")),
     ),
+    "redraw": Verb(
+        "take a home or hall that was brought over into a drawing; what that cannot hold is listed",
+        {},
+        lambda session, _: session.redraw(),
+    ),
     "draw": Verb(
         f"change the drawn plan: {', '.join(ACTS)}",
         {

@@ -3,7 +3,9 @@ import { element, line, outline } from "/draw.js";
 import { t } from "/words.js";
 import { far, middle, nearestSide, shifted, sides } from "/snapping.js";
 
-const BUILT = ["home", "hall"];
+const BUILT = ["home", "hall"], HAIR = 1.5;
+// Outlines of what was drawn here are the middles of walls, those of a plan that was brought their faces.
+const isInner = (draft) => draft.kept?.outlines === "inner";
 
 // ``at`` holds what is shown: the draft, its storey, the frame, what is picked, moved and begun.
 export function drawSketch(svg, at) {
@@ -16,9 +18,9 @@ export function drawSketch(svg, at) {
   for (const room of draft.rooms) if (room.level === below?.id) element("path", { class: "below", d: outline([room.outline]) }, svg);
   const led = draft.stairs.filter((one) => one.level === below?.id);
   const built = BUILT.includes(draft.domain), rooms = on("rooms"), name = built ? "sketch" : "sketch plot";
-  if (built) for (const room of rooms) element("path", { class: name, d: outline([shifted(room, shift)]), "stroke-width": 2 * draft.outer_wall_thickness - draft.wall_thickness }, svg);
+  if (built) for (const room of rooms) element("path", { class: name, d: outline([shifted(room, shift)]), "stroke-width": 2 * draft.outer_wall_thickness - (isInner(draft) ? 0 : draft.wall_thickness) }, svg);
   for (const room of rooms) {
-    element("path", { class: room.id === picked ? `${name} on` : name, d: outline([shifted(room, shift)]), "stroke-width": built ? draft.wall_thickness : 3 * px, "data-id": room.id }, svg);
+    element("path", { class: room.id === picked ? `${name} on` : name, d: outline([shifted(room, shift)]), "stroke-width": !built ? 3 * px : isInner(draft) ? HAIR * px : draft.wall_thickness, "data-id": room.id }, svg);
   }
   for (const one of draft.streets) element("path", { class: one.id === picked ? "street on" : "street", d: line(shifted(one, shift)), "stroke-width": one.width, "data-id": one.id }, svg);
   for (const zone of on("zones")) element("path", { class: zone.id === picked ? "zone on" : "zone", d: outline([shifted(zone, shift)]), "data-id": zone.id }, svg);

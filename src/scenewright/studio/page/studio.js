@@ -52,7 +52,8 @@ function show() {
   $("adding").hidden = !(doc.levels ?? []).length; $("dress").hidden = doc.domain !== "home";
   $("arrange").disabled = $("breed").disabled = !(doc.levels ?? []).length || doc.running;
   for (const id of ["solid", "walk", "picture"]) $(id).disabled = !(doc.levels ?? []).length;
-  $("stop").hidden = !doc.running; $("share").hidden = !doc.running;
+  for (const id of ["stop", "share", "stage"]) $(id).hidden = !doc.running;
+  if (!doc.running) $("stage").textContent = "";
   $("levels").replaceChildren(...((doc.levels ?? []).length > 1 ? doc.levels : []).map((one) => {
     const tab = document.createElement("button");
     tab.textContent = one.name || one.id; tab.role = "tab"; tab.ariaSelected = one.id === level;
@@ -501,9 +502,18 @@ for (const button of $("pad").children) {
 $("draw").onclick = () => {
   if ($("draw").ariaPressed === "true") showPlan();
   else if (doc.draft) goDraw();
-  else $("kinds-of-plan").showModal();
+  else askKind();
 };
-$("new-plan").onclick = () => $("kinds-of-plan").showModal();
+function askKind() {
+  $("redraw").hidden = !doc.version || Boolean(doc.draft) || !["home", "hall"].includes(doc.domain);
+  $("kinds-of-plan").showModal();
+}
+$("redraw").onclick = async () => {
+  $("kinds-of-plan").close();
+  const said = await change("redraw");
+  if (!said.fault) goDraw();
+};
+$("new-plan").onclick = askKind;
 for (const button of document.querySelectorAll("[data-kind]")) button.onclick = async () => {
   $("kinds-of-plan").close();
   const said = await change("begin", { kind: button.dataset.kind });
@@ -556,6 +566,13 @@ function noteReady({ kind, first }) {
   $("ready").textContent = !kind ? "" : first ? t("compiling, once on this machine: the first search waits for it …") : t("getting ready …");
 }
 
+// What is done while something is arranged: the stage, its room, and why it changed.
+const STAGES = { search: t("searching"), fit: t("fitted"), routes: t("routes"), repair: t("mended"), settled: t("settled"), "left out": t("Left out") };
+function noteStage({ space, stage, reason }) {
+  const room = (doc.levels ?? []).flatMap((one) => one.spaces).find((one) => one.id === space);
+  $("stage").textContent = $("stage").title = [STAGES[stage], room?.name ?? space, reason].filter(Boolean).join(" · ");
+}
+
 const events = new EventSource("/events");
 events.onmessage = (message) => {
   const event = JSON.parse(message.data);
@@ -565,6 +582,7 @@ events.onmessage = (message) => {
   if (event.ready) noteReady(event.ready);
   if (event.photo !== undefined && !["rate", "view"].includes(document.body.dataset.right)) notePhoto(event.photo);
   if (event.fault || event.notice) say(event.fault ?? event.notice);
+  if (event.stage) noteStage(event);
   if (event.boxes) { streamed.set(event.space, event.boxes); if (doc.running) drawStreamed(); }
   if (event.share !== undefined) { $("share").value = event.share; $("share").title = event.what; noteShare(event.share); }
 };

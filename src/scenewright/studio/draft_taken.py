@@ -1,0 +1,163 @@
+"""A home or hall that was brought, taken over into a drawing: what :mod:`.draft_brief` means by it
+is that brief again, except for what is listed as lost.
+
+Its outlines stay what they were in the file, inner faces of walls or their middles. Of a row of the
+brief the drawing changes the keys it knows; all others are kept as they are.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+
+import numpy as np
+
+from scenewright.building.plan import plan_rooms
+from scenewright.core.brief import Brief, Door, Window
+from scenewright.core.errors import InputError
+from scenewright.studio.draft_geometry import MOST, SAME, Point, close_edge, rounded
+from scenewright.studio.drafting import GROUPS, STOREY, new_draft
+from scenewright.studio.shapes import Json
+from scenewright.studio.wishing import FORMS
+
+TAKEN = ("home", "hall")
+"""Kinds of scene that can be drawn over."""
+DRAWN = frozenset({"format", "version", "rooms", "levels", "stairs"})
+"""Keys of a brief that the drawing has rows of, or itself."""
+LOST = {
+    "walls": "walls that are drawn for themselves: walls follow the rooms now",
+    "source_file": "the file it came from: results cannot be written back into that",
+}
+"""Keys of a brief that a drawing cannot hold, and how that is told."""
+LEAF = {key: Door.model_fields[key].default for key in ("width", "hinge", "swing")}
+PANE = {key: Window.model_fields[key].default for key in ("width", "sill")}
+OPENINGS = {"door": LEAF, "passage": {"width": LEAF["width"]}, "window": PANE}
+"""What openings are that do not say."""
+
+
+def draft_of(brief: Brief) -> Json:
+    """The drawing of a brief of rooms, ``lost`` with what it cannot hold, by name. InputError for
+    another brief, and for a hall of several storeys.
+
+    >>> from scenewright.formats import read
+    >>> draft = draft_of(read("sample:home-room"))
+    >>> [room["name"] for room in draft["rooms"]], [one["kind"] for one in draft["openings"]]
+    (['Room'], ['door', 'window'])
+    """
+    document: Json = json.loads(brief.model_dump_json(exclude_unset=True))
+    if brief.domain not in TAKEN:
+        raise InputError(f"a {brief.domain} that was brought cannot be drawn over", "begin a plan")
+    if len(brief.rooms) > MOST:
+        raise InputError(f"more than {MOST} rooms cannot be drawn over", "bring its file changed")
+    levels = [*_levels(document.get("levels", []))]
+    if brief.domain == "hall" and len(levels) > 1:
+        raise InputError("a hall of several storeys cannot be drawn over", "bring its file changed")
+    plan = plan_rooms(brief)
+    draft = new_draft(brief.domain, brief.name) | {"levels": levels, "style": brief.style}
+    draft |= {key: getattr(brief, key) for key in ("wall_thickness", "outer_wall_thickness")}
+    draft["kept"] = {
+        key: value for key, value in document.items() if key not in {*DRAWN, *LOST, *draft}
+    }
+    draft["kept"]["outlines"] = brief.outlines
+    draft["lost"] = [text for key, text in LOST.items() if document.get(key)]
+    for room, space in zip(document["rooms"], plan.spaces, strict=True):
+        _take_room(draft, {**room, "id": space.id, "level": room.get("level") or levels[0]["id"]})
+    for row in document.get("stairs", []):
+        _put(draft, "stairs", {"width": 0.9, "shape": "straight", "turn": "left", **row})
+    return draft
+
+
+def _levels(rows: list[Json]) -> Iterator[Json]:
+    """Storeys, each with the thickness of what lies above it; the first with its elevation."""
+    rows = rows or [{"id": "level-1"}]
+    for row, above in zip(rows, [*rows[1:], None], strict=True):
+        one = {"name": "", "height": STOREY, **row}
+        if above is not None:
+            far = above.get("elevation", 0.0) - one.get("elevation", 0.0)
+            one["slab"] = round(far - one["height"], 4)
+        yield one
+
+
+def _take_room(draft: Json, room: Json) -> None:
+    """Put a room with its openings, columns and zones into a drawing."""
+    form = FORMS[draft["domain"]]
+    outline = [rounded(point) for point in room.pop("outline")]
+    name = room.pop("name", "") or room["id"]
+    holes, zones = room.pop("holes", []), room.pop("zones", [])
+    openings = [(one, _kind(one)) for one in room.pop("doors", [])]
+    openings += [(one, "window") for one in room.pop("windows", [])]
+    asked = {key: room.pop(key) for key in (form.rows, *form.keys) if room.get(key)}
+    turned = _is_clockwise(outline)
+    if turned and ("slopes" in room or "main_wall" in room):
+        _turn_edges(room, len(outline))
+    outline = outline[::-1] if turned else outline
+    row = _put(draft, "rooms", {**room, "name": name, "outline": outline})
+    row |= {"asked": asked} if asked else {}
+    for one, kind in openings:
+        at = close_edge(outline, one["at"])
+        _put(
+            draft,
+            "openings",
+            {**OPENINGS[kind], **one, "kind": kind, "at": at, "level": row["level"]},
+        )
+    for hole in holes:
+        _take_hole(draft, row, hole)
+    for zone in zones:
+        _take_zone(draft, row, zone)
+
+
+def _take_zone(draft: Json, room: Json, zone: Json) -> None:
+    """A zone with an outline is drawn; one whose place is proposed stays so."""
+    if "outline" in zone:
+        outline = [rounded(point) for point in zone["outline"]]
+        outline = outline[::-1] if _is_clockwise(outline) else outline
+        more = {"name": zone.get("name") or zone["id"], "level": room["level"]}
+        new = _put(draft, "zones", {**zone, **more, "outline": outline})
+        if new["id"] != zone["id"]:
+            draft["lost"].append(f"links of {zone['id']}: two zones have this id")
+    else:
+        room.setdefault("proposed", []).append(zone)
+
+
+def _take_hole(draft: Json, room: Json, hole: list[Point]) -> None:
+    """A square hole along the axes is a column that can be moved; another one stays in its room."""
+    corners = np.array(hole, float)
+    low, high = corners.min(axis=0), corners.max(axis=0)
+    wide, deep = high - low
+    square = len(hole) == 4 and abs(wide - deep) < 1e-3
+    if square and bool(np.all(np.minimum(abs(corners - low), abs(high - corners)) < SAME)):
+        at, size = rounded((low + high) / 2), round(float(wide), 4)
+        _put(draft, "columns", {"at": at, "size": size, "level": room["level"]})
+        return
+    room.setdefault("holes", []).append(hole)
+    told = f"a column of {room['name']} that is no square along the axes: it stays where it is"
+    draft["lost"] += [told] if told not in draft["lost"] else []
+
+
+def _put(draft: Json, group: str, row: Json) -> Json:
+    """Add a row with an id that nothing drawn has, and a storey."""
+    taken = {one["id"] for key in ("levels", *GROUPS) for one in draft[key]}
+    noun = row.get("kind") or group.removesuffix("s")
+    wanted = row.get("id") or f"{noun}-1"
+    names = (wanted, *(f"{noun}-{n}" for n in range(1, len(taken) + 2)))
+    new = {**row, "id": next(name for name in names if name not in taken)}
+    new["level"] = row.get("level") or draft["levels"][0]["id"]
+    draft[group].append(new)
+    return new
+
+
+def _kind(door: Json) -> str:
+    return "passage" if door.get("swing") == "none" else "door"
+
+
+def _is_clockwise(outline: list[Point]) -> bool:
+    x, y = np.transpose(outline)
+    return float(np.sum(x * np.roll(y, -1) - y * np.roll(x, -1))) < 0
+
+
+def _turn_edges(room: Json, sides: int) -> None:
+    """Name edges of an outline of so many sides by their numbers once it is turned round."""
+    if room.get("main_wall") is not None:
+        room["main_wall"] = (sides - 2 - room["main_wall"]) % sides
+    for slope in room.get("slopes", []):
+        slope["edge"] = (sides - 2 - slope["edge"]) % sides
