@@ -124,8 +124,7 @@ def solve(
         )
         for task, w, b in zip(tasks, wishes, work, strict=True)
     ]
-    heard = [task._replace(watch=watch, passes=passes) for task in tasks]
-    turned = [vary_task(task, variant) for task in heard]
+    turned = [vary_task(task._replace(watch=watch, passes=passes), variant) for task in tasks]
     shared = None if progress is None else SharedProgress(progress, [*work, LAST * sum(work)])
     answers = _run(turned, wishes, budgets, pool, shared)
     floors = join_floors(rooms, brief.route_width) if chosen.settings.exact else ()
