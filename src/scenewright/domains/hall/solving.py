@@ -21,7 +21,7 @@ from scenewright.building.standing import fixed_pieces, reaching_in
 from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief
 from scenewright.core.catalog import Catalog
-from scenewright.core.layout import FIT, ROUTES, SETTLED, BestLayout, Watch
+from scenewright.core.layout import SETTLED, BestLayout, Watch
 from scenewright.core.passes import ALL_PASSES, PassOptions
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
@@ -47,13 +47,7 @@ from scenewright.domains.hall.furnishing.varied import vary_halls
 from scenewright.domains.hall.gates.boarding import set_at_doors
 from scenewright.domains.hall.gates.leaves import with_leaves
 from scenewright.domains.hall.presets import PRESETS, HallPreset, count_steps
-from scenewright.domains.hall.search import (
-    HallSearch,
-    may_retry,
-    name_objects,
-    search_layout,
-    show_found,
-)
+from scenewright.domains.hall.search import HallSearch, may_retry, name_objects, search_layout
 from scenewright.domains.hall.settings import USUAL_ZONING, ZoningSettings
 from scenewright.domains.hall.shortfall.measures import (
     falls_short,
@@ -367,14 +361,8 @@ def _lay(
     given_up, crowding = frozenset[int](), frozenset[int]()
     shifts: tuple[tuple[str, float], ...] = ()
     if may_retry(search) and not (cancel is not None and cancel()):
-        before = found
         fitted, found, given_up, crowding = drop_unreached(search, fitted, found)
-        show_found(
-            search, fitted, before, found, ROUTES, "stands elsewhere, or less: ways are open"
-        )
-        before = found
         hall, fitted, found, shifts = move_borders(search, fitted, found, slack, progress, cancel)
-        show_found(search, fitted, before, found, FIT, "borders of zones moved")
     missing = left_out(hall, wishes, fitted.units, given_up, crowding)
     best = found.layouts[0]
     if may_retry(search):

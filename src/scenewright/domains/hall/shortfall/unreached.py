@@ -9,10 +9,17 @@ from typing import NamedTuple
 
 import numpy as np
 
+from scenewright.core.layout import ROUTES
 from scenewright.domains.hall.build_problem import build_problem
 from scenewright.domains.hall.fit import Fitted
 from scenewright.domains.hall.problem import Ints
-from scenewright.domains.hall.search import HallSearch, measure_wrong, search_layout, weigh_wrong
+from scenewright.domains.hall.search import (
+    HallSearch,
+    measure_wrong,
+    search_layout,
+    show_found,
+    weigh_wrong,
+)
 from scenewright.domains.hall.seats.seat_audiences import seat_found
 from scenewright.domains.hall.solvers.chains import first_layout
 from scenewright.domains.hall.solvers.outcome import HallFound, measure_layout
@@ -39,7 +46,7 @@ def drop_unreached(search: HallSearch, fitted: Fitted, found: HallFound) -> Reac
     """Solve again, elsewhere first and then without some of what the route misses, until it misses
     nothing and no passage is too narrow, or nothing is left to give up. What cannot be solved
     without is kept, for the referee to find."""
-    given_up, crowding = frozenset[int](), frozenset[int]()
+    given_up, crowding, begun = frozenset[int](), frozenset[int](), found
     if measure_wrong(found.layouts[0]) > NOTHING:
         fitted, found = seat_found(search, fitted, found)
     fitted, found = try_elsewhere(search, fitted, found, True)
@@ -63,6 +70,7 @@ def drop_unreached(search: HallSearch, fitted: Fitted, found: HallFound) -> Reac
         found = found._replace(evaluations=found.evaluations + seen)
         fitted, found = try_elsewhere(search, fitted, found, False)
         given_up |= dropped
+    show_found(search, fitted, begun, found, ROUTES, "stands elsewhere, or less: ways are open")
     return Reached(fitted, found, given_up & whole, crowding & whole)
 
 

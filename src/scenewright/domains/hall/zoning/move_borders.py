@@ -14,6 +14,7 @@ import numpy as np
 
 from scenewright.arranging.verdict import better
 from scenewright.core.brief import Room
+from scenewright.core.layout import FIT
 from scenewright.domains.hall.build_problem import (
     HallContext,
     build_problem,
@@ -24,7 +25,14 @@ from scenewright.domains.hall.build_problem import (
 from scenewright.domains.hall.fit import Fitted
 from scenewright.domains.hall.patterns import WALL
 from scenewright.domains.hall.problem import Floats, Ints
-from scenewright.domains.hall.search import Cancel, HallSearch, Progress, may_retry, take_share
+from scenewright.domains.hall.search import (
+    Cancel,
+    HallSearch,
+    Progress,
+    may_retry,
+    show_found,
+    take_share,
+)
 from scenewright.domains.hall.solvers.chains import begin_chain, cooled_hall, layout_of
 from scenewright.domains.hall.solvers.outcome import HallFound, verdict_on
 from scenewright.domains.hall.terms.state import Kept
@@ -98,6 +106,7 @@ def move_borders(
         moved = _shift(search, now, line, slack)
         moved = moved and _anneal(search, moved, search.seed + turn, cancel)
         if moved is not None and _gains(moved, now, rule.gain):
+            show_found(search, moved.fitted, now.found, moved.found, FIT, "a border of zones moved")
             now = moved
             if progress is not None:
                 name, metres = now.shifts[-1]
