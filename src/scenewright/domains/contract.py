@@ -43,6 +43,7 @@ Verb = Literal[
     "compare",
     "describe",
     "schemes",
+    "planting",
     "adjust",
     "editing",
     "locked",

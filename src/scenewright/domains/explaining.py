@@ -17,10 +17,11 @@ from scenewright.domains.terrain import describe_ground
 def explain_solution(solution: Solution, plan: Plan) -> Explanation:
     """The explanation of a solution: what was decided, what was not placed, what it gives up."""
     domain: Domain = domain_of(solution.brief.domain)
+    planted = domain.verb("planting")(solution, plan) if domain.has("planting") else ""
     told = domain.verb("programme") if domain.has("programme") else _count_pieces
     return Explanation(
         solution.brief.name,
-        str(told(solution, plan)) + describe_ground(solution, plan),
+        str(told(solution, plan)) + describe_ground(solution, plan) + planted,
         advise(solution, plan.names),
         _list_remarks(solution, plan, domain),
         domain.verb("ledger")(solution, plan) if domain.has("ledger") else (),

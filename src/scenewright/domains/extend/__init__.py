@@ -38,6 +38,7 @@ DOMAIN = Domain(
         "matrix_breeder": ".matrix_breeding:make_matrix_breeder",
         "plots": ".works:plots_of_extension",
         "schemes": ".uses:measure_schemes",
+        "planting": ".planting:describe_planting",
         "detail_document": ".record:detail_document",
         "detail_of": ".record:detail_of",
     },

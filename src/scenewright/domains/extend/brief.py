@@ -29,6 +29,7 @@ from scenewright.core.brief.terrain import TerrainBrief
 from scenewright.core.brief.uses import UseName, UseWish
 
 RoofName = Literal["gabled", "hipped", "flat"]
+Spots = Annotated[list[Point], Field(max_length=20_000, exclude_if=not_)]
 Span = Annotated[Number, Field(gt=0, le=BUILDING)]
 
 
@@ -63,13 +64,16 @@ class SourceScene(StrictModel):
     scene of models, .glb or a folder of such, ``scale`` metres a unit), or drawn ``buildings`` and
     ``roads``. ``outline`` is its ground (left out: what lies about its buildings). Of several, each
     is followed in its ``share``. ``stands`` says whether it stands where it is drawn and is
-    continued from there (left out: if it lies beside an area)."""
+    continued from there (left out: if it lies beside an area). ``trees`` and street ``lamps`` are
+    points."""
 
     name: Annotated[str, Field(max_length=80)] = ""
     path: PathText | None = None
     scale: Annotated[Number, Field(gt=0, le=1e4)] = 1.0
     buildings: Annotated[list[SourceBuilding], Field(max_length=5000)] = []
     roads: Annotated[list[StreetLine], Field(max_length=2000)] = []
+    trees: Spots = []
+    lamps: Spots = []
     outline: Outline | None = None
     share: Annotated[Number, Field(gt=0, le=1e6)] = 1.0
     stands: Switch | None = None

@@ -96,7 +96,12 @@ def _source(row: SourceScene, number: int, origin: tuple[float, float] | None) -
     except InputError as error:
         raise error.located(place=place) from None
     roads = (*scene.roads, *(_road(one, place) for one in row.roads)) if row.path else scene.roads
-    scene = scene._replace(name=row.name or scene.name, roads=roads)
+    scene = scene._replace(
+        name=row.name or scene.name,
+        roads=roads,
+        trees=(*scene.trees, *row.trees),
+        lamps=(*scene.lamps, *row.lamps),
+    )
     if row.outline is not None:
         floor = shapes.ground(row.outline, [])
         scene = scene._replace(outline=rings(floor)[0])

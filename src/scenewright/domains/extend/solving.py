@@ -35,6 +35,7 @@ from scenewright.domains.extend.models import (
     with_source_models,
 )
 from scenewright.domains.extend.plan import plan_extend
+from scenewright.domains.extend.planting import plant_extension
 from scenewright.domains.extend.presets import PRESETS
 from scenewright.domains.extend.problem import ExtendProblem, GrownLayout
 from scenewright.domains.extend.reasons import reasons
@@ -188,7 +189,8 @@ def assemble_solution(
     if solver in COMPOSED:
         counted = {area.id for area in plan.areas if area.row.count is not None}
         fronted = front_pieces(plan.ground, pieces, counted)
-        pieces, lacking = dress_extension(plan, fronted)
+        dressed, lacking = dress_extension(plan, fronted)
+        pieces = (*dressed, *plant_extension(plan, dressed, catalog, seed))
     return Solution(
         brief=with_source_models(brief, plan),
         pieces=pieces,

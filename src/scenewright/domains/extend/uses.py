@@ -15,6 +15,7 @@ from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
 from scenewright.core.solution import LeftOut, Solution
 from scenewright.domains.extend.areas import OLD, ExtendPlan
+from scenewright.domains.extend.planting import measure_planting
 from scenewright.ground.buildings.dressing import ShopGround, dress, find_shop_fronts
 from scenewright.ground.buildings.use_figures import measure_uses
 from scenewright.ground.buildings.use_wishes import (
@@ -81,7 +82,8 @@ def _convert(
 
 
 def measure_schemes(solution: Solution, plan: Plan) -> dict[str, dict[str, Any]]:
-    """The figures of uses of each area of a solution, by its id."""
+    """The figures of uses, trees and lamps of each area of a solution, by its id."""
     rows = {one.id: [p for p in solution.pieces if p.space == one.id] for one in plan.detail.areas}
     areas = {one.id: float(one.outline.area) for one in plan.detail.areas}
-    return {name: measure_uses(rows[name], areas[name]) for name in rows}
+    green = measure_planting(plan.detail, solution.pieces)
+    return {name: measure_uses(rows[name], areas[name]) | green[name] for name in rows}

@@ -61,7 +61,7 @@ def sound_buildings(pieces: Sequence[Piece]) -> list[Piece]:
 def plots_of_extension(solution: Solution, plan: Plan) -> tuple[Plot, ...]:
     """The plots of the buildings in all areas, shared with what stands beside them; none of it is
     street."""
-    new = {piece.id for piece in solution.pieces if piece.space != OLD}
+    new = {piece.id for piece in sound_buildings(solution.pieces) if piece.space != OLD}
     return tuple(row for row in _lay_all_plots(solution, plan) if row.house in new)
 
 

@@ -13,25 +13,34 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from scenewright.core.catalog import Asset, Catalog
+from scenewright.core.catalog import Catalog
 from scenewright.core.layout import corners
-from scenewright.core.scene import Piece, Pose, Size
+from scenewright.core.scene import Piece
 from scenewright.domains.site.problem import Floats
 from scenewright.ground.plan import SitePlan, Way
+from scenewright.ground.planting.pieces import lamp_piece, tree_piece
+from scenewright.ground.planting.places import (
+    AVENUE,
+    FROM_WAYS,
+    VERGE,
+    drop_near,
+    keep_apart,
+    points_beside,
+    shake_grid,
+    turn_to_road,
+)
 from scenewright.ground.ways.surfaces import kerb
 from scenewright.ground.works import GREEN, GroundWorks, middle_lines
 
 TREES = 900
 """Most trees of a site."""
-AVENUE, VERGE = 10.0, 1.6
-"""Distance of the trees of a street, and of their stems from its edge, in metres."""
 GROVE = 6.5
 """Side of the squares that hold at most one tree of a grove, in metres."""
 LAMPS, LAMP_IN = 28.0, 0.45
 """Distance of the lamps of a street, and how far inside its edge they stand, in metres."""
 RIM = 4.0
 """How far inside the edge of a square its trees stand, in metres."""
-FROM_BUILDINGS, FROM_WAYS, FROM_WALKS, FROM_BORDER = 4.6, 1.4, 1.3, 2.5
+FROM_BUILDINGS, FROM_WALKS, FROM_BORDER = 4.6, 1.3, 2.5
 SCALES = (0.75, 0.88, 1.0, 1.15)
 """Sizes of trees, few so that files can share their meshes."""
 
@@ -62,13 +71,15 @@ def green(
     beside = beside[:: max(1, len(beside) // (8 * TREES))]
     around = _clear(_rim_of_squares(works), ground._replace(walks=shapely.STRtree(ways)), False)
     rows = np.vstack([around, _clear(beside, ground)])
-    rows = _apart(rows, 0.55 * AVENUE)[: 2 * TREES // 3]
+    rows = keep_apart(rows, 0.55 * AVENUE)[: 2 * TREES // 3]
     groves = _groves(plan, ground, rows, rng)[: TREES - len(rows)]
     species = np.concatenate([np.zeros(len(rows)), _waves(groves, 55.0, rng) < -0.35])
     sizes = rng.integers(len(SCALES), size=len(rows) + len(groves))
     sizes[: len(rows)] = 2
     trees = [
-        _tree(f"{plan.id}/tree_{k}", plan, kinds[int(kind) % len(kinds)], at, SCALES[size], rng)
+        tree_piece(
+            f"{plan.id}/tree_{k}", plan.id, kinds[int(kind) % len(kinds)], at, SCALES[size], rng
+        )
         for k, (at, kind, size) in enumerate(
             zip(np.vstack([rows, groves]), species, sizes, strict=True), 1
         )
@@ -122,47 +133,29 @@ def _clear(points: Floats, ground: GreenGround, border: bool = True) -> Floats:
         (ground.ways, FROM_WAYS),
         (ground.walks, FROM_WALKS),
     ):
-        near = tree.query(shapely.points(points), predicate="dwithin", distance=distance)[0]
-        points = np.delete(points, np.unique(near), axis=0)
+        points = drop_near(points, tree, distance)
     return points
 
 
 def _avenue(way: Way) -> Floats:
     """Places of trees on both sides of a way."""
     at = [
-        _beside(line, side * (way.width / 2 + VERGE), AVENUE, AVENUE / 2)[:, :2]
+        points_beside(line, side * (way.width / 2 + VERGE), AVENUE, AVENUE / 2)[:, :2]
         for line in way.inside
         for side in (1, -1)
     ]
     return np.concatenate([np.zeros((0, 2)), *at])
 
 
-def _beside(line: Floats, off: float, step: float, start: float) -> Floats:
-    """Points ``(n, 3)`` every ``step`` metres along a line, ``off`` metres to its left, and the
-    direction of the line there."""
-    length = np.hypot(*np.diff(line, axis=0).T)
-    along = np.concatenate([[0.0], np.cumsum(length)])
-    at = np.arange(start, along[-1], step)
-    piece = np.clip(np.searchsorted(along, at, side="right") - 1, 0, len(length) - 1)
-    ways = np.diff(line, axis=0)[piece] / length[piece, None]
-    points = line[piece] + ways * (at - along[piece])[:, None]
-    left = np.stack([-ways[:, 1], ways[:, 0]], 1)
-    return np.column_stack([points + off * left, np.arctan2(ways[:, 1], ways[:, 0])])
-
-
 def _groves(plan: SitePlan, ground: GreenGround, rows: Floats, rng: np.random.Generator) -> Floats:
     """Points of a shaken grid where a slow wave is high: groves, and lawns between them."""
     low, high = plan.outline.min(0), plan.outline.max(0)
     step = max(GROVE, math.sqrt(0.5 * plan.area / TREES))
-    grid = np.stack(np.meshgrid(*(np.arange(a, b, step) for a, b in zip(low, high, strict=True))))
-    points = grid.reshape(2, -1).T + rng.uniform(-0.35, 0.35, (grid[0].size, 2)) * step
+    points = shake_grid(low, high, step, rng)
     points = points[_waves(points, 38.0, rng) > 0.1]
     points = _clear(points, ground)
     if len(rows) and len(points):
-        near = shapely.STRtree(shapely.points(rows)).query(
-            shapely.points(points), predicate="dwithin", distance=0.7 * AVENUE
-        )[0]
-        points = np.delete(points, np.unique(near), axis=0)
+        points = drop_near(points, shapely.STRtree(shapely.points(rows)), 0.7 * AVENUE)
     return points[rng.permutation(len(points))]
 
 
@@ -173,48 +166,11 @@ def _waves(points: Floats, long: float, rng: np.random.Generator) -> Floats:
     return np.asarray(np.cos(points @ (ways * np.linspace(0.6, 1.5, 5)) + shift).sum(1) / 2.0)
 
 
-def _apart(points: Floats, distance: float) -> Floats:
-    """Points without those nearer than ``distance`` to one before them."""
-    if not len(points):
-        return points
-    made = shapely.points(points)
-    first, second = shapely.STRtree(made).query(made, predicate="dwithin", distance=distance)
-    gone: set[int] = set()
-    for a, b in sorted(zip(first.tolist(), second.tolist(), strict=True)):
-        if a < b and a not in gone:
-            gone.add(b)
-    return np.delete(points, sorted(gone), axis=0)
-
-
-def _tree(
-    name: str, plan: SitePlan, asset: Asset, at: Floats, scale: float, rng: np.random.Generator
-) -> Piece:
-    return Piece(
-        id=name,
-        category="tree",
-        asset=asset.id,
-        space=plan.id,
-        pose=Pose(float(at[0]), float(at[1]), 0.0, float(rng.uniform(-math.pi, math.pi))),
-        size=Size(*(side * scale for side in asset.usual)),
-        group=f"{plan.id}/green",
-        function="tree",
-    )
-
-
 def _lamps(plan: SitePlan, catalog: Catalog) -> Iterator[Piece]:
     """Lamps on the pavements, their arms over the road."""
     assets = catalog.of("lamp_post")
-    for count, (x, y, heading) in enumerate(_lamp_spots(plan)[:TREES] if assets else (), 1):
-        yield Piece(
-            id=f"{plan.id}/lamp_{count}",
-            category="lamp_post",
-            asset=assets[0].id,
-            space=plan.id,
-            pose=Pose(x, y, 0.0, heading),
-            size=assets[0].usual,
-            group=f"{plan.id}/green",
-            function="lamp",
-        )
+    for count, at in enumerate(_lamp_spots(plan)[:TREES] if assets else (), 1):
+        yield lamp_piece(f"{plan.id}/lamp_{count}", plan.id, assets[0], at)
 
 
 def _lamp_spots(plan: SitePlan) -> list[tuple[float, float, float]]:
@@ -225,8 +181,8 @@ def _lamp_spots(plan: SitePlan) -> list[tuple[float, float, float]]:
             continue
         for line in way.inside:
             for side, start in ((1, LAMPS / 4), (-1, 3 * LAMPS / 4)):
-                at = _beside(line, side * (way.width / 2 - LAMP_IN), LAMPS, start)
-                at[:, 2] = (at[:, 2] - side * math.pi / 2 + math.pi) % (2 * math.pi) - math.pi
+                at = points_beside(line, side * (way.width / 2 - LAMP_IN), LAMPS, start)
+                at[:, 2] = turn_to_road(at[:, 2], side)
                 found.append(at)
                 owners.append(np.full(len(at), number))
     spots, owner = np.concatenate(found), np.concatenate(owners)

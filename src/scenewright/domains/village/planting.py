@@ -12,18 +12,19 @@ import numpy as np
 import shapely
 
 from scenewright.catalog.assets import shipped
-from scenewright.core.catalog import Asset
 from scenewright.core.piece_outlines import polygons_of
-from scenewright.core.scene import Piece, Pose, Size
+from scenewright.core.scene import Piece
 from scenewright.core.solution import Patch
 from scenewright.core.space import Points
 from scenewright.domains.village.blocks import BlockPlan
 from scenewright.domains.village.walks import walk_ground
+from scenewright.ground.planting.pieces import tree_piece
+from scenewright.ground.planting.places import FROM_HOUSES, FROM_WAYS, drop_near, shake_grid
 from scenewright.ground.ways.door_walks import lay_walks_to_doors
 
 GROVE = 6.0
 """Side of the squares that hold at most one tree, in metres."""
-FROM_HOUSES, FROM_WALKS, FROM_BORDER, FROM_SQUARES = 3.2, 1.4, 1.6, 1.5
+FROM_BORDER, FROM_SQUARES = 1.6, 1.5
 TALL = (0.42, 0.5, 0.58, 0.66)
 """Sizes of fruit trees as shares of the usual tree, few so that files can share their meshes."""
 SQUARE_TREE = 0.85
@@ -47,7 +48,7 @@ def plant(
     spots = [(at, TALL[k], int(other)) for at, k, other in zip(points, sizes, species, strict=True)]
     spots += [(np.array([p.x, p.y]), SQUARE_TREE, 0) for p in squares]
     return tuple(
-        _tree(f"{plan.id}/tree_{k}", plan.id, kinds[other % len(kinds)], at, scale, rng)
+        tree_piece(f"{plan.id}/tree_{k}", plan.id, kinds[other % len(kinds)], at, scale, rng)
         for k, (at, scale, other) in enumerate(spots, 1)
     )
 
@@ -56,9 +57,7 @@ def _spots(plan: BlockPlan, houses: Sequence[Piece], rng: np.random.Generator) -
     """Points (k, 2) of a shaken grid in the gardens, denser here and there."""
     low, high = plan.outline.min(0), plan.outline.max(0)
     step = max(GROVE, math.sqrt(plan.area / (2 * MOST)))
-    axes = (np.arange(a + step / 2, b, step) for a, b in zip(low, high, strict=True))
-    grid = np.stack(np.meshgrid(*axes), -1).reshape(-1, 2)
-    grid = grid + rng.uniform(-0.35, 0.35, grid.shape) * step
+    grid = shake_grid(low + step / 2, high, step, rng)
     angle, shift = rng.uniform(0, 2 * math.pi, (2, 4))
     ways = np.stack([np.cos(angle), np.sin(angle)]) * 2 * math.pi / 45.0
     dense = np.cos(grid @ ways + shift).sum(1) / 2.0
@@ -69,27 +68,8 @@ def _spots(plan: BlockPlan, houses: Sequence[Piece], rng: np.random.Generator) -
     lanes = shapely.get_parts(plan.lanes)
     for shapes, distance in (
         (polygons_of(houses), FROM_HOUSES),
-        (np.array(lines), FROM_WALKS),
-        (lanes, FROM_WALKS),
+        (np.array(lines), FROM_WAYS),
+        (lanes, FROM_WAYS),
     ):
-        if len(shapes) and len(grid):
-            near = shapely.STRtree(shapes).query(
-                shapely.points(grid), predicate="dwithin", distance=distance
-            )[0]
-            grid = np.delete(grid, np.unique(near), axis=0)
+        grid = drop_near(grid, shapely.STRtree(shapes), distance)
     return grid
-
-
-def _tree(
-    name: str, block: str, asset: Asset, at: Points, scale: float, rng: np.random.Generator
-) -> Piece:
-    return Piece(
-        id=name,
-        category="tree",
-        asset=asset.id,
-        space=block,
-        pose=Pose(float(at[0]), float(at[1]), 0.0, float(rng.uniform(-math.pi, math.pi))),
-        size=Size(*(side * scale for side in asset.usual)),
-        group=f"{block}/green",
-        function="tree",
-    )

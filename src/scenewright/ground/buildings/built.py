@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from scenewright.core.space import Points
 
 Floats = NDArray[np.float64]
+Spot = tuple[float, float]
 QUARTER = np.pi / 2
 SCATTERED = 12.0
 """Times the ground of its parts that the hull of a scene is where these are places apart."""
@@ -48,8 +49,8 @@ class BuiltRoad(NamedTuple):
 class BuiltScene(NamedTuple):
     """What is built: buildings, streets, the ``outline`` (n, 2) of its ground (``None``: not
     known), what was left out with the reason, the longitude and latitude of (0, 0) if known, the
-    ``catalog``, a path to the models that its buildings name, and ``context``: buildings around
-    that are neighbours, but not of the scene."""
+    ``catalog``, a path to the models that its buildings name, ``context``: buildings around
+    that are neighbours, but not of the scene; and where trees and street lamps stand."""
 
     name: str
     buildings: tuple[BuiltBuilding, ...]
@@ -59,6 +60,8 @@ class BuiltScene(NamedTuple):
     origin: tuple[float, float] | None = None
     catalog: str = ""
     context: tuple[BuiltBuilding, ...] = ()
+    trees: tuple[Spot, ...] = ()
+    lamps: tuple[Spot, ...] = ()
 
 
 class BuiltFrames(NamedTuple):

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scenewright.building.outlines import ring, signed_area
+from scenewright.core.scene import Piece
 from scenewright.core.space import Points
 from scenewright.ground.plan import Way
 
@@ -77,6 +78,25 @@ def add_roads(ways: Sequence[Way], objects: dict[str, Any], vertices: Vertices) 
         if areas:
             attributes = {"name": way.name or way.id, "class": way.kind, "width": way.width}
             objects[free_key(way.id, objects)] = flat_object("Road", areas, attributes, vertices)
+
+
+PLANTED = {"tree": ("SolitaryVegetationObject", "tree"), "lamp_post": ("CityFurniture", "lamp")}
+"""Kinds of objects and classes of what is planted or lit, by category."""
+
+
+def add_planted(
+    pieces: Sequence[Piece], old: str, objects: dict[str, Any], vertices: Vertices
+) -> None:
+    """Add trees and street lamps as points, ``new`` where they are not of the ``old`` space."""
+    for piece in (p for p in pieces if p.category in PLANTED):
+        kind, word = PLANTED[piece.category]
+        x, y = (round(value / SCALE) for value in piece.pose[:2])
+        points = [add_vertex((x, y, 0), vertices)]
+        objects[free_key(piece.id, objects)] = {
+            "type": kind,
+            "attributes": {"class": word, "height": piece.size.height, "new": piece.space != old},
+            "geometry": [{"type": "MultiPoint", "lod": "1", "boundaries": points}],
+        }
 
 
 def free_key(wish: str, taken: dict[str, Any]) -> str:

@@ -5,7 +5,10 @@ from __future__ import annotations
 
 import json
 import os
+from collections.abc import Iterator, Sequence
 from typing import Any
+
+import numpy as np
 
 from scenewright.core.atomic_file import write_atomically
 from scenewright.core.brief import Brief
@@ -38,6 +41,19 @@ def write_way(way: Way, map_: Projection, **more: str) -> dict[str, Any]:
     kind = "residential" if way.kind == "road" else "footway"
     tags = {"highway": kind, "name": way.name, "width": way.width, **more}
     return write_feature(way.id, "LineString", write_points(way.line, map_), tags)
+
+
+PLANTED = {"tree": {"natural": "tree"}, "lamp_post": {"highway": "street_lamp"}}
+"""Tags of OpenStreetMap for what is planted or lit, by category."""
+
+
+def write_planted(pieces: Sequence[Piece], old: str, map_: Projection) -> Iterator[dict[str, Any]]:
+    """Trees and street lamps as points, ``new`` where they are not of the ``old`` space."""
+    for piece in (p for p in pieces if p.category in PLANTED):
+        [at] = write_points(np.array([piece.pose[:2]]), map_)
+        tags = {**PLANTED[piece.category], "height": round(piece.size.height, 3)}
+        tags["new"] = "" if piece.space == old else "yes"
+        yield write_feature(piece.id, "Point", at, tags)
 
 
 def write_building(piece: Piece, storey: float, map_: Projection, **more: str) -> dict[str, Any]:

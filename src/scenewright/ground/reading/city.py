@@ -18,6 +18,7 @@ from scenewright.core.errors import InputError
 from scenewright.ground.buildings.built import BuiltBuilding, BuiltRoad, BuiltScene
 from scenewright.ground.outlines import GRID
 from scenewright.ground.reading.cleaning import clean_outline, drop_overlaps
+from scenewright.ground.reading.planted_city import planted_city
 from scenewright.ground.reading.road_areas import NARROW, pieces
 
 
@@ -41,12 +42,15 @@ def city_scene(document: dict[str, Any], path: Path) -> BuiltScene:
         else:
             found.append(built)
     kept, overlapping = drop_overlaps(found)
+    planted = planted_city(city)
     return BuiltScene(
         path.stem.removesuffix(".city"),
         kept,
         tuple(_roads(city)),
-        left_out=(*left, *overlapping),
+        left_out=(*left, *overlapping, *planted.left_out),
         catalog=str(path.absolute()),
+        trees=planted.trees,
+        lamps=planted.lamps,
     )
 
 

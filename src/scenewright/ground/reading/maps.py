@@ -17,6 +17,7 @@ from scenewright.ground.maps.footprints import find_footprints
 from scenewright.ground.maps.kinds import stands
 from scenewright.ground.maps.place import projection_of
 from scenewright.ground.reading.cleaning import MOST_BUILDINGS, clean_outline, drop_overlaps
+from scenewright.ground.reading.planted import drop_planted, read_planted
 
 STOREY, HEIGHT = 3.0, 7.5
 WIDTHS = {"primary": 9.0, "secondary": 8.0, "tertiary": 7.0, "residential": 6.0, "service": 4.0}
@@ -40,12 +41,15 @@ def scene_of_features(
         raise InputError("holds no buildings", "give a map with building polygons")
     map_ = projection_about(np.vstack(corners), found, origin)
     left_out: list[str] = [f"{row.feature}: {row.reason}" for row in found.skipped]
-    buildings = list(buildings_of(found.features, map_, left_out))
+    planted = read_planted(found.features, map_)
+    rest = drop_planted(found.features, planted)
+    buildings = list(buildings_of(rest, map_, left_out))
     if len(buildings) > MOST_BUILDINGS:
         raise InputError(f"holds {len(buildings):,} buildings", f"{MOST_BUILDINGS:,} are read")
     kept, overlapping = drop_overlaps(buildings)
-    roads = tuple(road for f in found.features for road in roads_of(f, map_))
-    return BuiltScene(name, kept, roads, None, (*left_out, *overlapping), map_.where)
+    roads = tuple(road for f in rest for road in roads_of(f, map_))
+    scene = BuiltScene(name, kept, roads, None, (*left_out, *overlapping), map_.where)
+    return scene._replace(trees=planted.trees, lamps=planted.lamps)
 
 
 def projection_about(

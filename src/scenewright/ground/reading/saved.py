@@ -10,7 +10,7 @@ import numpy as np
 from scenewright.core.errors import InputError
 from scenewright.core.footprint import place_outline
 from scenewright.core.layout import corners
-from scenewright.ground.buildings.built import BuiltBuilding, BuiltRoad, BuiltScene
+from scenewright.ground.buildings.built import BuiltBuilding, BuiltRoad, BuiltScene, Spot
 from scenewright.ground.reading.cleaning import clean_outline, drop_overlaps
 
 OLD = "source"
@@ -43,7 +43,21 @@ def saved_scene(document: dict[str, Any]) -> BuiltScene:
         outline if outline is not None and len(outline) > 2 else None,
         (*left_out, *overlapping),
         (float(origin[0]), float(origin[1])) if isinstance(origin, list) else None,
+        trees=tuple(_spots(document["pieces"], "tree")),
+        lamps=tuple(_spots(document["pieces"], "lamp_post")),
     )
+
+
+def _spots(pieces: list[Any], category: str) -> Iterator[Spot]:
+    """Where the pieces of a category stand; broken ones stand nowhere."""
+    for piece in pieces:
+        if isinstance(piece, dict) and piece.get("category") == category:
+            try:
+                x, y = (float(value) for value in piece["pose"][:2])
+            except (KeyError, TypeError, ValueError):
+                continue
+            if np.isfinite([x, y]).all():
+                yield x, y
 
 
 def grown_scenes(document: Any) -> tuple[BuiltScene, BuiltScene]:

@@ -61,6 +61,10 @@ def _lift(
                 floor = float(facet_heights_at(shaped.finished, lifted.whole[used, :2]).mean())
             at = {k: lifted.add(lifted.whole[k] + (0.0, 0.0, floor)) for k in used}
             rows = [[[[at[k] for k in r] for r in face] for face in shell] for shell in rows]
+        elif geometry["type"] == "MultiPoint":
+            high = facet_heights_at(shaped.finished, lifted.whole[rows, :2])
+            at = zip(rows, high.tolist(), strict=True)
+            rows = [lifted.add(lifted.whole[k] + (0.0, 0.0, z)) for k, z in at]
         else:
             rows = [row for face in rows for row in _drape(face, lifted, shaped.deck)]
         made.append(geometry | {"boundaries": rows})

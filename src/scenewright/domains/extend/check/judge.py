@@ -69,7 +69,8 @@ def list_owed(plan: ExtendPlan, pieces: Sequence[Piece]) -> Iterator[Owed]:
             if p.id not in stay
         )
         yield Owed(area.id, "buildings of no source", strange, 0, 0)
-    added = sum(p.space == OLD and not p.fixed for p in pieces)
+    built = [p for p in pieces if p.category == "building"]
+    added = sum(p.space == OLD and not p.fixed for p in built)
     yield Owed(OLD, "buildings beside those that stood before", added, 0, 0)
 
 

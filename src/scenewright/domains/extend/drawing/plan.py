@@ -22,7 +22,7 @@ from scenewright.domains.extend.areas import OLD, ExtendPlan
 from scenewright.domains.extend.drawing import marks
 from scenewright.domains.extend.works import plots_of_extension
 from scenewright.drawing import sheet as sheets
-from scenewright.drawing.houses import FAULT, faults_mark, houses_mark, words_mark
+from scenewright.drawing.houses import FAULT, LEAF, faults_mark, houses_mark, trees_mark, words_mark
 from scenewright.drawing.layers import PlanDrawing, PlanLayer, merge_layers
 from scenewright.drawing.legend import LegendRow, arrange, legend_mark
 from scenewright.drawing.marks import PaperView, clean
@@ -40,11 +40,14 @@ and rows listed."""
 def draw(solution: Solution, made: Plan, judge: Callable[[], Report]) -> PlanDrawing:
     """The plan of a solution's areas and sources; ``judge`` gives the referee's report."""
     plan: ExtendPlan = made.detail
-    report = judge()
+    report, trees = judge(), [p for p in solution.pieces if p.category == "tree"]
     houses = [p for p in solution.pieces if _is_sound(p)]
     west, south, east, north = _bounds(plan, houses)
     arranged = arrange(
-        (east - west, north - south), (2 * MARGIN, 2 * MARGIN), _legend(plan, houses, report), LARGE
+        (east - west, north - south),
+        (2 * MARGIN, 2 * MARGIN),
+        _legend(plan, houses, report, bool(trees)),
+        LARGE,
     )
     sheet, (wide, high) = arranged.sheet, arranged.room
     scale = 1000 / sheet.scale
@@ -55,7 +58,7 @@ def draw(solution: Solution, made: Plan, judge: Callable[[], Report]) -> PlanDra
     strip = sheets.sheet_mark(sheet, solution.brief.name, summary, title)
     layers = [
         [PlanLayer("Sheet", strip)],
-        _layers(view, plan, houses, report, plots_of_extension(solution, made)),
+        _layers(view, plan, houses, report, plots_of_extension(solution, made), trees),
         [PlanLayer("Legend", legend_mark(arranged))],
     ]
     return PlanDrawing(solution.brief.name, sheet, (), merge_layers(layers), view)
@@ -80,6 +83,7 @@ def _layers(
     houses: Sequence[Piece],
     report: Report,
     plots: Sequence[Plot],
+    trees: Sequence[Piece],
 ) -> list[PlanLayer]:
     """The scene on paper, from the ground up."""
     old = [piece for piece in houses if piece.space == OLD]
@@ -90,18 +94,22 @@ def _layers(
         PlanLayer("Plots", plots_mark(view, plots)),
         PlanLayer("Old buildings", houses_mark(view, old, marks.fill_of)),
         PlanLayer("New buildings", houses_mark(view, new, marks.fill_of)),
+        PlanLayer("Trees", trees_mark(view, trees)),
         PlanLayer("Kinds", words_mark(view, houses, lambda piece: piece.function[:4], marks.LABEL)),
         *(PlanLayer("Border", marks.border_mark(view, area)) for area in plan.areas),
         PlanLayer("Violations", faults_mark(view, houses, report.findings)),
     ]
 
 
-def _legend(plan: ExtendPlan, houses: Sequence[Piece], report: Report) -> tuple[LegendRow, ...]:
+def _legend(
+    plan: ExtendPlan, houses: Sequence[Piece], report: Report, planted: bool
+) -> tuple[LegendRow, ...]:
     """Signs that occur, the kinds by letter with how many are old and new, figures."""
     rows = [LegendRow("heading", "Legend")]
     used = {marks.fill_of(piece) for piece in houses}
     rows += [LegendRow("swatch", w, value=colour) for w, colour in marks.FILLS if colour in used]
     rows.append(LegendRow("entrance", "Front"))
+    rows += [LegendRow("swatch", "Tree", value=LEAF)] * planted
     if report.findings:
         rows.append(LegendRow("swatch", "Violation", value=FAULT))
     rows += _kinds(houses)

@@ -21,8 +21,9 @@ from scenewright.ground.maps.kinds import stands
 from scenewright.ground.maps.place import projection_of
 from scenewright.ground.maps.report import report_map
 from scenewright.ground.reading.maps import buildings_of, number_of, roads_of
+from scenewright.ground.reading.planted import drop_planted, read_planted
 
-UNREAD = "is no area to fill, building or street"
+UNREAD = "is no area to fill, building, street, tree or lamp"
 
 
 def recognises(found: Collection) -> bool:
@@ -50,11 +51,13 @@ def brief_of(found: Collection, name: str) -> Brief:
         )
     map_ = projection_of(found, np.vstack(corners))
     lost: list[str] = []
-    buildings = list(buildings_of(found.features, map_, lost))
+    planted = read_planted([f for f in found.features if not _is_area(f)], map_)
+    rest = drop_planted(found.features, planted)
+    buildings = list(buildings_of(rest, map_, lost))
     if not buildings:
         raise InputError("holds no building to go by", 'tag footprints with "building": "yes"')
-    roads = [road for f in found.features for road in roads_of(f, map_)]
-    notes = note_features(found, areas, {one.id for one in buildings}, map_)
+    roads = [road for f in rest for road in roads_of(f, map_)]
+    notes = note_features(found._replace(features=rest), areas, {b.id for b in buildings}, map_)
     source = {
         "name": name[:80],
         "stands": True,
@@ -70,6 +73,8 @@ def brief_of(found: Collection, name: str) -> Brief:
             for one in buildings
         ],
         "roads": [_road(road) for road in roads],
+        "trees": planted.trees,
+        "lamps": planted.lamps,
     }
     document: dict[str, Any] = {
         "domain": "extend",
@@ -77,7 +82,7 @@ def brief_of(found: Collection, name: str) -> Brief:
         "sources": [source],
         "areas": [_area(feature, map_) for feature in areas],
         "notes": [line[:400] for line in lost[:100]],
-        "input_report": report_map(given, map_, notes, lambda _name: UNREAD),
+        "input_report": report_map(given, map_, [*notes, *planted.notes], lambda _name: UNREAD),
     }
     if map_.where:
         document["origin"] = map_.where

@@ -23,6 +23,7 @@ from scenewright.domains.extend.works import plots_of_extension
 from scenewright.domains.terrain import lay_city_on_terrain
 from scenewright.ground.buildings.city_objects import (
     Vertices,
+    add_planted,
     add_roads,
     city_document,
     flat_object,
@@ -57,6 +58,7 @@ def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
     for piece in solution.pieces:
         if piece.category == "building":
             objects[free_key(piece.id, objects)] = _building(piece, vertices)
+    add_planted(solution.pieces, OLD, objects, vertices)
     return city_document(solution.brief.name, objects, vertices)
 
 

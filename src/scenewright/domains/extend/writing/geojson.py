@@ -18,7 +18,13 @@ from scenewright.domains.extend.areas import OLD, ExtendPlan
 from scenewright.domains.extend.pattern import STOREY
 from scenewright.domains.extend.plan import plan_extend
 from scenewright.domains.extend.works import plots_of_extension
-from scenewright.ground.maps.places import check_origin, write_building, write_document, write_way
+from scenewright.ground.maps.places import (
+    check_origin,
+    write_building,
+    write_document,
+    write_planted,
+    write_way,
+)
 from scenewright.ground.maps.writing import (
     projection_about,
     write_collection,
@@ -56,4 +62,5 @@ def document(solution: Solution, made: Plan | None = None) -> dict[str, Any]:
     for piece in (p for p in solution.pieces if p.category == "building"):
         age = "" if piece.space == OLD else "yes"
         features.append(write_building(piece, STOREY, map_, new=age))
+    features += write_planted(solution.pieces, OLD, map_)
     return write_collection(solution.brief.name, features, map_)

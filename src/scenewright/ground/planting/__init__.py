@@ -1,0 +1,1 @@
+"""Trees and lamps of open ground: where they stand, how densely, and their pieces."""
