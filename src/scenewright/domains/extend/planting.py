@@ -97,11 +97,26 @@ def describe_planting(solution: Solution, whole: Plan) -> str:
                 f" {row['lamps_per_100_m']:.1f} per 100 m ({row['source_lamps_per_100_m']:.1f})"
             )
     for number, scene in enumerate(plan.sources, 1):
-        lacking = [w for w, rows in (("tree", scene.trees), ("lamp", scene.lamps)) if not rows]
-        if lacking:
-            words = f"draws no {' and no '.join(lacking)}: none is put in after it"
-            lines.append(f"{scene.name or f'source {number}'} {words}")
+        name = scene.name or f"source {number}"
+        lines += [f"{name} {words}" for words in _list_unused(plan, scene)]
     return f" Trees and lamps: {'; '.join(lines)}." if lines else ""
+
+
+def _list_unused(plan: ExtendPlan, scene: BuiltScene) -> Iterator[str]:
+    """What a source lacks of trees and lamps, and what of them does not count or gives way."""
+    lacking = [word for word, rows in (("tree", scene.trees), ("lamp", scene.lamps)) if not rows]
+    if lacking:
+        yield f"draws no {' and no '.join(lacking)}: none is put in after it"
+    counted = _measure_source(scene)
+    trees = len(scene.trees) - round(counted.trees + counted.along)
+    lamps = len(scene.lamps) - round(counted.lamps)
+    if trees or lamps:
+        yield f"draws {trees} trees off its ground and {lamps} lamps off its streets: not counted"
+    areas = shapely.union_all([area.outline for area in plan.areas])
+    spots = _spots((*scene.trees, *scene.lamps))
+    cleared = int(shapely.contains_xy(areas, spots[:, 0], spots[:, 1]).sum())
+    if cleared:
+        yield f"draws {cleared} trees and lamps on the new ground: not kept"
 
 
 def _measure_source(scene: BuiltScene) -> Planting:
