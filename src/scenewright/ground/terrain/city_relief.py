@@ -63,8 +63,8 @@ def _lift(
             rows = [[[[at[k] for k in r] for r in face] for face in shell] for shell in rows]
         elif geometry["type"] == "MultiPoint":
             high = facet_heights_at(shaped.finished, lifted.whole[rows, :2])
-            at = zip(rows, high.tolist(), strict=True)
-            rows = [lifted.add(lifted.whole[k] + (0.0, 0.0, z)) for k, z in at]
+            raised = zip(rows, high.tolist(), strict=True)
+            rows = [lifted.add(lifted.whole[k] + (0.0, 0.0, z)) for k, z in raised]
         else:
             rows = [row for face in rows for row in _drape(face, lifted, shaped.deck)]
         made.append(geometry | {"boundaries": rows})
