@@ -112,11 +112,16 @@ def _list_unused(plan: ExtendPlan, scene: BuiltScene) -> Iterator[str]:
     lamps = len(scene.lamps) - round(counted.lamps)
     if trees or lamps:
         yield f"draws {trees} trees off its ground and {lamps} lamps off its streets: not counted"
-    areas = shapely.union_all([area.outline for area in plan.areas])
-    spots = _spots((*scene.trees, *scene.lamps))
-    cleared = int(shapely.contains_xy(areas, spots[:, 0], spots[:, 1]).sum())
+    spots, kept = _spots((*scene.trees, *scene.lamps)), _old_ground(plan)
+    cleared = int((~shapely.contains_xy(kept, spots[:, 0], spots[:, 1])).sum())
     if cleared:
-        yield f"draws {cleared} trees and lamps on the new ground: not kept"
+        yield f"draws {cleared} trees and lamps on new ground or on none: not kept"
+
+
+def _old_ground(plan: ExtendPlan) -> shapely.Geometry:
+    """The ground about the sources that stand, without that of the areas."""
+    whole = shapely.Polygon(plan.ground.outline, plan.ground.holes)
+    return shapely.difference(whole, shapely.union_all([area.outline for area in plan.areas]))
 
 
 def _measure_source(scene: BuiltScene) -> Planting:
@@ -149,14 +154,14 @@ def _take_ground(plan: ExtendPlan, pieces: Sequence[Piece]) -> TakenGround:
 
 
 def _stand_old(plan: ExtendPlan, catalog: Catalog, rng: np.random.Generator) -> Iterator[Piece]:
-    """The trees and lamps of the sources that stand, but those on the ground of an area."""
-    areas = shapely.union_all([area.outline for area in plan.areas])
+    """The trees and lamps of the sources that stand, on their ground."""
+    ground = _old_ground(plan)
     kept = [scene for scene, there in zip(plan.sources, plan.stands, strict=True) if there]
     trees, lamps = (
         np.vstack([np.zeros((0, 2)), *(_spots(getattr(scene, what)) for scene in kept)])
         for what in ("trees", "lamps")
     )
-    trees, lamps = (at[~shapely.contains_xy(areas, at[:, 0], at[:, 1])] for at in (trees, lamps))
+    trees, lamps = (at[shapely.contains_xy(ground, at[:, 0], at[:, 1])] for at in (trees, lamps))
     roads = [road for scene in kept for road in scene.roads if road.kind == "road"]
     turned = np.column_stack([lamps, _face_roads(lamps, roads)])
     yield from _make_pieces(OLD, trees, turned, catalog, rng)
