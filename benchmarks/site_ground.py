@@ -16,6 +16,7 @@ from scipy.stats import spearmanr
 import scenewright as sw
 from benchmarks.ground_measures import Ground, counts_of, read_ground
 from benchmarks.site_briefs import new_briefs
+from benchmarks.site_composition import boxes_of, list_gap_variations
 from benchmarks.site_scale import sites
 from scenewright.core.brief import Brief
 from scenewright.domains import check, plan_of, scene_of
@@ -30,6 +31,7 @@ FIGURES = (
     "doors with their walk",
     "rim of squares fronted",
     "heights step up to squares and landmarks",
+    "variation of gaps in runs of equal buildings",
 )
 
 
@@ -49,7 +51,8 @@ def _records(group: str, briefs: Sequence[tuple[str, Brief]], seeds: int) -> Ite
         for seed in range(seeds):
             solution = sw.solve(brief, seed=seed)
             counts = counts_of(ground_of_site(solution))
-            counts |= {FIGURES[-1]: measure_skyline(solution)}
+            counts |= {FIGURES[-2]: measure_skyline(solution)}
+            counts |= {FIGURES[-1]: sum_gap_variations(solution)}
             faulty += not check(solution).valid
             for name in FIGURES:
                 sums[name] += counts[name]
@@ -72,6 +75,13 @@ def measure_skyline(solution: sw.Solution) -> tuple[float, float]:
         shapely.points([p.pose[:2] for p in free]), shapely.union_all(squares or marks)
     )
     return float(-spearmanr(high, far).statistic), 1.0
+
+
+def sum_gap_variations(solution: sw.Solution) -> tuple[float, float]:
+    """The sum of the variations of gaps in runs of equal buildings, and how many runs there are."""
+    houses = [p for p in solution.pieces if p.category == "building"]
+    found = list_gap_variations(*boxes_of(houses))
+    return float(sum(found)), float(len(found))
 
 
 def ground_of_site(solution: sw.Solution) -> Ground:

@@ -19,7 +19,7 @@ import shapely
 
 from benchmarks.comparison import ratio
 from benchmarks.real_data import skipped
-from benchmarks.site_composition import measure_composition
+from benchmarks.site_composition import measure_composition, share_of_podiums
 from benchmarks.site_compounds import Pair, compare, file, moved_footprints
 from benchmarks.site_ground import ground_records
 from benchmarks.site_reco import compounds
@@ -29,6 +29,14 @@ from scenewright.domains.site.solving import solve
 
 Record = dict[str, Any]
 Progress = Callable[[float, str], None]
+
+
+def mean_of_known(values: list[float]) -> float:
+    """The mean of what is no NaN; NaN of nothing."""
+    known = [value for value in values if not math.isnan(value)]
+    return statistics.fmean(known) if known else math.nan
+
+
 QUICK, LEAST = 6, 4
 """Compounds of a quick run, and the fewest buildings of one that is looked at."""
 
@@ -51,6 +59,7 @@ FIGURES = (
     Figure("south", "fronts to the south, mean", "share", statistics.fmean),
     Figure("coverage", "coverage, median", "share", statistics.median),
     Figure("sun", "hours of sun, median", "h", statistics.median),
+    Figure("podiums", "podiums that touch a tower, mean", "share", mean_of_known),
     Figure("differ", "two seeds differ, median", "share", statistics.median),
     Figure("left_out", "buildings left out, sum", "1", sum),
     Figure("overlaps", "overlaps, sum", "1", sum),
@@ -91,9 +100,10 @@ def figures_of(pair: Pair) -> tuple[Record, Record]:
     outline, designed = shapely.Polygon(pair.site.outline), pair.designed
     placed = [p for p in pair.solution.pieces if p.category == "building"]
     other = solve(pair.solution.brief, seed=pair.solution.seed + 1)
+    shapes = np.array(moved_footprints(designed, placed), object)
     ours = measure_composition(
         outline,
-        np.array(moved_footprints(designed, placed), object),
+        shapes,
         np.array([p.pose.heading for p in placed]),
         [
             shapely.Polygon(area.outline)
@@ -105,8 +115,11 @@ def figures_of(pair: Pair) -> tuple[Record, Record]:
     theirs = measure_composition(
         outline, np.array(designed.footprints, object), designed.boxes[:, 2]
     )
-    differing = {"differ": differ(pair.solution, other)}
-    return pair.ours | ours | differing, pair.theirs | theirs
+    ours |= {"podiums": share_of_podiums(shapes, np.array([p.size.height for p in placed]))}
+    ours |= {"differ": differ(pair.solution, other)}
+    drawn = np.array(designed.footprints, object)
+    theirs |= {"podiums": share_of_podiums(drawn, designed.heights)}
+    return pair.ours | ours, pair.theirs | theirs
 
 
 def _record(figure: Figure, rows: list[tuple[Record, Record]]) -> Record:

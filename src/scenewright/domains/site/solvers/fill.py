@@ -35,6 +35,7 @@ from scenewright.domains.site.solvers.interlock import interlock
 from scenewright.domains.site.solvers.loosen import loosen_buildings
 from scenewright.domains.site.solvers.outcome import SiteFound, SiteLayout
 from scenewright.domains.site.solvers.perimeter_block import list_front_lines, rim
+from scenewright.domains.site.solvers.podiums import join_podiums
 from scenewright.domains.site.solvers.schemes import (
     QUEUES,
     Scheme,
@@ -78,7 +79,8 @@ def fill_site(
     assert best is not None
     set_in, tries = interlock(problem, best, watch, rng, begun)
     best = set_in if set_in is best else loosen_buildings(problem, set_in, watch, rng)
-    better, more = improve_layout(problem, best, seed, watch, begun)
+    best, joined = join_podiums(problem, best)
+    better, more = improve_layout(problem, best, seed, watch, begun, joined)
     return Found((better,), done + tries + more)
 
 

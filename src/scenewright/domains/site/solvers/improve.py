@@ -42,10 +42,16 @@ LOOSE = 1e-3
 
 
 def improve_layout(
-    problem: SiteProblem, found: SiteLayout, seed: int, watch: BudgetWatch, begun: float = 0.0
+    problem: SiteProblem,
+    found: SiteLayout,
+    seed: int,
+    watch: BudgetWatch,
+    begun: float = 0.0,
+    joined: Flags | None = None,
 ) -> tuple[SiteLayout, int]:
     """A layout after exchanges and turns that gain in what is seen and in sun, by their weights,
-    and how many were tried. ``begun`` is the share of the run done before.
+    and how many were tried. ``begun`` is the share of the run done before, ``joined`` (n,) are
+    buildings that stay.
 
     Time grows with the number of buildings and of eyes near each. All are taken for boxes: a
     building in the corner of another stays.
@@ -66,6 +72,8 @@ def improve_layout(
         [exchanges(problem, made, who, found.forms, rng), turns(problem, found.boxes[here])]
     )
     stays = on_square(problem, found.boxes[here])  # as does what closes a court
+    if joined is not None:
+        stays |= joined[here]
     if problem.court_gap > 0.0:
         stays |= np.array([found.forms[i] == "peripheral" for i in here])
     moves = np.ascontiguousarray(moves[~stays[moves[:, :2]].any(1)])
