@@ -121,7 +121,7 @@ def list_places(base: Floats, other: Floats, gap: float) -> Floats:
 
     >>> base, tower = np.array([0, 0, 0, 30, 20.0]), np.array([0, 90, 0, 10, 10.0])
     >>> list_places(base, tower, 2.0)[0].tolist()
-    [5.0, 22.0, 0.0, 10.0, 10.0]
+    [0.0, 22.0, 0.0, 10.0, 10.0]
     """
     c, s = math.cos(base[2]), math.sin(base[2])
     aside = 0.5 * (base[3] + other[3]) + gap
