@@ -4,6 +4,7 @@ has them, clear of all that stands there."""
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +13,9 @@ import pytest
 import shapely
 
 import scenewright as sw
+from catalogs import city, flat, saved
 from scenewright.core.brief import Brief
+from scenewright.core.brief.terrain import TerrainBrief
 from scenewright.core.piece_outlines import polygons_of
 from scenewright.core.scene import Piece
 from scenewright.domains import plan_of
@@ -178,6 +181,38 @@ def test_many_round_areas_without_tags_are_trees_and_the_report_says_so(
     assert told == [12] * many
     assert len(found.part.sources[0].trees) == 12 * many
     assert len(found.part.sources[0].buildings) == 4 + 4 * (not many)
+
+
+def test_city_models_tell_high_plants_and_lamps(tmp_path: Path) -> None:
+    document = city(
+        {"a": [(0, 0), (9, 0), (9, 9), (0, 9)], "b": [(20, 0), (29, 0), (29, 9), (20, 9)]}
+    )
+    for name, kind, about in (
+        ("wood", "PlantCover", {"averageHeight": 6.0}),
+        ("lawn", "PlantCover", {}),
+        ("lamp", "CityFurniture", {"function": "Street lamp"}),
+        ("bench", "CityFurniture", {"function": "bench"}),
+    ):
+        flat(document, name, kind, np.array([(0, 20), (30, 20), (30, 40), (0, 40)], float))
+        document["CityObjects"][name]["attributes"] = about
+    scene = read_built(saved(tmp_path / "t.city.json", document))
+    assert (len(scene.trees), len(scene.lamps)) == (6, 1)
+    assert [line[:4] for line in scene.left_out] == ["1 x "] * 2
+
+
+def test_trees_of_a_city_model_stand_on_the_slope(planted: sw.Solution, tmp_path: Path) -> None:
+    part = planted.brief.part.model_copy(
+        update={"terrain": TerrainBrief.model_validate({"slope": 0.1, "towards": 90.0})}
+    )
+    sloped = replace(planted, brief=planted.brief.model_copy(update={"part": part}))
+    sw.write(sloped, tmp_path / "e.city.json")
+    made = json.loads((tmp_path / "e.city.json").read_text())
+    high = [
+        made["vertices"][one["geometry"][0]["boundaries"][0]][2]
+        for one in made["CityObjects"].values()
+        if one["type"] == "SolitaryVegetationObject"
+    ]
+    assert np.ptp(high) * made["transform"]["scale"][2] > 5.0
 
 
 def test_streets_are_told_from_green() -> None:
