@@ -316,8 +316,8 @@ def test_a_flat_that_was_brought_is_drawn_over(browser: Any, tmp_path: Path) -> 
         assert page.evaluate(f"{refused}.then((r) => r.json())")["fault"]
         page.locator("#furnish:enabled").wait_for()
         page.click("#furnish")
-        stage = page.locator("#stage")
-        stage.filter(has_text=re.compile("mended|fitted|settled")).wait_for()
+        stage = page.locator("#stage", has_text=re.compile("mended|fitted|settled"))
+        stage.wait_for(state="attached")
         page.screenshot(path=tmp_path / "stage.png")
         page.locator("#stop").wait_for(state="hidden")
         page.screenshot(path=tmp_path / "furnished.png")

@@ -1,7 +1,7 @@
 // Drawing a plan: homes and halls by the middle lines of their walls, sites and villages by their
 // borders and streets. What is shown is the server's drawing; every act is sent to it. Typed digits
 // are lengths.
-import { rectangle, drawSketch } from "/sketch.js";
+import { isInner, rectangle, drawSketch } from "/sketch.js";
 import { far, middle, nearestSide, onWall, pointsOf, prolong, SNAPS, sides, snap } from "/snapping.js";
 import { t } from "/words.js";
 import { $, fill, make, say } from "/wire.js";
@@ -103,7 +103,7 @@ function showPanel() {
   if (of === "of-room") {
     $("outline-kind").textContent = group === "zones" ? t("Zone") : kind().noun; put("room-name", row.name);
     const { area } = middle(row.outline), built = ["home", "hall"].includes(at.draft.domain) && group === "rooms";
-    $("room-area").textContent = built ? t("{area} m² between the middles of its walls", { area: area.toFixed(2) }) : t("{area} m²", { area: area.toFixed(area < 1000 ? 2 : 0) });
+    $("room-area").textContent = isInner(at.draft) ? t("{area} m² between its walls", { area: area.toFixed(2) }) : built ? t("{area} m² between the middles of its walls", { area: area.toFixed(2) }) : t("{area} m²", { area: area.toFixed(area < 1000 ? 2 : 0) });
   }
   if (of === "of-opening") {
     $("opening-kind").textContent = { door: t("Door"), passage: t("Passage"), window: t("Window") }[row.kind]; put("opening-width", row.width);

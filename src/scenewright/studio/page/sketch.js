@@ -5,7 +5,7 @@ import { far, middle, nearestSide, shifted, sides } from "/snapping.js";
 
 const BUILT = ["home", "hall"], HAIR = 1.5;
 // Outlines of what was drawn here are the middles of walls, those of a plan that was brought their faces.
-const isInner = (draft) => draft.kept?.outlines === "inner";
+export const isInner = (draft) => draft.kept?.outlines === "inner";
 
 // ``at`` holds what is shown: the draft, its storey, the frame, what is picked, moved and begun.
 export function drawSketch(svg, at) {

@@ -52,6 +52,7 @@ function show() {
   $("adding").hidden = !(doc.levels ?? []).length; $("dress").hidden = doc.domain !== "home";
   $("arrange").disabled = $("breed").disabled = !(doc.levels ?? []).length || doc.running;
   for (const id of ["solid", "walk", "picture"]) $(id).disabled = !(doc.levels ?? []).length;
+  $("redraw").hidden = !doc.version || Boolean(doc.draft) || !["home", "hall"].includes(doc.domain);
   for (const id of ["stop", "share", "stage"]) $(id).hidden = !doc.running;
   if (!doc.running) $("stage").textContent = "";
   $("levels").replaceChildren(...((doc.levels ?? []).length > 1 ? doc.levels : []).map((one) => {
@@ -502,18 +503,14 @@ for (const button of $("pad").children) {
 $("draw").onclick = () => {
   if ($("draw").ariaPressed === "true") showPlan();
   else if (doc.draft) goDraw();
-  else askKind();
+  else $("kinds-of-plan").showModal();
 };
-function askKind() {
-  $("redraw").hidden = !doc.version || Boolean(doc.draft) || !["home", "hall"].includes(doc.domain);
-  $("kinds-of-plan").showModal();
-}
 $("redraw").onclick = async () => {
   $("kinds-of-plan").close();
   const said = await change("redraw");
   if (!said.fault) goDraw();
 };
-$("new-plan").onclick = askKind;
+$("new-plan").onclick = () => $("kinds-of-plan").showModal();
 for (const button of document.querySelectorAll("[data-kind]")) button.onclick = async () => {
   $("kinds-of-plan").close();
   const said = await change("begin", { kind: button.dataset.kind });
