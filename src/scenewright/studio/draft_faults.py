@@ -18,6 +18,7 @@ from scenewright.domains import plan_valid
 from scenewright.studio.draft_brief import ABOUT, brief_of, outlines_in_brief
 from scenewright.studio.draft_geometry import THICK, edges_of, is_inner, nearest_edge, on_level
 from scenewright.studio.shapes import Json
+from scenewright.studio.wishing import FORMS
 
 ON = 0.02
 """Metres from a wall within which an opening lies on it."""
@@ -25,8 +26,6 @@ OVERLAP = 0.01
 """Square metres from which rooms overlap."""
 SMALL = 0.5
 """Square metres that a room has at least."""
-BUILT = ("home", "hall")
-"""Kinds of scene whose outlines are walls with doors."""
 FLIGHT = 4.0
 """Metres that stairs reach, about."""
 
@@ -80,7 +79,7 @@ def read_draft(draft: Json) -> ReadDraft:
 def _find_on_level(draft: Json, level: str) -> Iterator[DraftFault]:
     rooms, zones = on_level(draft, "rooms", level), on_level(draft, "zones", level)
     sound = yield from find_outline_faults(rooms)
-    if draft["domain"] in BUILT:
+    if FORMS[draft["domain"]].walls:
         yield from find_closed_rooms(draft, level, sound)
     inner = yield from find_outline_faults(zones)
     floor = shapely.union_all([shape for _, shape in sound.values()])

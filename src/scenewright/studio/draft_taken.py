@@ -20,8 +20,6 @@ from scenewright.studio.drafting import GROUPS, STOREY, new_draft
 from scenewright.studio.shapes import Json
 from scenewright.studio.wishing import FORMS
 
-TAKEN = ("home", "hall")
-"""Kinds of scene that can be drawn over."""
 DRAWN = frozenset({"format", "version", "rooms", "levels", "stairs"})
 """Keys of a brief that the drawing has rows of, or itself."""
 LOST = {
@@ -45,13 +43,15 @@ def draft_of(brief: Brief) -> Json:
     (['Room'], ['door', 'window'])
     """
     document: Json = json.loads(brief.model_dump_json(exclude_unset=True))
-    if brief.domain not in TAKEN:
+    form = FORMS.get(brief.domain)
+    if form is None or not form.walls:
         raise InputError(f"a {brief.domain} that was brought cannot be drawn over", "begin a plan")
     if len(brief.rooms) > MOST:
         raise InputError(f"more than {MOST} rooms cannot be drawn over", "bring its file changed")
     levels = [*_levels(document.get("levels", []))]
-    if brief.domain == "hall" and len(levels) > 1:
-        raise InputError("a hall of several storeys cannot be drawn over", "bring its file changed")
+    if len(levels) > 1 and not form.storeys:
+        fault = f"a {brief.domain} of several storeys cannot be drawn over"
+        raise InputError(fault, "bring its file changed")
     plan = plan_rooms(brief)
     draft = new_draft(brief.domain, brief.name) | {"levels": levels, "style": brief.style}
     draft |= {key: getattr(brief, key) for key in ("wall_thickness", "outer_wall_thickness")}

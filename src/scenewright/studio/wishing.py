@@ -21,19 +21,22 @@ MOST = 50
 
 class Form(NamedTuple):
     """What can be asked of the places of a kind of scene: where the brief lists these (``under``),
-    the model of one, the key of their ``rows`` and its model, and other ``keys`` of a place."""
+    the model of one, the key of their ``rows`` and its model, and other ``keys`` of a place; and
+    whether places have ``walls`` with doors, and lie on several ``storeys`` as they are drawn."""
 
     under: str
     place: str
     rows: str = ""
     row: str = ""
     keys: tuple[str, ...] = ()
+    walls: bool = False
+    storeys: bool = False
 
 
 NUMBERS = ("floor_area_ratio", "coverage", "height_limit", "setback", "road_setback", "spacing")
 FORMS: Mapping[str, Form] = {
-    "home": Form("rooms", "Room", "wishes", "WishBrief"),
-    "hall": Form("rooms", "Room", "demands", "Demand", ("theme", "people", "fill")),
+    "home": Form("rooms", "Room", "wishes", "WishBrief", walls=True, storeys=True),
+    "hall": Form("rooms", "Room", "demands", "Demand", ("theme", "people", "fill"), walls=True),
     "site": Form("sites", "Site", "buildings", "Building", (*NUMBERS, "form")),
     "village": Form("blocks", "VillageBlock", keys=("count", "coverage", "square")),
     "extend": Form("areas", "GrowthArea", keys=("count", "coverage", "storeys")),
