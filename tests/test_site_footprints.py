@@ -15,6 +15,7 @@ import shapely
 import scenewright as sw
 from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
+from scenewright.core.footprint import place_outline
 from scenewright.core.piece_outlines import outline_of, polygons_of
 from scenewright.domains import adjust
 from scenewright.domains.site.check import figures as referee
@@ -25,10 +26,13 @@ from scenewright.domains.site.problem import SiteProblem
 from scenewright.domains.site.shapes import StandingBuilding
 from scenewright.domains.site.solvers.answer import make_measure, standing
 from scenewright.domains.site.solvers.interlock import blocks_of, convex_parts, middles
+from scenewright.domains.site.solvers.loosen import loosen_buildings
+from scenewright.domains.site.solvers.outcome import SiteLayout
 from scenewright.domains.site.solving import problems
 from scenewright.domains.site.terms.measure import evaluate
 from scenewright.drawing.marks import PaperView
 from scenewright.drawing.svg import mark_text
+from scenewright.engine.solve import Budget, BudgetWatch
 from scenewright.formats import brief_json, solution_json
 from sites import SOUTH, building, site
 
@@ -65,6 +69,23 @@ def box_problem(count: int = 6) -> SiteProblem:
     sites = [brief.part.sites[0].model_copy(update={"buildings": [house]})]
     part = brief.part.model_copy(update={"sites": sites})
     return problems(brief.model_copy(update={"part": part}))[0]
+
+
+def test_buildings_set_close_are_moved_apart_and_neither_turned_nor_put_outside() -> None:
+    problem = problems(close(outline=[[0, 0], [90, 0], [90, 60], [0, 60]]))[0]
+    boxes = np.array([[12.0, 20.0, 0.0, 30.0, 16.0], [30.5, 20.0, 0.0, 30.0, 16.0]])
+    jammed = SiteLayout(boxes, np.ones(2, bool), {})
+    watch = BudgetWatch(Budget(steps=1), None, None)
+    freed = loosen_buildings(problem, jammed, watch, np.random.default_rng(1))
+
+    def shapes(layout: SiteLayout) -> list[shapely.Polygon]:
+        rings = zip(problem.buildings.outlines(), layout.boxes, strict=True)
+        return [shapely.Polygon(place_outline(ring, *box[:3])) for ring, box in rings]
+
+    assert shapely.distance(*shapes(jammed)) < 3.0
+    assert shapely.distance(*shapes(freed)) > 8.0
+    assert np.array_equal(freed.boxes[:, 2:], boxes[:, 2:])
+    assert all(shapely.box(1, 1, 89, 59).buffer(0.01).covers(one) for one in shapes(freed))
 
 
 def test_boxes_cost_the_same_as_polygons() -> None:

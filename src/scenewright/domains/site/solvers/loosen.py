@@ -40,21 +40,21 @@ def loosen_buildings(
     boxes, blocks = found.boxes.copy(), blocks_of(problem)
     edges = np.asarray(problem.ground.block_edges)
     points = spread_points(edges)
+    standing = {k: _stand(outlines[k], boxes[k], heights[k]) for k in here.tolist()}
     for _ in range(ROUNDS):
         for i in rng.permutation(here).tolist():
             if watch.cancelled() or watch.share(0) >= 1.0:
                 return found
-            others = [
-                StandingBuilding(
-                    shapely.Polygon(place_outline(outlines[k], *boxes[k, :3])), float(heights[k])
-                )
-                for k in here.tolist()
-                if k != i
-            ]
+            others = [one for k, one in standing.items() if k != i]
             spots = _find_room(problem, blocks, outlines[i], boxes[i], others, heights[i])
             if len(spots):
                 boxes[i, :2] = _choose(spots, points, boxes, here, i, rng)
+                standing[i] = _stand(outlines[i], boxes[i], heights[i])
     return found._replace(boxes=boxes, score={})
+
+
+def _stand(outline: Floats, box: Floats, height: float) -> StandingBuilding:
+    return StandingBuilding(shapely.Polygon(place_outline(outline, *box[:3])), float(height))
 
 
 def _find_room(
