@@ -45,7 +45,11 @@ def close_court(
     best, most, sizes = None, (0.0, 0.0), problem.buildings.sizes
     wide = sorted(queue, key=lambda i: (-sizes[i, 0], i))
     orders = list(dict.fromkeys((tuple(queue), tuple(wide), tuple(wide[::-1]))))
-    for share in _list_shares(sides, rule):
+    shares = _list_shares(sides, rule)
+    bounds = _bound_floor(2.0 * (sides * shares).sum(1), sizes[queue])
+    for share, bound in zip(shares, bounds.tolist(), strict=True):
+        if bound < most[0]:
+            continue
         ring = _ring(middle, sides * share, heading)
         rows = np.hstack([ring, np.roll(ring, -1, axis=0)])
         for order in orders:
@@ -55,6 +59,15 @@ def close_court(
             if floor and worth > most and _closes(problem, numbers, boxes):
                 best, most = ClosedCourt(numbers, boxes, ring), worth
     return best
+
+
+def _bound_floor(around: Floats, sizes: Floats) -> Floats:
+    """Square metres (n,) that buildings of some sizes cover at most along so many metres
+    ``around`` (n,): as if each could be cut, the deepest first, and a trifle more."""
+    deepest = sizes[np.argsort(-sizes[:, 1], kind="stable"), :2]
+    long, floor = np.cumsum(deepest[:, 0]), np.cumsum(deepest.prod(1))
+    most: Floats = np.interp(around, [0.0, *long], [0.0, *floor]) + 2e-3
+    return most
 
 
 def find_rectangle(edges: Floats) -> tuple[Floats, Floats, float] | None:
