@@ -172,6 +172,8 @@ odd = st.one_of(st.floats(-5, 5), st.sampled_from([0.0, 1e-9, 1e-300, 1e4, -1e4]
 @example([(1.0, 4.0, 0.0, 0.0, 1e-300, 1e-300, 1.0)], False)
 @example([(0.0,) * 7, (0.0, 0.0, 0.0, 0.0, 1.0, 1e-300, 1.0)], False)
 @example([(0.0,) * 7, (0.0, 0.0, 0.0, 0.0, 1e-300, 1.0, 1.0)], False)
+@example([(0.0,) * 7] * 3 + [(math.inf, 0.0, 0.0, 0.0, 0.0, math.inf, 0.0)], False)
+@example([(0.0,) * 7] * 3 + [(0.0, 0.0, 0.0, math.inf, 1.0, 1.0, 1.0)], True)
 def test_nothing_a_piece_holds_raises(rows, named):
     """However odd poses and sizes are, there is a report that JSON can hold."""
     pieces = tuple(

@@ -58,7 +58,11 @@ def _locate(found: Finding, ground: Ground) -> Finding:
 
 
 def _outline(piece: Piece) -> shapely.Geometry | None:
-    corners = outline_of(piece)
+    numbers = (*piece.pose, *piece.size, *(x for point in piece.footprint or () for x in point))
+    if not np.isfinite(numbers).all():
+        return None
+    with np.errstate(over="ignore", invalid="ignore"):
+        corners = outline_of(piece)
     if not np.isfinite(corners).all() or len(corners) < 3:
         return None
     shape = shapely.Polygon(corners)
