@@ -11,14 +11,14 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-import shapely
 
-from scenewright.core.layout import corners
 from scenewright.domains.site.problem import Flags, Floats, SiteProblem
 from scenewright.domains.site.settings import CourtSettings
-from scenewright.domains.site.solvers.distances import mark_shaded, noon
-from scenewright.domains.site.solvers.perimeter_block import rim
+from scenewright.domains.site.solvers.court_rings import RingRule, find_ring, make_ring_work
+from scenewright.domains.site.solvers.distances import noon
+from scenewright.domains.site.solvers.perimeter_block import HAIR
 from scenewright.domains.site.solvers.strips import back, rotate_block
+from scenewright.geometry.compiled import compiled
 from scenewright.geometry.rectangles import largest_rectangle
 
 CELL = 1.0
@@ -42,23 +42,23 @@ def close_court(
     if whole is None or len(queue) < rule.fewest:
         return None
     middle, sides, heading = whole
-    best, most, sizes = None, (0.0, 0.0), problem.buildings.sizes
+    sizes, sides = problem.buildings.sizes, sides * _list_shares(sides, rule)
     wide = sorted(queue, key=lambda i: (-sizes[i, 0], i))
-    orders = list(dict.fromkeys((tuple(queue), tuple(wide), tuple(wide[::-1]))))
-    shares = _list_shares(sides, rule)
-    bounds = _bound_floor(2.0 * (sides * shares).sum(1), sizes[queue])
-    for share, bound in zip(shares, bounds.tolist(), strict=True):
-        if bound < most[0]:
-            continue
-        ring = _ring(middle, sides * share, heading)
-        rows = np.hstack([ring, np.roll(ring, -1, axis=0)])
-        for order in orders:
-            numbers, boxes = rim(rows, sizes, [*order], gap, 1.0)
-            floor = float(boxes[:, 3] @ boxes[:, 4]) if len(numbers) >= rule.fewest else 0.0
-            worth = (round(floor, 3), float((sides * share).prod()))
-            if floor and worth > most and _closes(problem, numbers, boxes):
-                best, most = ClosedCourt(numbers, boxes, ring), worth
-    return best
+    orders = np.array(list(dict.fromkeys((tuple(queue), tuple(wide), tuple(wide[::-1])))))
+    toward = noon(problem) - heading + 0.5 * math.pi
+    widest = problem.court_gap - 1e-3
+    ring_rule = RingRule(gap + HAIR, widest, rule.fewest, problem.sun_spacing, toward)
+    bounds, places = _bound_floor(2.0 * sides.sum(1), sizes[queue]), np.empty((len(queue), 5))
+    found, work = np.empty(2 + len(queue), np.int64), make_ring_work(len(queue))
+    count = find_ring(sides, bounds, sizes[orders], ring_rule, work, places, found)
+    if not count:
+        return None
+    boxes = places[:count]
+    boxes[:, 0], boxes[:, 1] = back(boxes[:, 0], boxes[:, 1], heading)
+    boxes[:, :2] += middle
+    boxes[:, 2] = (boxes[:, 2] + heading + 0.5 * math.pi) % (2.0 * math.pi) - math.pi
+    numbers = orders[found[1], found[2 : 2 + count]].tolist()
+    return ClosedCourt(numbers, boxes, _ring(middle, sides[found[0]], heading))
 
 
 def _bound_floor(around: Floats, sizes: Floats) -> Floats:
@@ -82,8 +82,8 @@ def find_rectangle(edges: Floats) -> tuple[Floats, Floats, float] | None:
     x, y = (np.arange(a + 1e-6, b, cell) for a, b in zip(low, high, strict=True))
     if len(x) < 3 or len(y) < 3:
         return None
-    grid = np.stack(np.meshgrid(x, y), -1)
-    free = _lie_inside(turned, grid.reshape(-1, 2)).reshape(len(y), len(x))
+    free = np.empty((len(y), len(x)), np.bool_)
+    mark_inside(turned, x, y, np.empty(len(x)), free)
     held = free[:-1, :-1] & free[1:, :-1] & free[:-1, 1:] & free[1:, 1:]
     r0, r1, c0, c1 = largest_rectangle(held)
     if r1 <= r0 or c1 <= c0:
@@ -94,15 +94,21 @@ def find_rectangle(edges: Floats) -> tuple[Floats, Floats, float] | None:
     return middle, last - first, heading
 
 
-def _lie_inside(edges: Floats, points: Floats) -> Flags:
-    """Which of points (k, 2) the outline of directed edges (e, 4) goes round once more than holes,
-    which may overlap, do."""
-    (ax, ay), (bx, by) = edges[:, :2].T, edges[:, 2:].T
-    x, y = points[:, :1], points[:, 1:]
-    across = (ay <= y) != (by <= y)
-    left = ax + (y - ay) / np.where(ay == by, 1.0, by - ay) * (bx - ax) < x
-    turns: Flags = ((across & left) * np.where(by < ay, 1, -1)).sum(1) > 0
-    return turns
+@compiled
+def mark_inside(edges: Floats, x: Floats, y: Floats, turns: Floats, free: Flags) -> None:
+    """Mark which points of a grid (rows ``y``, columns ``x``) the outline of directed edges (e, 4)
+    goes round once more than holes, which may overlap, do; ``turns`` (columns,) is scratch."""
+    for row in range(y.shape[0]):
+        turns[:] = 0.0
+        for e in range(edges.shape[0]):
+            ax, ay, bx, by = edges[e, 0], edges[e, 1], edges[e, 2], edges[e, 3]
+            if (ay <= y[row]) == (by <= y[row]):
+                continue
+            left, way = ax + (y[row] - ay) / (by - ay) * (bx - ax), 1.0 if by < ay else -1.0
+            for column in range(x.shape[0]):
+                turns[column] += way if left < x[column] else 0.0
+        for column in range(x.shape[0]):
+            free[row, column] = turns[column] > 0.0
 
 
 def _list_shares(sides: Floats, rule: CourtSettings) -> Floats:
@@ -120,16 +126,3 @@ def _ring(middle: Floats, sides: Floats, heading: float) -> Floats:
     """The corners (4, 2) of a rectangle, counter-clockwise."""
     at = 0.5 * sides * np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
     return middle + np.column_stack(back(at[:, 0], at[:, 1], heading))
-
-
-def _closes(problem: SiteProblem, numbers: list[int], boxes: Floats) -> bool:
-    """Whether neighbours round a court are near enough and none stands in another one's shade."""
-    shapes = shapely.polygons(corners(boxes))
-    if shapely.distance(shapes, np.roll(shapes, -1)).max() > problem.court_gap - 1e-3:
-        return False
-    if problem.sun_spacing <= 0.0:
-        return True
-    heights, dark = problem.buildings.sizes[numbers, 2], np.empty(len(boxes), bool)
-    work = np.empty((len(boxes), 5))
-    mark_shaded(boxes, heights, noon(problem), problem.sun_spacing, work, dark)
-    return not dark.any()
