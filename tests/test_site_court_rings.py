@@ -56,4 +56,4 @@ def test_the_ring_found_is_the_best_of_a_plain_search(sun: float) -> None:
             assert shapely.area(shapely.difference(shapes, inside)).max() < 1e-5
             apart = shapely.distance(shapes[:, None], shapes[None]) + 1e9 * np.eye(count)
             assert apart.min() > GAP - 1e-9
-    assert 5 < closed
+    assert closed > 5
