@@ -86,9 +86,8 @@ def test_ways_have_round_corners_and_crossings_off_walls(solved: Solution) -> No
     for solids in ([shapely.Polygon(plan.outline)], [walls]):
         laid = surfaces((plan,), solved.detail, solids)
         shapes = {r.kind: shapely.union_all([shapely.Polygon(*a) for a in r.areas]) for r in laid}
-        assert shapely.covers(
-            shapes["pavement"].union(shapes["asphalt"]).buffer(0.1), paint(zebras)
-        )
+        paved = shapely.union_all([shapes[kind] for kind in ("asphalt", "kerb", "pavement")])
+        assert shapely.covers(paved.buffer(0.1), paint(zebras))
         lanes.append(shapes["lane"])
     corners = lanes[1].difference(lanes[0].buffer(0.01))
     assert corners.area > 20.0

@@ -20,6 +20,9 @@ from scenewright.domains import scene_of
 from scenewright.domains.site.plan import plans_of
 from scenewright.formats.glb import encode_scene
 from scenewright.ground.ways.junctions import STREET_RADIUS
+from scenewright.ground.ways.kerbs import LET_DOWN, STONE
+from scenewright.ground.ways.surfaces import list_zebras
+from scenewright.render.draping import lay_surface
 
 CROSSING = [
     {"line": [[-5, 40], [60, 30], [125, 45]], "width": 10},
@@ -67,8 +70,9 @@ def test_roads_are_one_piece_and_cover_what_the_plan_says(street: Solution) -> N
         ]
     )
     assert found["asphalt"].geom_type == "Polygon"
-    paved = shapely.union(found["asphalt"], found["pavement"])
-    assert paved.area == pytest.approx(found["asphalt"].area + found["pavement"].area, rel=1e-4)
+    parts = [found[kind] for kind in ("asphalt", "pavement", "kerb")]
+    paved = shapely.union_all(parts)
+    assert paved.area == pytest.approx(sum(part.area for part in parts), rel=1e-4)
     assert roads.difference(paved).area < 0.2
     assert 0.0 < paved.difference(roads).area < STREET_RADIUS**2
     for one, other in (("asphalt", "pavement"), ("path", "asphalt"), ("walk", "path")):
@@ -76,6 +80,29 @@ def test_roads_are_one_piece_and_cover_what_the_plan_says(street: Solution) -> N
     assert found["asphalt"].buffer(1e-3).contains(found["marking"])
     crossing = found["marking"].intersection(shapely.Point(60, 30).buffer(4.0))
     assert crossing.area == 0.0
+
+
+def test_kerbs_edge_carriageways_and_are_let_down_where_people_cross_and_cars_drive_on(
+    street: Solution,
+) -> None:
+    found = shapes_of(street)
+    assert found["asphalt"].distance(found["pavement"]) >= STONE - 0.01
+    edge = found["asphalt"].boundary.intersection(found["pavement"].buffer(2.0 * STONE))
+    assert edge.difference(found["kerb"].buffer(0.01)).length < 0.01 * edge.length
+    (row,) = (one for one in scene_of(street).surfaces if one.kind == "kerb")
+    mesh = lay_surface(row)
+    stones = mesh.vertices[mesh.vertices[:, 2] > 0.0]
+    at = shapely.points(stones[:, :2])
+    zebras = list_zebras(plans_of(street.brief)[0])
+    crossed = [one._replace(wide=one.wide + 5.0).area() for one in zebras]
+    driven = [shapely.Point(r.line[-1]) for r in street.detail[0].pathways if r.kind == "lane"]
+    on_edge = shapely.distance(at, found["asphalt"]) < 0.01
+    for places, near in ((crossed, 0.1), (driven, 2.5)):
+        low = on_edge & (shapely.distance(at, shapely.union_all(places)) < near)
+        assert low.any()
+        assert np.isclose(stones[low, 2].min(), LET_DOWN)
+    far = shapely.distance(at, shapely.union_all([*crossed, *driven])) > 6.0
+    assert np.isclose(stones[far & on_edge, 2], row.top).all()
 
 
 def test_a_site_without_roads_has_only_lanes_and_walks_on_the_ground() -> None:

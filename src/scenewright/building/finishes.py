@@ -23,6 +23,7 @@ PLAIN_FLOOR = Material("screed floor", (0.78, 0.77, 0.74), roughness=0.85)
 SURFACES: dict[str, Material] = {
     "asphalt": Material("asphalt", (0.36, 0.37, 0.38), roughness=0.95),
     "pavement": Material("pavement", (0.72, 0.71, 0.68), roughness=0.95),
+    "kerb": Material("kerb", (0.80, 0.79, 0.77), roughness=0.9),
     "path": Material("gravel path", (0.70, 0.65, 0.56), roughness=1.0),
     "lane": Material("lane", (0.56, 0.55, 0.53), roughness=0.95),
     "walk": Material("garden walk", (0.70, 0.68, 0.63), roughness=0.95),

@@ -87,10 +87,18 @@ class Wall:
     prisms: tuple[Prism, ...]
 
 
+class Fall(NamedTuple):
+    """How a top falls: to a height ``low`` at ``lines`` (n, 2), from ``reach`` metres off them."""
+
+    lines: tuple[Points, ...]
+    low: float
+    reach: float
+
+
 class GroundSurface(NamedTuple):
     """What lies on the ground of a space: ``kind`` (``asphalt``, ``pavement``, ``path``, ``lane``,
     ``walk``, ``square``, ``parking``, ``marking`` …) and the polygons it covers, each an outline
-    with holes, between two heights."""
+    with holes, between two heights; ``fall`` says where the upper one falls (none: nowhere)."""
 
     id: str
     space: str
@@ -98,6 +106,7 @@ class GroundSurface(NamedTuple):
     areas: tuple[tuple[Points, tuple[Points, ...]], ...]
     base: float
     top: float
+    fall: Fall | None = None
 
 
 class Terrain(NamedTuple):

@@ -53,6 +53,17 @@ def prism(outline: Floats, base: float, top: float, holes: Sequence[Floats] = ()
     >>> round(volume(prism(np.array([[0.0, 0], [2, 0], [2, 1], [0, 1]]), 0.0, 3.0)), 9)
     6.0
     """
+    vertices, faces, _ = mound(outline, base, top, holes)
+    upper, sides = np.split(faces, [len(faces) - len(vertices)])
+    return Mesh(vertices, np.vstack([upper, upper[:, ::-1] - len(vertices) // 2, sides]))
+
+
+def mound(outline: Floats, base: float, top: float, holes: Sequence[Floats] = ()) -> Mesh:
+    """A vertical prism without its lower face, for what stands in the ground.
+
+    >>> len(mound(np.array([[0.0, 0], [2, 0], [2, 1], [0, 1]]), -0.1, 0.2).faces)
+    10
+    """
     upper, flat, _ = sheet(outline, holes, top)
     count = len(upper)
     lower = upper.copy()
@@ -66,8 +77,7 @@ def prism(outline: Floats, base: float, top: float, holes: Sequence[Floats] = ()
             np.stack([here, there + count, here + count], 1),
         ]
         start += len(ring)
-    faces = np.vstack([flat + count, flat[:, ::-1], *sides])
-    return Mesh(np.vstack([lower, upper]), faces)
+    return Mesh(np.vstack([lower, upper]), np.vstack([flat + count, *sides]))
 
 
 def box(low: Sequence[float], high: Sequence[float]) -> Mesh:

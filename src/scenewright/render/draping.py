@@ -16,7 +16,7 @@ from scenewright.core.heights import HeightGrid, facet_heights_at
 from scenewright.core.scene import GroundSurface, Scene, Terrain
 from scenewright.core.space import Points
 from scenewright.geometry.mesh import Mesh, merge
-from scenewright.geometry.prisms import prism
+from scenewright.geometry.prisms import mound, prism, sheet
 
 Floats = NDArray[np.float64]
 THICK = 0.3
@@ -35,12 +35,40 @@ def drape_floor(shape: shapely.Polygon, terrain: Terrain) -> Mesh:
     return drape(shape, terrain.finished, 0.0)
 
 
+def lay_surface(surface: GroundSurface) -> Mesh:
+    """What lies on level ground; without an underside if it reaches into it, a sheet if it has no
+    thickness."""
+    rows, (base, top) = surface.areas, (surface.base, surface.top)
+    if base == top:
+        return merge([sheet(outline, holes, top) for outline, holes in rows])
+    solid = mound if base < 0.0 else prism
+    return _let_down(merge([solid(outline, base, top, holes) for outline, holes in rows]), surface)
+
+
 def drape_surface(surface: GroundSurface, terrain: Terrain) -> Mesh:
     """What lies on the ground, with its edges."""
     shapes = [shapely.Polygon(outline, holes) for outline, holes in surface.areas]
     base = surface.base if surface.base > 0 else -THICK
-    meshes = [drape(shape, terrain.deck, surface.top) for shape in shapes]
-    return merge([*meshes, *(drape_sides(s, terrain.deck, base, surface.top) for s in shapes)])
+    tops = [drape(shape, terrain.deck, surface.top) for shape in shapes]
+    edged = shapes if surface.base < surface.top else []
+    sides = [drape_sides(shape, terrain.deck, base, surface.top) for shape in edged]
+    return _let_down(merge([*tops, *sides]), surface, terrain.deck)
+
+
+def _let_down(mesh: Mesh, surface: GroundSurface, grid: HeightGrid | None = None) -> Mesh:
+    """The mesh of a surface with its upper corners as low as it falls there; over the heights of a
+    ``grid`` (none: 0)."""
+    if surface.fall is None:
+        return mesh
+    lines, low, reach = surface.fall
+    flat = mesh.vertices[:, :2]
+    above = mesh.vertices[:, 2] - (facet_heights_at(grid, flat) if grid else 0.0)
+    upper = above > (surface.base + surface.top) / 2
+    edge = shapely.multilinestrings([shapely.LineString(line) for line in lines])
+    share = np.clip(shapely.distance(shapely.points(flat[upper]), edge) / reach, 0.0, 1.0)
+    vertices = mesh.vertices.copy()
+    vertices[upper, 2] -= (surface.top - low) * (1.0 - share)
+    return mesh._replace(vertices=vertices)
 
 
 def lay_terrain(scene: Scene) -> Iterator[tuple[str, Part]]:

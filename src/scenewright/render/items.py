@@ -27,7 +27,7 @@ from scenewright.core.space import Level, Opening, Space
 from scenewright.geometry.mesh import Floats, Mesh, merge
 from scenewright.geometry.prisms import prism, sheet
 from scenewright.render.cut_part import cut_part, leave_out_hanging
-from scenewright.render.draping import drape_floor, drape_surface, lay_terrain
+from scenewright.render.draping import drape_floor, drape_surface, lay_surface, lay_terrain
 from scenewright.render.hiding import find_hanging_over, find_hiding, make_clear
 from scenewright.render.lighter import lighten
 from scenewright.render.near_walls import (
@@ -243,11 +243,8 @@ def _terrain(scene: Scene, level: Level) -> Iterator[RenderItem]:
 
 def _surface(surface: GroundSurface, level: str, terrain: Terrain | None) -> RenderItem:
     """The surfaces of the ground, one mesh a kind."""
-    rows = surface.areas
-    meshes = [prism(outline, surface.base, surface.top, holes) for outline, holes in rows]
-    if terrain:
-        meshes = [drape_surface(surface, terrain)]
-    part = Part(SURFACES[surface.kind], *merge(meshes))
+    mesh = drape_surface(surface, terrain) if terrain else lay_surface(surface)
+    part = Part(SURFACES[surface.kind], *mesh)
     extras: dict[str, str | float] = {"category": "surface", "function": surface.kind}
     key, at = ("surface", surface.id), (0, 0, 0)
     return RenderItem(surface.id, "surface", level, surface.space, key, (part,), at, 0.0, extras)

@@ -38,6 +38,7 @@ TREE: Colour = (150, 184, 128)
 SURFACES: dict[str, Colour] = {
     "asphalt": (190, 190, 188),
     "pavement": (212, 208, 200),
+    "kerb": (170, 168, 164),
     "path": (222, 212, 192),
     "walk": (222, 212, 192),
     "marking": (250, 250, 250),

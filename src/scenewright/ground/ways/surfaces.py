@@ -25,6 +25,7 @@ from scenewright.ground.ways.junctions import (
     paint,
     round_corners,
 )
+from scenewright.ground.ways.kerbs import edge_pavement
 from scenewright.ground.works import GroundWorks, Pathway
 
 HEIGHTS = {
@@ -37,7 +38,8 @@ HEIGHTS = {
     "walk": 0.04,
     "square": 0.045,
     "path": 0.05,
-    "pavement": 0.12,
+    "pavement": 0.13,
+    "kerb": 0.14,
 }
 """How far the top of each lies above the ground, in metres."""
 DASH, GAP, STRIPE = 3.0, 5.0, 0.16
@@ -83,9 +85,11 @@ def _of_plan(
     parks = _less(_paved_areas(works, "park"), _join(hard, courts))
     drives = _less(drives, _join(squares, lots))
     zebras = list_zebras(plan)
+    edged = edge_pavement(_less(roads, lanes), lanes, zebras, works.pathways)
     found = {
         "asphalt": lanes,
-        "pavement": _less(roads, lanes),
+        "pavement": edged.pavement,
+        "kerb": edged.kerb,
         "path": _less(paths, roads),
         "lane": _lie_on(drives, floor),
         "walk": _lie_on(strips, floor),
@@ -100,7 +104,9 @@ def _of_plan(
     for kind, shape in found.items():
         areas = tuple(rings(part) for part in _polygons(shape))
         if areas:
-            yield GroundSurface(f"{kind} of {plan.id}", plan.id, kind, areas, -0.01, HEIGHTS[kind])
+            top = HEIGHTS[kind]
+            base, fall = top if kind == "marking" else -0.01, edged.fall if kind == "kerb" else None
+            yield GroundSurface(f"{kind} of {plan.id}", plan.id, kind, areas, base, top, fall)
 
 
 def _areal(shape: shapely.Geometry) -> shapely.Geometry:

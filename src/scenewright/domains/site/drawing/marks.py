@@ -40,15 +40,18 @@ from scenewright.ground.works import GREEN, GroundWorks
 
 ASPHALT, PAVING = "#d9d9d6", "#ece3d0"
 LANE, SQUARE, LOT, COURT = "#e2ded6", "#e3d6bd", "#d3d3d0", "#dcead0"
-PAVEMENT, PARK = "#e9e7e2", "#cfe3bd"
+PAVEMENT, KERB, PARK = "#e9e7e2", "#b5b2ac", "#cfe3bd"
 FILLS = {
     "walk": PAVING,
     "lane": LANE,
     "path": PAVING,
     "pavement": PAVEMENT,
+    "kerb": KERB,
     "asphalt": ASPHALT,
     "marking": "#ffffff",
 }
+STREETS = ("path", "pavement", "kerb", "asphalt", "marking")
+"""What streets and paths are drawn of, one over the other."""
 HATCH = "url(#hatch)"
 FAINT, FULL = np.array([236.0, 226.0, 240.0]), np.array([106.0, 27.0, 130.0])
 """Colours of what walkers see: nothing, and most."""

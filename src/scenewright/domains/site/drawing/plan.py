@@ -173,7 +173,7 @@ def _site_layers(
             group(
                 [
                     marks.beside_mark(view, plan.roads),
-                    marks.surfaces_mark(view, laid, "path", "pavement", "asphalt", "marking"),
+                    marks.surfaces_mark(view, laid, *marks.STREETS),
                 ]
             ),
         ),
