@@ -10,24 +10,17 @@ import numpy as np
 
 from scenewright.core.breeding import Breeder, Gene, Genome
 from scenewright.core.brief import Brief
-from scenewright.core.catalog import Catalog
 from scenewright.core.plan import Plan
 from scenewright.core.solution import Solution
-from scenewright.domains.extend.areas import AreaPlan
 from scenewright.domains.extend.features import measure_features
-from scenewright.domains.extend.models import check_models
 from scenewright.domains.extend.pattern import GapRules, SourcePattern
 from scenewright.domains.extend.presets import PRESETS
 from scenewright.domains.extend.problem import ExtendProblem, GrownLayout
 from scenewright.domains.extend.rating import rate_layout
 from scenewright.domains.extend.solvers.canvas import size_classes
-from scenewright.domains.extend.solvers.growing import STARTS, grow_once
-from scenewright.domains.extend.solving import (
-    FilledArea,
-    assemble_solution,
-    furnish_area,
-    pose_problem,
-)
+from scenewright.domains.extend.solvers.growing import STARTS, grow_once, read_order
+from scenewright.domains.extend.solving import assemble_solution, furnish_area
+from scenewright.domains.extend.staging import stage_extension
 
 SPACINGS = (1.0, 1.4, 2.0)
 """Times the least distances of the sources."""
@@ -63,21 +56,24 @@ def make_breeder(brief: Brief, plan: Plan, seed: int = 0) -> Breeder:
         "chance": CHANCES,
     }
     genes = tuple(Gene(f"{part} {k + 1}", n) for k in range(own) for part, n in parts.items())
-    catalog, settings = check_models(brief, plan.detail), PRESETS["quick"].settings
-    posed = [pose_problem(plan.detail, area, settings, catalog) for area in areas]
+    stage = stage_extension(brief, plan, PRESETS["quick"].settings)
+    posed = [one.problem for one in stage.areas]
+    orders = [read_order(problem) for problem in posed]
 
     @cache
     def grown(place: int, wish: AreaWish) -> GrownLayout:
         problem = vary_problem(posed[place], wish)
         rng = np.random.default_rng([seed, wish.chance, place])
-        return rate_layout(posed[place], grow_once(problem, rng, wish.start))
+        return rate_layout(posed[place], grow_once(problem, orders[place], rng, wish.start))
 
     def layouts(genome: Genome) -> list[GrownLayout]:
         wishes = read_genome(genome)
         return [grown(k, wishes[min(k, own - 1)]) for k in range(len(areas))]
 
     def develop(genome: Genome) -> Solution:
-        return _develop(brief, plan, catalog, posed, layouts(genome), seed)
+        filled = zip(stage.areas, layouts(genome), strict=True)
+        found = [furnish_area(staged, layout, 1) for staged, layout in filled]
+        return assemble_solution(stage, found, "quick", "grow", seed, 0.0)
 
     return Breeder(genes, develop, partial(_measure, plan, develop))
 
@@ -106,23 +102,6 @@ def _favour(pattern: SourcePattern, mix: int) -> np.ndarray:
         return pattern.weight
     more = np.where(size_classes(pattern) == mix - 1, TIMES, 1.0) * pattern.weight
     return np.asarray(more / more.sum() * pattern.weight.sum())
-
-
-def _develop(
-    brief: Brief,
-    plan: Plan,
-    catalog: Catalog,
-    posed: list[ExtendProblem],
-    layouts: list[GrownLayout],
-    seed: int,
-) -> Solution:
-    areas: tuple[AreaPlan, ...] = plan.detail.areas
-    rows = zip(areas, posed, layouts, strict=True)
-    found: list[FilledArea] = [
-        furnish_area(brief, plan.detail, area, problem, layout, catalog, 1)
-        for area, problem, layout in rows
-    ]
-    return assemble_solution(brief, plan.detail, found, catalog, "quick", "grow", seed, 0.0)
 
 
 def _measure(

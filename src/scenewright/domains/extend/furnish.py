@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
+from functools import cache
+from typing import NamedTuple
 
 from scenewright.core.catalog import Catalog
+from scenewright.core.footprint import Footprint
 from scenewright.core.piece_outlines import polygons_of
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece, Pose, Scene, Size
@@ -18,8 +22,36 @@ from scenewright.domains.extend.works import fence_plots, lay_walks
 from scenewright.ground.ways.surfaces import surfaces
 
 
+class CopyLook(NamedTuple):
+    """How the copies of a building of the sources look: model, size and footprint."""
+
+    asset: str
+    size: Size
+    footprint: Footprint
+
+
+def look_of_copies(
+    area: AreaPlan, pattern: SourcePattern, style: str, catalog: Catalog
+) -> Callable[[int], CopyLook]:
+    """What tells by its number how the copies of a building of the sources look in an area; each
+    kind is drawn once."""
+
+    @cache
+    def draw(kind: int, told: tuple[str, str]) -> CopyLook:
+        one = pattern.kinds[kind]
+        size = grow_upwards(Size(*one.size), area.row.storeys)
+        asset = model_of(one._replace(size=(*size,)), style, catalog, told)
+        return CopyLook(asset, size, footprint_within(one.local, size, catalog.assets.get(asset)))
+
+    def look(origin: int) -> CopyLook:
+        told = pattern.told[origin] if pattern.told else ("", "")
+        return draw(int(pattern.kind[origin]), told)
+
+    return look
+
+
 def new_pieces(
-    area: AreaPlan, pattern: SourcePattern, layout: GrownLayout, style: str, catalog: Catalog
+    area: AreaPlan, pattern: SourcePattern, layout: GrownLayout, look: Callable[[int], CopyLook]
 ) -> tuple[Piece, ...]:
     """One piece a building, its front ahead; ids count by kind, past those that stay."""
     taken = {row.id for row in area.fixed}
@@ -30,9 +62,7 @@ def new_pieces(
         counts[kind.name] = counts.get(kind.name, 0) + 1
         while f"{area.id}/{kind.name}_{counts[kind.name]}" in taken:
             counts[kind.name] += 1
-        size = grow_upwards(Size(*kind.size), area.row.storeys)
-        told = pattern.told[origin] if pattern.told else ("", "")
-        asset = model_of(kind._replace(size=(*size,)), style, catalog, told)
+        asset, size, footprint = look(origin)
         found.append(
             Piece(
                 id=f"{area.id}/{kind.name}_{counts[kind.name]}",
@@ -43,7 +73,7 @@ def new_pieces(
                 size=size,
                 group=f"{area.id}/buildings",
                 function=kind.name,
-                footprint=footprint_within(kind.local, size, catalog.assets.get(asset)),
+                footprint=footprint,
             )
         )
     return tuple(found)

@@ -13,7 +13,6 @@ from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
 from scenewright.core.plan import Plan
 from scenewright.core.solution import Solution
-from scenewright.domains.extend.models import check_models
 from scenewright.domains.extend.presets import PRESETS
 from scenewright.domains.extend.printed import Floats, Genes, PlotGrid
 from scenewright.domains.extend.rating import rate_layout
@@ -27,8 +26,9 @@ from scenewright.domains.extend.solvers.colony import (
     swap_blocks,
 )
 from scenewright.domains.extend.solvers.paper import WEIGHTS, build_plots, grid_of
-from scenewright.domains.extend.solving import assemble_solution, furnish_area, pose_problem
+from scenewright.domains.extend.solving import assemble_solution, furnish_area
 from scenewright.domains.extend.stages import cluster_kinds, read_sources, tell_ants
+from scenewright.domains.extend.staging import stage_extension
 from scenewright.engine.trace import Step
 
 QUALITY = 0.5
@@ -83,8 +83,9 @@ def make_matrix_breeder(brief: Brief, plan: Plan, seed: int = 0) -> MatrixBreede
     if len(made.areas) != 1:
         fault = f"a matrix is of one area, and the brief has {len(made.areas)}"
         raise InputError(fault, "leave --method out, or the other areas")
-    (area,), catalog = made.areas, check_models(brief, made)
-    problem = pose_problem(made, area, PRESETS["paper"].settings, catalog)
+    stage = stage_extension(brief, plan, PRESETS["paper"].settings)
+    (staged,) = stage.areas
+    problem = staged.problem
     grid, rule = grid_of(problem), ColonySettings()
 
     @cache
@@ -94,7 +95,7 @@ def make_matrix_breeder(brief: Brief, plan: Plan, seed: int = 0) -> MatrixBreede
         return run_ants(grid, WEIGHTS, None, rng, rule, hear=heard.append), heard
 
     def stages() -> tuple[BreedingStage, ...]:
-        classes = cluster_kinds(brief, problem.pattern, catalog)
+        classes = cluster_kinds(brief, problem.pattern, stage.catalog)
         found, heard = ants()
         return (*read_sources(made, problem.pattern, classes), tell_ants(found, heard))
 
@@ -102,8 +103,8 @@ def make_matrix_breeder(brief: Brief, plan: Plan, seed: int = 0) -> MatrixBreede
 
     def develop(genome: Genome) -> Solution:
         layout = rate_layout(problem, build_plots(problem, matrix.grid, matrix.shape(genome)))
-        found = furnish_area(brief, made, area, problem, layout, catalog, 1)
-        return assemble_solution(brief, made, [found], catalog, "paper", "colony", seed, 0.0)
+        found = furnish_area(staged, layout, 1)
+        return assemble_solution(stage, [found], "paper", "colony", seed, 0.0)
 
     kinds = len(matrix.grid.areas) + 1
     genes = (Gene("plot", kinds),) * matrix.grid.free.size

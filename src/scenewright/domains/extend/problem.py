@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -28,11 +29,22 @@ class StandingGround(NamedTuple):
     inside: NDArray[np.bool_]
 
 
+class PreparedSources(NamedTuple):
+    """What is asked of the sources over and over and does not change while an area is filled: the
+    features of their buildings, and a circle within each footprint, as x, y, radius: of copies
+    (n, 3) in the frames of their boxes, of what stands (m, 3) in the plan."""
+
+    measured: Mapping[str, Floats]
+    circles: Floats
+    standing: Floats
+
+
 class ExtendProblem(NamedTuple):
     """One area: the ``floor`` that may be built on, its whole outline, what is learned of the
     sources, fixed buildings, streets in and about it, how many buildings (``number``) or what share
     of the outline (``coverage``) are wanted, settings, and
-    rows to lay first; and the ``grounds`` of the sources, where they are drawn."""
+    rows to lay first; the ``grounds`` of the sources, where they are drawn; and what of them is
+    ``prepared`` (see :mod:`~scenewright.domains.extend.prepared`)."""
 
     name: str
     floor: shapely.Polygon
@@ -46,6 +58,7 @@ class ExtendProblem(NamedTuple):
     settings: GrowthSettings
     rows: tuple[Any, ...] = ()
     grounds: tuple[shapely.Polygon | None, ...] = ()
+    prepared: PreparedSources | None = None
 
 
 class GrownLayout(NamedTuple):
@@ -70,11 +83,9 @@ def boxes_at(pattern: SourcePattern, poses: Floats, origin: Indices) -> Floats:
 
 def shapes_at(pattern: SourcePattern, poses: Floats, origin: Indices) -> NDArray[np.object_]:
     """The footprints (n,) of copies of buildings of the sources at poses (n, 3)."""
-    boxes = boxes_at(pattern, poses, origin)
-    found = np.empty(len(poses), object)
-    kinds = pattern.kind[origin]
-    for kind in np.unique(kinds).tolist():
-        rows = np.flatnonzero(kinds == kind)
-        local = pattern.kinds[kind].local
-        found[rows] = shapely.polygons(from_frames(local[None], boxes[rows, None]))
-    return found
+    if not len(poses):
+        return np.empty(0, object)
+    locals_ = [pattern.kinds[kind].local for kind in pattern.kind[origin].tolist()]
+    of = np.repeat(np.arange(len(poses)), [len(local) for local in locals_])
+    corners = from_frames(np.concatenate(locals_), poses[of])
+    return np.asarray(shapely.polygons(shapely.linearrings(corners, indices=of)))

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 import shapely
 
+from scenewright.domains.extend.prepared import prepared_of
 from scenewright.domains.extend.problem import (
     ExtendProblem,
     Floats,
@@ -14,7 +17,7 @@ from scenewright.domains.extend.problem import (
 )
 from scenewright.ground.buildings.built import BuiltFrames
 from scenewright.ground.likeness.excess import Excess, find_excess, wasserstein
-from scenewright.ground.likeness.features import ROWS, join_measures, measure_buildings
+from scenewright.ground.likeness.features import ROWS, measure_buildings
 
 MEANINGS: dict[str, str] = {
     "missing": "buildings asked for without a place",
@@ -60,10 +63,10 @@ def measure_grown(problem: ExtendProblem, layout: GrownLayout) -> dict[str, Floa
     grown = BuiltFrames(
         boxes, shapes, np.concatenate([heights[layout.origin], heights[standing.origin]])
     )
-    return {k: v[:count] for k, v in measure_buildings(grown, problem.roads).items()}
+    return measure_buildings(grown, problem.roads, count)
 
 
-def misfit_of(source: dict[str, Floats], measured: dict[str, Floats]) -> float:
+def misfit_of(source: Mapping[str, Floats], measured: Mapping[str, Floats]) -> float:
     """The mean W₁ between the features of sources and of what was grown, in spreads of the
     sources: what annealing lowers, without the null that hardly changes from move to move."""
     found = []
@@ -79,16 +82,4 @@ def likeness_of(problem: ExtendProblem, layout: GrownLayout) -> Excess | None:
     """How far the added buildings, measured among all that stand, are from the sources."""
     if len(layout.poses) < FEW or len(problem.pattern.boxes) < FEW:
         return None
-    return find_excess(measure_sources(problem), measure_grown(problem, layout))
-
-
-def measure_sources(problem: ExtendProblem) -> dict[str, Floats]:
-    """The features of all sources, each measured separately."""
-    pattern = problem.pattern
-    heights = np.array([kind.size[2] for kind in pattern.kinds])[pattern.kind]
-    rows = []
-    for number, roads in enumerate(problem.source_roads):
-        mine = pattern.source == number
-        frames = BuiltFrames(pattern.boxes[mine], pattern.shapes[mine], heights[mine])
-        rows.append(measure_buildings(frames, roads))
-    return join_measures(rows)
+    return find_excess(prepared_of(problem).measured, measure_grown(problem, layout))

@@ -12,12 +12,12 @@ from scenewright.core.errors import InputError
 from scenewright.core.layout import Layouts, NamedBox, check_layouts
 from scenewright.core.plan import Plan
 from scenewright.core.solution import Solution
-from scenewright.domains.extend.models import check_models
 from scenewright.domains.extend.pattern import SourcePattern
 from scenewright.domains.extend.plan import plan_extend
 from scenewright.domains.extend.presets import PRESETS
 from scenewright.domains.extend.problem import GrownLayout
-from scenewright.domains.extend.solving import assemble_solution, furnish_area, pose_problem
+from scenewright.domains.extend.solving import assemble_solution, furnish_area
+from scenewright.domains.extend.staging import stage_extension
 
 FITS = 0.01
 """Metres by which a box may differ from the building it is of."""
@@ -31,15 +31,15 @@ def solution_of(
     started = time.perf_counter()
     made = plan or plan_extend(brief)
     check_layouts(layouts, [area.id for area in made.detail.areas])
-    catalog, found = check_models(brief, made.detail), []
-    for area in made.detail.areas:
-        problem = pose_problem(made.detail, area, PRESETS["default"].settings, catalog)
+    stage, found = stage_extension(brief, made, PRESETS["default"].settings), []
+    for staged in stage.areas:
+        area, problem = staged.area, staged.problem
         layout = _layout(problem.pattern, layouts.get(area.id, ()), area.id)
         wanted = (problem.number or 0) - len(area.fixed)
         layout = layout._replace(asked=max(wanted, len(layout.poses), 1))
-        found.append(furnish_area(brief, made.detail, area, problem, layout, catalog, 0))
+        found.append(furnish_area(staged, layout, 0))
     spent = time.perf_counter() - started
-    return assemble_solution(brief, made.detail, found, catalog, "default", "given", seed, spent)
+    return assemble_solution(stage, found, "default", "given", seed, spent)
 
 
 def _layout(pattern: SourcePattern, given: Sequence[NamedBox], area: str) -> GrownLayout:

@@ -6,41 +6,28 @@ the sources themselves and measures whether it is still the same place.
 
 from __future__ import annotations
 
-import hashlib
 import math
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
 from typing import NamedTuple
 
 from scenewright._version import __version__
 from scenewright.core.brief import Brief
-from scenewright.core.catalog import Catalog
 from scenewright.core.layout import NamedBox, Watch
-from scenewright.core.piece_outlines import polygons_of
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
 from scenewright.core.solution import LeftOut, Solution, TermValue
-from scenewright.domains.extend.areas import AreaPlan, ExtendPlan
-from scenewright.domains.extend.build_problem import build_problem
 from scenewright.domains.extend.fronting import front_pieces
-from scenewright.domains.extend.furnish import new_pieces, old_pieces
+from scenewright.domains.extend.furnish import new_pieces
 from scenewright.domains.extend.given import standing_pieces
-from scenewright.domains.extend.models import (
-    as_drawn,
-    check_models,
-    keep_alike,
-    local_style,
-    use_catalogue,
-    with_source_models,
-)
 from scenewright.domains.extend.plan import plan_extend
 from scenewright.domains.extend.planting import plant_extension
 from scenewright.domains.extend.presets import PRESETS
 from scenewright.domains.extend.problem import ExtendProblem, GrownLayout
 from scenewright.domains.extend.reasons import reasons
-from scenewright.domains.extend.settings import GrowthSettings
 from scenewright.domains.extend.solvers import EXTEND_SOLVERS
+from scenewright.domains.extend.staging import StagedArea, StagedExtension, stage_extension
 from scenewright.domains.extend.uses import dress_extension
 from scenewright.engine.rows import preset_named
 from scenewright.engine.solve import Budget, Report
@@ -85,23 +72,22 @@ def solve(
     layout of each area, as boxes by the names of kinds; ``hear`` the steps of a traced solver.
     """
     started = time.perf_counter()
-    chosen, made = preset_named(PRESETS, preset), (plan or plan_extend(brief)).detail
+    chosen = preset_named(PRESETS, preset)
+    stage, found = stage_extension(brief, plan or plan_extend(brief), chosen.settings), []
     named = solver or chosen.solver
     given = chosen.steps if steps is None and seconds is None else steps
-    catalog, found = check_models(brief, made), []
-    for k, area in enumerate(made.areas):
-        problem = pose_problem(made, area, chosen.settings, catalog)
-        on_progress = None if progress is None else _share(progress, k, len(made.areas), area.name)
+    for k, one in enumerate(stage.areas):
+        area, problem = one.area, one.problem
+        count = len(stage.areas)
+        on_progress = None if progress is None else _share(progress, k, count, area.name)
         on_progress = add_watch(on_progress, watch, area.id, partial(_boxes, problem))
         budget = Budget(seconds, given, threads=threads, hear=hear_in(hear, area.id))
         answer = EXTEND_SOLVERS[named].run(problem, budget, seed + 7919 * k, on_progress, cancel)
         layout, tried = answer.layouts[0], answer.evaluations
         stopped = cancel is not None and cancel()
-        found.append(
-            furnish_area(brief, made, area, problem, layout, catalog, tried, stopped=stopped)
-        )
+        found.append(furnish_area(one, layout, tried, stopped=stopped))
     spent = time.perf_counter() - started
-    return assemble_solution(brief, made, found, catalog, preset, named, seed, spent)
+    return assemble_solution(stage, found, preset, named, seed, spent)
 
 
 def _boxes(problem: ExtendProblem, layout: GrownLayout) -> tuple[NamedBox, ...]:
@@ -117,42 +103,19 @@ def problems(
     brief: Brief, preset: str = "default", *, plan: Plan | None = None
 ) -> tuple[ExtendProblem, ...]:
     """The problem of each area as solvers take it."""
-    made = (plan or plan_extend(brief)).detail
-    catalog = check_models(brief, made)
     settings = preset_named(PRESETS, preset).settings
-    return tuple(pose_problem(made, area, settings, catalog) for area in made.areas)
-
-
-def pose_problem(
-    plan: ExtendPlan, area: AreaPlan, settings: GrowthSettings, catalog: Catalog
-) -> ExtendProblem:
-    """The problem of an area, with the models it asks for. What stands and what is placed covers
-    what its pieces will."""
-    problem = build_problem(plan, area, settings)
-    old, standing = polygons_of(old_pieces(plan, "", catalog)), problem.standing
-    shapes = standing.shapes.copy()
-    shapes[: len(old)] = [keep_alike(a, b) for a, b in zip(shapes[: len(old)], old, strict=True)]
-    change = use_catalogue if area.row.use == "catalogue" else as_drawn
-    return problem._replace(
-        pattern=change(problem.pattern, catalog), standing=standing._replace(shapes=shapes)
-    )
+    stage = stage_extension(brief, plan or plan_extend(brief), settings)
+    return tuple(one.problem for one in stage.areas)
 
 
 def furnish_area(
-    brief: Brief,
-    plan: ExtendPlan,
-    area: AreaPlan,
-    problem: ExtendProblem,
-    layout: GrownLayout,
-    catalog: Catalog,
-    evaluations: int,
-    *,
-    stopped: bool = False,
+    staged: StagedArea, layout: GrownLayout, evaluations: int, *, stopped: bool = False
 ) -> FilledArea:
     """A layout as pieces, with its figures and what it lacks, be it because the run was
     ``stopped``."""
-    style = local_style(brief, plan)
-    pieces = (*standing_pieces(area), *new_pieces(area, problem.pattern, layout, style, catalog))
+    area, problem = staged.area, staged.problem
+    new = new_pieces(area, problem.pattern, layout, staged.look)
+    pieces = (*standing_pieces(area), *new)
     missing = layout.asked - len(layout.poses)
     left_out = []
     if not layout.asked and not len(layout.poses) and not area.fixed:
@@ -168,31 +131,30 @@ def furnish_area(
 
 
 def assemble_solution(
-    brief: Brief,
-    plan: ExtendPlan,
-    found: list[FilledArea],
-    catalog: Catalog,
+    stage: StagedExtension,
+    found: Sequence[FilledArea],
     preset: str,
     solver: str,
     seed: int,
     seconds: float,
 ) -> Solution:
     """The solution of all areas of a brief, with the old buildings."""
+    plan = stage.plan
     first = plan.areas[0].id
     skipped = tuple(
         LeftOut(first, line.partition(": ")[2], "of the source, not followed", False)
         for line in plan.left_out
     )
     new = tuple(piece for one in found for piece in one.pieces)
-    pieces = (*new, *old_pieces(plan, local_style(brief, plan), catalog))
+    pieces = (*new, *stage.old)
     lacking: list[LeftOut] = []
     if solver in COMPOSED:
         counted = {area.id for area in plan.areas if area.row.count is not None}
         fronted = front_pieces(plan.ground, pieces, counted)
         dressed, lacking = dress_extension(plan, fronted)
-        pieces = (*dressed, *plant_extension(plan, dressed, catalog, seed))
+        pieces = (*dressed, *plant_extension(plan, dressed, stage.catalog, seed))
     return Solution(
-        brief=with_source_models(brief, plan),
+        brief=stage.brief,
         pieces=pieces,
         patches=(),
         terms=tuple(term for one in found for term in one.terms),
@@ -202,7 +164,7 @@ def assemble_solution(
         solver=solver,
         seed=seed,
         version=__version__,
-        brief_hash=hashlib.sha256(brief.model_dump_json().encode()).hexdigest(),
+        brief_hash=stage.brief_hash,
         seconds=seconds,
         evaluations=sum(one.evaluations for one in found),
         detail=tuple(road for area in plan.areas for road in area.continued),

@@ -16,7 +16,7 @@ from scenewright.core.scene import Piece
 from scenewright.core.solution import LeftOut, Solution
 from scenewright.domains.extend.areas import OLD, ExtendPlan
 from scenewright.domains.extend.planting import measure_planting
-from scenewright.ground.buildings.dressing import ShopGround, dress, find_shop_fronts
+from scenewright.ground.buildings.dressing import ShopGround, dress, find_party, find_shop_fronts
 from scenewright.ground.buildings.use_figures import measure_uses
 from scenewright.ground.buildings.use_wishes import (
     NONE,
@@ -39,14 +39,15 @@ def dress_extension(
     free = {p.id for p in pieces if p.function not in named and (p.space == OLD or not p.fixed)}
     uses = known_uses(pieces) | dict.fromkeys(_list_small(pieces), "outbuilding")
     old = {p.id for p in pieces if p.space == OLD}
-    found, lacking = dress(pieces, uses, free & old), list[LeftOut]()
+    party = find_party(pieces)
+    found, lacking = dress(pieces, uses, free & old, party), list[LeftOut]()
     ground = ShopGround(shapely.Polygon(), main_streets(plan.ground.roads))
     share = learned_share([p for p in found if p.space == OLD], ground) or 0.0
     for area in plan.areas:
         drawn = {p.id for p in found if p.space == area.id and p.id in free}
         mine, wishes = [p for p in found if p.space == area.id], area.row.uses
         told = uses | dict(_convert(mine, drawn, uses, wishes))
-        found = dress_by_wish(found, told, drawn, wishes.get("shop"), ground, share)
+        found = dress_by_wish(found, told, drawn, wishes.get("shop"), ground, share, party)
         mine = [p for p in found if p.space == area.id]
         fronts = sum(map(len, find_shop_fronts(mine, ground)))
         held = {told[p.id] for p in mine if p.id in told}
@@ -68,7 +69,7 @@ def _convert(
     wishes: Mapping[UseName, UseWish],
 ) -> Iterator[tuple[str, UseName]]:
     """Dwellings that become what an area asks for beyond what was copied, the largest first."""
-    there = count_uses(pieces)
+    there = count_uses(pieces) if wishes else {}
     homes = [p for p in pieces if p.id in drawn and uses.get(p.id, "dwelling") == "dwelling"]
     homes = [p for p in homes if read_asset(p.asset) is not None]
     homes.sort(key=lambda p: -p.size.width * p.size.depth)

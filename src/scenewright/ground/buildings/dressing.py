@@ -7,12 +7,13 @@ use; which one a house takes is known once all stand.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
 import shapely
+from numpy.typing import NDArray
 
 from scenewright.catalog.assets.buildings.house_looks import (
     FORMS,
@@ -21,7 +22,7 @@ from scenewright.catalog.assets.buildings.house_looks import (
     read_asset,
 )
 from scenewright.core.brief.uses import UseName
-from scenewright.core.piece_outlines import outline_of, polygons_of
+from scenewright.core.piece_outlines import polygons_of
 from scenewright.core.scene import Piece
 
 TOUCH, SHARED = 0.06, 0.5
@@ -43,12 +44,24 @@ class ShopGround(NamedTuple):
     streets: shapely.Geometry
 
 
-def dress(pieces: Sequence[Piece], uses: Mapping[str, UseName], drawn: set[str]) -> list[Piece]:
+def dress(
+    pieces: Sequence[Piece],
+    uses: Mapping[str, UseName],
+    drawn: set[str],
+    party: Collection[str] | None = None,
+) -> list[Piece]:
     """The same pieces, those with an id in ``drawn`` that are houses of ours in the form of their
-    use (by id; what is missing is a dwelling) and, where they share a side wall, of a row."""
+    use (by id; what is missing is a dwelling) and, where they share a side wall, of a row;
+    ``party`` are the ids of those that do (found unless given)."""
+    shared = find_party(pieces) if party is None else party
+    return [_dressed(p, uses, p.id in shared) if p.id in drawn else p for p in pieces]
+
+
+def find_party(pieces: Sequence[Piece]) -> frozenset[str]:
+    """The ids of the buildings that share a side wall; see :func:`share_walls`."""
     built = [p for p in pieces if p.category == "building"]
-    party = dict(zip([p.id for p in built], share_walls(built), strict=True))
-    return [_dressed(p, uses, party.get(p.id, False)) if p.id in drawn else p for p in pieces]
+    shares = zip(built, share_walls(built), strict=True)
+    return frozenset(piece.id for piece, shared in shares if shared)
 
 
 def _dressed(piece: Piece, uses: Mapping[str, UseName], party: bool) -> Piece:
@@ -77,34 +90,39 @@ def share_walls(pieces: Sequence[Piece]) -> list[bool]:
     >>> share_walls(rows)
     [True, True, False]
     """
-    found = [False] * len(pieces)
-    boxes = [k for k, piece in enumerate(pieces) if not piece.footprint]
-    if len(pieces) < 2 or not boxes:
-        return found
+    found = np.zeros(len(pieces), np.bool_)
+    boxes = np.array([k for k, piece in enumerate(pieces) if not piece.footprint], np.int64)
+    if len(pieces) < 2 or not len(boxes):
+        return found.tolist()
     shapes = polygons_of(list(pieces))
-    tree = shapely.STRtree(shapes)
-    for k in boxes:
-        for wall in _side_walls(pieces[k]):
-            near = wall.buffer(TOUCH, cap_style="flat")
-            others = [n for n in tree.query(near, predicate="intersects").tolist() if n != k]
-            rest = shapely.intersection(wall.buffer(TOUCH), shapely.union_all(shapes[others]))
-            along = rest.area / (2 * TOUCH) if others else 0.0
-            found[k] |= bool(along >= 0.5 * SHARED * wall.length)
-    return found
+    walls, of = _side_walls(shapes[boxes], np.array([pieces[k].pose.heading for k in boxes]))
+    of = boxes[of]
+    near = shapely.buffer(walls, TOUCH, cap_style="flat")
+    wall, other = shapely.STRtree(shapes).query(near, predicate="intersects")
+    wall, other = wall[other != of[wall]], other[other != of[wall]]
+    round_ends = shapely.buffer(walls, TOUCH, quad_segs=16)
+    for k in np.unique(wall).tolist():
+        beside = shapely.union_all(shapes[other[wall == k]])
+        along = shapely.intersection(round_ends[k], beside).area / (2 * TOUCH)
+        found[of[k]] |= bool(along >= 0.5 * SHARED * walls[k].length)
+    return found.tolist()
 
 
-def _side_walls(piece: Piece) -> list[shapely.LineString]:
-    """The side walls of a building over its box, without their ends."""
-    ring = outline_of(piece)
-    ahead = np.array([np.cos(piece.pose.heading), np.sin(piece.pose.heading)])
-    lines = [shapely.LineString([a, b]) for a, b in zip(ring, np.roll(ring, -1, 0), strict=True)]
-    return [
-        shapely.LineString(
-            [line.interpolate(0.1, normalized=True), line.interpolate(0.9, normalized=True)]
-        )
-        for line in lines
-        if abs(float(np.diff(line.coords, axis=0)[0] @ ahead)) > 0.7 * line.length
-    ]
+def _side_walls(
+    boxes: NDArray[np.object_], headings: NDArray[np.float64]
+) -> tuple[NDArray[np.object_], NDArray[np.int64]]:
+    """The side walls (m,) of buildings over their boxes (n,), without their ends, and whose each
+    is (m,)."""
+    rings = shapely.get_coordinates(boxes).reshape(-1, 5, 2)
+    sides = np.stack([rings[:, :-1], rings[:, 1:]], 2).reshape(-1, 2, 2)
+    of = np.repeat(np.arange(len(boxes)), 4)
+    ahead = np.stack([np.cos(headings), np.sin(headings)], 1)[of]
+    lines = shapely.linestrings(sides)
+    step = ((sides[:, 1] - sides[:, 0]) * ahead).sum(1)
+    aside = np.flatnonzero(np.abs(step) > 0.7 * shapely.length(lines))
+    ends = [shapely.line_interpolate_point(lines[aside], at, normalized=True) for at in (0.1, 0.9)]
+    spots = np.stack([shapely.get_coordinates(one) for one in ends], 1)
+    return np.asarray(shapely.linestrings(spots)), of[aside]
 
 
 def find_shop_fronts(pieces: Sequence[Piece], ground: ShopGround) -> tuple[list[str], list[str]]:

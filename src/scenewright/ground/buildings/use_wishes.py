@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 
 import shapely
 
@@ -31,12 +31,13 @@ def dress_by_wish(
     wish: UseWish | None,
     ground: ShopGround,
     share: float | None = None,
+    party: Collection[str] | None = None,
 ) -> list[Piece]:
     """The pieces in the form of their ``uses`` by id, with as many shops among the dwellings at
     squares and main streets as are wished for, or a ``share`` of these fronts; only those with an
-    id in ``drawn`` change."""
+    id in ``drawn`` change. ``party`` as in :func:`~scenewright.ground.buildings.dressing.dress`."""
     told = {name: use for name, use in uses.items() if use != "shop" or name not in drawn}
-    found = dress(pieces, told, drawn)
+    found = dress(pieces, told, drawn, party)
     fronts = [p for p in found if p.id in drawn and told.get(p.id, "dwelling") == "dwelling"]
     square, street = find_shop_fronts(fronts, ground)
     if wish is None:
@@ -78,7 +79,7 @@ def list_unmet(
 ) -> Iterator[LeftOut]:
     """What a space lacks of the wishes, with the reason: the library has no such house (``held``
     are the uses it has), too few ``fronts`` at squares and main streets, or no place is left."""
-    there = count_uses(pieces, known)
+    there = count_uses(pieces, known) if wishes else {}
     for use, wish in wishes.items():
         own = there.get(use, NONE)
         if is_met(wish, own):

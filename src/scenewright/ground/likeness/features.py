@@ -78,12 +78,16 @@ ROWS = (
 """All features; those of streets only where both scenes have streets."""
 
 
-def measure_buildings(frames: BuiltFrames, roads: Sequence[BuiltRoad] = ()) -> dict[str, Floats]:
-    """The features of every building: a vector (n,) for each name of :data:`ROWS`."""
-    found = {**_what(frames), **_how(frames)}
+def measure_buildings(
+    frames: BuiltFrames, roads: Sequence[BuiltRoad] = (), count: int | None = None
+) -> dict[str, Floats]:
+    """The features of the first ``count`` buildings (left out: of all) among all: a vector (n,) for
+    each name of :data:`ROWS`."""
+    mine = BuiltFrames(frames.boxes[:count], frames.shapes[:count], frames.heights[:count])
+    found = {**_what(mine), **_how(mine, frames.shapes, frames.boxes)}
     driven = [shapely.LineString(road.line) for road in roads if road.kind == "road"]
-    if driven:
-        found |= _streets(frames, driven)
+    if driven and len(mine.boxes):
+        found |= _streets(mine, frames.shapes, driven)
     return found
 
 
@@ -106,8 +110,7 @@ def measure_scene(scene: BuiltScene) -> dict[str, Floats]:
     """The features of the buildings of a scene, measured among its context."""
     frames = frames_of([*scene.buildings, *scene.context], scene.roads)
     count = len(scene.buildings)
-    measured = measure_buildings(frames, scene.roads)
-    return {name: values[:count] for name, values in measured.items()}
+    return measure_buildings(frames, scene.roads, count)
 
 
 def _what(frames: BuiltFrames) -> dict[str, Floats]:
@@ -127,35 +130,39 @@ def _what(frames: BuiltFrames) -> dict[str, Floats]:
     }
 
 
-def _how(frames: BuiltFrames) -> dict[str, Floats]:
+def _how(frames: BuiltFrames, shapes: NDArray[np.object_], boxes: Floats) -> dict[str, Floats]:
+    """How buildings stand among all that have ``shapes`` and ``boxes``, of which they are the
+    first."""
     count = len(frames.boxes)
-    near, away = _neighbours(frames)
+    near, away = _neighbours(frames.shapes, shapes)
     found = {
         name: np.full(count, FAR)
         for name in ("nearest", "side_gap", "front_gap", "offset", "beside", "ahead")
     }
     found["turn"], found["contrast"] = np.zeros(count), np.zeros(count)
-    size = np.log(np.maximum(np.asarray(shapely.area(frames.shapes)), 1.0))
+    size = np.log(np.maximum(np.asarray(shapely.area(shapes)), 1.0))
     for k in range(count):
         others, gaps = near[k], away[k]
         if len(others):
-            _relate(frames.boxes, k, others, gaps, found)
+            _relate(boxes, k, others, gaps, found)
             found["contrast"][k] = abs(size[k] - size[others[0]])
     quadruple = 4.0 * frames.boxes[:, 2]
     found["north"], found["east"] = np.cos(quadruple), np.sin(quadruple)
-    found["density"] = _density(frames)
+    found["density"] = _density(frames.boxes, shapes)
     return found
 
 
-def _neighbours(frames: BuiltFrames) -> tuple[list[NDArray[np.int64]], list[Floats]]:
-    """For each building those nearer than :data:`FAR`, nearest first, and the distances."""
-    tree = shapely.STRtree(frames.shapes)
-    i, j = tree.query(frames.shapes, predicate="dwithin", distance=FAR)
+def _neighbours(
+    mine: NDArray[np.object_], shapes: NDArray[np.object_]
+) -> tuple[list[NDArray[np.int64]], list[Floats]]:
+    """For each of the first buildings those of all nearer than :data:`FAR`, nearest first, and the
+    distances."""
+    i, j = shapely.STRtree(shapes).query(mine, predicate="dwithin", distance=FAR)
     i, j = i[i != j], j[i != j]
-    away = np.asarray(shapely.distance(frames.shapes[i], frames.shapes[j]))
+    away = np.asarray(shapely.distance(mine[i], shapes[j]))
     order = np.lexsort((j, away, i))
     i, j, away = i[order], j[order], away[order]
-    cuts = np.searchsorted(i, np.arange(len(frames.shapes) + 1))
+    cuts = np.searchsorted(i, np.arange(len(mine) + 1))
     spans = list(zip(cuts[:-1].tolist(), cuts[1:].tolist(), strict=True))
     return [j[a:b] for a, b in spans], [away[a:b] for a, b in spans]
 
@@ -185,21 +192,23 @@ def _relate(
     found["turn"][k] = abs((angle + np.pi / 4) % (np.pi / 2) - np.pi / 4)
 
 
-def _density(frames: BuiltFrames) -> Floats:
-    """The share of a disc about each building that is built on."""
-    discs = shapely.buffer(shapely.points(frames.boxes[:, :2]), AROUND, quad_segs=4)
-    i, j = shapely.STRtree(frames.shapes).query(discs, predicate="intersects")
-    shared = shapely.area(shapely.intersection(discs[i], frames.shapes[j]))
+def _density(boxes: Floats, shapes: NDArray[np.object_]) -> Floats:
+    """The share of a disc about each box that is built on."""
+    discs = shapely.buffer(shapely.points(boxes[:, :2]), AROUND, quad_segs=4)
+    i, j = shapely.STRtree(shapes).query(discs, predicate="intersects")
+    shared = shapely.area(shapely.intersection(discs[i], shapes[j]))
     return np.asarray(np.bincount(i, shared, len(discs)) / shapely.area(discs))
 
 
-def _streets(frames: BuiltFrames, lines: list[shapely.LineString]) -> dict[str, Floats]:
+def _streets(
+    frames: BuiltFrames, shapes: NDArray[np.object_], lines: list[shapely.LineString]
+) -> dict[str, Floats]:
     """Distance and angle to the nearest street of the front row; nan of the others."""
     every = np.array(lines, object)
     nearest = every[shapely.STRtree(lines).nearest(frames.shapes)]
     way = shapely.shortest_line(frames.shapes, nearest)
     away = np.asarray(shapely.length(way))
-    i, j = shapely.STRtree(frames.shapes).query(way, predicate="intersects")
+    i, j = shapely.STRtree(shapes).query(way, predicate="intersects")
     behind = np.bincount(i[i != j], minlength=len(away)) > 0
     turn = np.full(len(away), np.nan)
     for k in np.flatnonzero((away <= FRONT) & ~behind).tolist():

@@ -8,13 +8,14 @@ features; Kirkpatrick, Gelatt and Vecchi 1983, with a temperature that falls to 
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import NamedTuple
 
 import numpy as np
 
+from scenewright.domains.extend.prepared import prepared_of
 from scenewright.domains.extend.problem import Floats, GrownLayout
-from scenewright.domains.extend.rating import measure_grown, measure_sources, misfit_of
+from scenewright.domains.extend.rating import measure_grown, misfit_of
 from scenewright.domains.extend.solvers.canvas import Canvas
 from scenewright.domains.extend.solvers.neighbours import proposals_of, worth_of
 from scenewright.ground.buildings.built import BuiltFrames, from_frames
@@ -53,7 +54,7 @@ def anneal(
     best = canvas.layout()
     if len(canvas.movable()) < 3 or len(best.poses) > LARGEST:
         return best
-    source = measure_sources(canvas.problem)
+    source = prepared_of(canvas.problem).measured
     energy = least = _energy(canvas, source, best)
     moves: tuple[Move, ...] = (slide_row, slide_one, replace_one, move_worst, move_worst)
     for step in range(steps):
@@ -75,7 +76,7 @@ def anneal(
     return best
 
 
-def _energy(canvas: Canvas, source: dict[str, Floats], layout: GrownLayout) -> float:
+def _energy(canvas: Canvas, source: Mapping[str, Floats], layout: GrownLayout) -> float:
     """Misfit of features and coverage missed, less how well neighbours agree."""
     problem = canvas.problem
     rows = canvas.movable()

@@ -7,6 +7,7 @@ import shapely
 from numpy.typing import NDArray
 
 from scenewright.domains.extend.pattern import GapRules, SourcePattern, pair_kind
+from scenewright.domains.extend.prepared import prepared_of
 from scenewright.domains.extend.problem import (
     ExtendProblem,
     Floats,
@@ -17,6 +18,7 @@ from scenewright.domains.extend.problem import (
 )
 from scenewright.domains.extend.repeats import lattice_shifts
 from scenewright.engine.growing import OnGrowth
+from scenewright.ground.buildings.built import from_frames
 
 Flags = NDArray[np.bool_]
 EDGE = 1e-3
@@ -26,6 +28,8 @@ SHORT = 0.05
 """The share by which coverage may fall short before sizes and gaps give way."""
 TOUCH = 0.005
 """Metres that buildings which touch in the sources may overlap by rounding."""
+DEEP = 0.1
+"""Metres by which circles within two footprints may overlap before these cannot both stand."""
 
 
 class Canvas:
@@ -42,11 +46,14 @@ class Canvas:
         self._boxes = np.zeros((room, 5))
         self._shapes = np.empty(room, object)
         self._origin = np.zeros(room, np.int64)
+        self._circles = np.zeros((room, 3))
+        self._within = prepared_of(problem)
         self.how: list[str] = []
         self.alive = np.ones(room, np.bool_)
         self._boxes[: self.first] = standing.boxes
         self._shapes[: self.first] = standing.shapes
         self._origin[: self.first] = standing.origin
+        self._circles[: self.first] = self._within.standing
         inside = standing.inside
         self.covered = float(np.asarray(shapely.area(standing.shapes[inside])).sum())
         self.held = int(inside.sum())
@@ -133,9 +140,35 @@ class Canvas:
     ) -> Flags:
         """Which copies (n,) at poses (n, 3) stand on the floor and as far from all others as in
         the sources, or as ``gaps`` say; ``skip`` is one that does not count."""
-        shapes = shapes_at(self.problem.pattern, poses, origin)
-        boxes = boxes_at(self.problem.pattern, poses, origin)
-        return self.legal_shapes(shapes, boxes, skip, gaps)
+        good = self._maybe_legal(poses, origin, skip)
+        rows = np.flatnonzero(good)
+        if len(rows):
+            shapes = shapes_at(self.problem.pattern, poses[rows], origin[rows])
+            boxes = boxes_at(self.problem.pattern, poses[rows], origin[rows])
+            good[rows] = self.legal_shapes(shapes, boxes, skip, gaps)
+        return good
+
+    def _maybe_legal(self, poses: Floats, origin: Indices, skip: int) -> Flags:
+        """Which copies (n,) have a circle within their footprint that leaves neither the floor nor
+        cuts the circle of another building deeply: of all others it is known at once."""
+        local = self._within.circles[origin]
+        circles = self._place_circles(local, poses)
+        good = np.asarray(shapely.contains_xy(self.floor, circles[:, 0], circles[:, 1]))
+        rows, there = np.flatnonzero(good), self.there.copy()
+        if skip >= 0:
+            there[skip] = False
+        others = self._circles[: self.count][there]
+        if len(rows) and len(others):
+            mine = circles[rows]
+            step = mine[:, None, :2] - others[None, :, :2]
+            deep = mine[:, None, 2] + others[None, :, 2] - np.hypot(step[..., 0], step[..., 1])
+            good[rows] = deep.max(1) <= DEEP
+        return good
+
+    @staticmethod
+    def _place_circles(local: Floats, poses: Floats) -> Floats:
+        """Circles (n, 3) of the frames of boxes at poses (n, 3), in the plan."""
+        return np.column_stack([from_frames(local[:, :2], poses), local[:, 2]])
 
     def legal_shapes(
         self,
@@ -181,6 +214,7 @@ class Canvas:
             self._boxes = np.concatenate([self._boxes, np.zeros((more, 5))])
             self._shapes = np.concatenate([self._shapes, np.empty(more, object)])
             self._origin = np.concatenate([self._origin, np.zeros(more, np.int64)])
+            self._circles = np.concatenate([self._circles, np.zeros((more, 3))])
             self.alive = np.concatenate([self.alive, np.ones(more, np.bool_)])
         number, self.count = self.count, self.count + 1
         self.how.append(how)
@@ -208,6 +242,7 @@ class Canvas:
         self._boxes[number] = boxes_at(pattern, pose[None], many)[0]
         self._shapes[number] = shapes_at(pattern, pose[None], many)[0]
         self._origin[number] = origin
+        self._circles[number] = self._place_circles(self._within.circles[many], pose[None])[0]
 
     def move(self, number: int, pose: Floats, origin: int) -> None:
         """Put an added building elsewhere, or another in its place."""

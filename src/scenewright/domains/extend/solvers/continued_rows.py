@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 import shapely
 
-from scenewright.domains.extend.problem import Floats
+from scenewright.domains.extend.problem import ExtendProblem, Floats, StandingGround
 from scenewright.domains.extend.solvers.canvas import Canvas
 from scenewright.ground.buildings.built import BuiltFrames, BuiltRoad, from_frames, to_frames
 from scenewright.ground.buildings.rows import WIDE, BuildingRow, find_rows
@@ -41,26 +41,45 @@ class RowString(NamedTuple):
     setbacks: tuple[float, ...]
 
 
-def continue_rows(canvas: Canvas, rng: np.random.Generator) -> int:
-    """Continue all rows of buildings; how many were added."""
-    first = canvas.first
-    known = np.flatnonzero(canvas.origin[:first] >= 0)
+class RowsToContinue(NamedTuple):
+    """The strings of all rows that end near an area, and the streets about them."""
+
+    strings: tuple[RowString, ...]
+    streets: shapely.Geometry
+
+
+def read_rows(problem: ExtendProblem) -> RowsToContinue:
+    """The rows of what stands that may go on into the area."""
+    streets, standing = union_streets(problem.roads), problem.standing
+    known = np.flatnonzero(standing.origin >= 0)
     if len(known) < 3:
-        return 0
-    frames = BuiltFrames(canvas.boxes[known], canvas.shapes[known], np.ones(len(known)))
-    made = 0
-    for row in find_rows(frames):
-        for side in (1.0, -1.0):
-            made += _go_on(canvas, _string(canvas, known, row, side), rng)
-    return made
+        return RowsToContinue((), streets)
+    frames = BuiltFrames(standing.boxes[known], standing.shapes[known], np.ones(len(known)))
+    strings = [
+        _string(standing, known, row, side, streets)
+        for row in find_rows(frames)
+        for side in (1.0, -1.0)
+    ]
+    return RowsToContinue(tuple(s for s in strings if _enters(problem, s)), streets)
 
 
-def _string(canvas: Canvas, known: np.ndarray, row: BuildingRow, side: float) -> RowString:
+def continue_rows(canvas: Canvas, rows: RowsToContinue, rng: np.random.Generator) -> int:
+    """Continue all rows of buildings; how many were added."""
+    return sum(_go_on(canvas, string, rows.streets, rng) for string in rows.strings)
+
+
+def _string(
+    standing: StandingGround,
+    known: np.ndarray,
+    row: BuildingRow,
+    side: float,
+    streets: shapely.Geometry,
+) -> RowString:
     members = known[list(row.members)].tolist()
     gaps = list(row.gaps)
     if side < 0:
         members, gaps = members[::-1], gaps[::-1]
-    boxes = canvas.boxes[members]
+    boxes = standing.boxes[members]
     last = boxes[-1]
     frame = np.array([last[0], last[1], row.heading, 1.0, 1.0])
     local = to_frames(boxes[:, :2], frame)
@@ -69,12 +88,12 @@ def _string(canvas: Canvas, known: np.ndarray, row: BuildingRow, side: float) ->
     frame[:2] = from_frames(np.array([side * last[3] / 2, line]), frame)
     between = max(gaps)
     return RowString(
-        tuple(int(v) for v in canvas.origin[members]),
+        tuple(int(v) for v in standing.origin[members]),
         (*gaps, between),
         tuple((fronts - line).tolist()),
         frame,
         side,
-        tuple(setback_of(box, union_streets(canvas.problem.roads)) for box in boxes),
+        tuple(setback_of(box, streets) for box in boxes),
     )
 
 
@@ -114,16 +133,22 @@ def face_street(pose: Floats, deep: float, setback: float, streets: shapely.Geom
     return np.array([*middle, np.arctan2(way[1], way[0])])
 
 
-def _go_on(canvas: Canvas, row: RowString, rng: np.random.Generator) -> int:
-    """Lay a row on from its end until it leaves the area or enough is built."""
-    outline = canvas.problem.outline
+def _enters(problem: ExtendProblem, row: RowString) -> bool:
+    """Whether a row ends near the area and goes on into it."""
     start = shapely.Point(row.frame[:2])
     ahead = shapely.Point(from_frames(np.array([row.side * NEAR, -5.0]), row.frame))
-    if outline.distance(start) > NEAR or not outline.intersects(shapely.LineString([start, ahead])):
-        return 0
+    outline, line = problem.outline, shapely.LineString([start, ahead])
+    return bool(outline.distance(start) <= NEAR and outline.intersects(line))
+
+
+def _go_on(
+    canvas: Canvas, row: RowString, streets: shapely.Geometry, rng: np.random.Generator
+) -> int:
+    """Lay a row on from its end until it leaves the area or enough is built."""
+    outline = canvas.problem.outline
     at, k, made, moved = row.gaps[-1], _begin(row, rng), 0, 0.0
     reach = float(np.hypot(*np.subtract(outline.bounds[2:], outline.bounds[:2]))) + NEAR
-    pattern, streets = canvas.problem.pattern, union_streets(canvas.problem.roads)
+    pattern = canvas.problem.pattern
     while at < reach and made < MOST and not canvas.full():
         origin = row.origins[k]
         width, deep = pattern.boxes[origin, 3:]

@@ -8,7 +8,7 @@ of each kind of edge is built along as in the source.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -49,16 +49,28 @@ class EdgeRule(NamedTuple):
     share: float
 
 
-def lay_edges(canvas: Canvas, rng: np.random.Generator) -> int:
-    """Build along the streets and the outer border of the area as the sources do; how many."""
-    made = 0
+class EdgeGround(NamedTuple):
+    """The straight edges (2, 2) of one kind in an area, and the rule of the sources for them."""
+
+    runs: tuple[Floats, ...]
+    rule: EdgeRule
+
+
+def read_edges(problem: ExtendProblem) -> tuple[EdgeGround, ...]:
+    """The streets and the outer border of the area, as far as the sources build along theirs."""
+    found = []
     for theirs, ours in ((source_streets, area_streets), (source_borders, area_borders)):
-        runs = [run for line in ours(canvas.problem) for run in straight_runs(line)]
-        if not runs:
-            continue
-        rule = learn_rule(canvas.problem, theirs(canvas.problem))
-        if len(rule.members) < FEWEST:
-            continue
+        runs = tuple(run for line in ours(problem) for run in straight_runs(line))
+        rule = learn_rule(problem, theirs(problem)) if runs else EdgeRule((), 0.0)
+        if len(rule.members) >= FEWEST:
+            found.append(EdgeGround(runs, rule))
+    return tuple(found)
+
+
+def lay_edges(canvas: Canvas, edges: Sequence[EdgeGround], rng: np.random.Generator) -> int:
+    """Build along the edges of the area as the sources do; how many."""
+    made = 0
+    for runs, rule in edges:
         length = sum(float(np.hypot(*(run[1] - run[0]))) for run in runs)
         left = rule.share * length
         for k in rng.permutation(len(runs)).tolist():

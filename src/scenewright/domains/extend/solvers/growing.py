@@ -4,16 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
+from typing import NamedTuple
 
 import numpy as np
 import shapely
 
+from scenewright.domains.extend.prepared import prepare_sources
 from scenewright.domains.extend.problem import ExtendFound, ExtendProblem, GrownLayout
 from scenewright.domains.extend.rating import rate_layout
 from scenewright.domains.extend.solvers.anneal import anneal
 from scenewright.domains.extend.solvers.canvas import Canvas
-from scenewright.domains.extend.solvers.continued_rows import continue_rows
-from scenewright.domains.extend.solvers.edges import lay_edges
+from scenewright.domains.extend.solvers.continued_rows import (
+    RowsToContinue,
+    continue_rows,
+    read_rows,
+)
+from scenewright.domains.extend.solvers.edges import EdgeGround, lay_edges, read_edges
 from scenewright.domains.extend.solvers.fronts import turn_fronts
 from scenewright.domains.extend.solvers.laid_rows import lay_rows
 from scenewright.domains.extend.solvers.neighbours import grow_neighbours
@@ -49,6 +55,8 @@ def grow_area(
         budget = budget._replace(steps=LAYOUTS)
     watch = BudgetWatch(budget, progress, cancel)
     found: list[GrownLayout] = []
+    problem = problem if problem.prepared else prepare_sources(problem)
+    order = read_order(problem)
     steps, each = 0, layouts_of_step(problem)
     whole = None if budget.steps is None else budget.steps * each
     while True:
@@ -56,7 +64,7 @@ def grow_area(
             if found and cancel is not None and cancel():
                 break
             rng = np.random.default_rng([seed, number])
-            made = grow_once(problem, rng, number, tell_growth(watch, len(found), whole))
+            made = grow_once(problem, order, rng, number, tell_growth(watch, len(found), whole))
             found.append(rate_layout(problem, turn_fronts(problem, made)))
         found.sort(key=lambda layout: layout.score["energy"])
         steps += 1
@@ -98,8 +106,22 @@ def _first(found: list[GrownLayout]) -> GrownLayout:
     return found[0]
 
 
+class SourceOrder(NamedTuple):
+    """What growing goes on with in every layout of an area: rows, and buildings along edges."""
+
+    rows: RowsToContinue
+    edges: tuple[EdgeGround, ...]
+
+
+def read_order(problem: ExtendProblem) -> SourceOrder:
+    """The order of the sources of a problem. It stays right for another weight or coverage."""
+    edges = read_edges(problem) if problem.settings.edges else ()
+    return SourceOrder(read_rows(problem), edges)
+
+
 def grow_once(
     problem: ExtendProblem,
+    order: SourceOrder,
     rng: np.random.Generator,
     number: int = 0,
     on_growth: OnGrowth | None = None,
@@ -109,9 +131,9 @@ def grow_once(
     the buildings along edges, every third with a patch. ``on_growth`` is called for each."""
     canvas = Canvas(problem, on_growth)
     lay_rows(canvas)
-    if number % 2 and problem.settings.edges:
-        lay_edges(canvas, rng)
-    continue_rows(canvas, rng)
+    if number % 2:
+        lay_edges(canvas, order.edges, rng)
+    continue_rows(canvas, order.rows, rng)
     if number % 3 == 2 and not canvas.full():
         lay_patch(canvas, rng, problem.settings.patches)
     grow_neighbours(canvas, rng)
