@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib.util
+from functools import partial
 from pathlib import Path
 from threading import Event
 
@@ -11,11 +12,12 @@ import pytest
 import scenewright as sw
 from scenewright.core.layout import SEARCH, SETTLED, STAGES, BestLayout, NamedBox
 from scenewright.core.plan import Plan
-from scenewright.domains import domain_of, plan_of, solvers
+from scenewright.domains import plan_of, solvers
 from scenewright.domains.hall.solvers.blocks import stop_when
 from scenewright.engine.shared_progress import SharedProgress
 from scenewright.engine.solve import Report
 from scenewright.formats import solution_json
+from scenewright.studio.streaming import stream_layouts
 
 SAMPLES = {
     "home": "home-room",
@@ -123,9 +125,8 @@ def test_the_best_layout_so_far_is_streamed_and_makes_a_solution(
     assert len(heard) > len(rows), "heard of more than once"
     assert {stage for _, stage in heard} <= {*STAGES}
     assert all(told == (stage not in (SEARCH, SETTLED)) for stage, told in whys)
-    if domain_of(brief.domain).has("passes"):
-        last = dict(heard)
-        assert {last[space] for space in last} == {SETTLED}, "the last picture is of what stays"
+    last = dict(heard)
+    assert {last[space] for space in last} == {SETTLED}, "the last picture is of what stays"
     drawn = sw.solution_of(brief, rows, plan=plan)
     assert len(drawn.pieces) > len(brief.rooms)
     assert not any(
@@ -133,6 +134,16 @@ def test_the_best_layout_so_far_is_streamed_and_makes_a_solution(
     )
     again = sw.solve(brief, plan=plan, solver=name, steps=STEPS.get(domain, 300), threads=1)
     assert again.pieces == found.pieces, "who watches changes nothing"
+
+
+def test_the_first_boxes_are_shown_however_soon_they_come() -> None:
+    """Nothing is said of empty pictures but the first; the first with boxes is not held back."""
+    told: list[dict[str, object]] = []
+    hear = stream_layouts(told.append)
+    box = NamedBox("tower", (0.0, 0.0, 0.0, 8.0, 8.0))
+    for rows in ((), (), (box,), (box, box)):
+        hear(BestLayout("site", 0.1, 9.0, partial(tuple, rows)))
+    assert [one["boxes"] for one in told] == [[], [["tower", 0.0, 0.0, 0.0, 8.0, 8.0]]]
 
 
 def test_cancelled_in_the_middle_of_a_search_it_answers_at_once(

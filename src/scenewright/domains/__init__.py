@@ -131,9 +131,8 @@ def solve(
     ``preset`` and ``solver`` are names (``scenewright list presets``). The work is ``steps`` or
     ``seconds``, else what the preset says; the same seed and steps give the same answer.
     ``progress`` is called with the share done and what is being done; when ``cancel`` answers true,
-    the best so far is returned. ``watch`` is called with the best layout of a space whenever a
-    solver reports, from the thread that searches; :func:`solution_of` makes a solution of such
-    layouts.
+    the best so far is returned. ``watch`` is called with the best layout of a space, from the
+    thread that searches; :func:`solution_of` makes a solution of such layouts.
 
     >>> from scenewright.formats import read
     >>> best = {}
@@ -142,8 +141,9 @@ def solve(
     >>> sorted(row.name for row in best["room"])[:2]
     ['desk', 'dining_wall']
     """
-    watched = {} if watch is None else {"watch": watch}
-    solution: Solution = domain_of(brief.domain).verb("solve")(
+    domain = domain_of(brief.domain)
+    watched = {"watch": watch} if watch and domain.takes("solve", "watch") else {}
+    solution: Solution = domain.verb("solve")(
         brief,
         plan=plan or plan_valid(brief),
         preset=preset,

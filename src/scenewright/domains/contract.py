@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from importlib import import_module
+from inspect import signature
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Protocol
 
 from scenewright.core.breeding import Breeder
@@ -128,9 +129,9 @@ class Planning(Protocol):
 class Solving(Protocol):
     """``solve``: ``plan`` is that of the brief, made once a run. The work is ``steps`` or
     ``seconds``, else what the preset says. ``progress`` is called with the share done and what is
-    being done; when ``cancel`` answers true, the best so far is returned. ``watch`` is only handed
-    to a domain where somebody watches: it gets the best layout of each space; ``hear`` only where a
-    traced solver's steps are heard."""
+    being done; when ``cancel`` answers true, the best so far is returned. ``watch`` gets the best
+    layout of each space, every change after its search, and what is settled; it is handed to a
+    domain that takes it. ``hear`` is handed where a traced solver's steps are heard."""
 
     def __call__(
         self,
@@ -243,6 +244,10 @@ class Domain(NamedTuple):
             remedy = f"it is there for: {having}" if having else "leave it out"
             raise InputError(fault, remedy)
         return self.load(self.verbs[name])
+
+    def takes(self, name: Verb, argument: str) -> bool:
+        """Whether the function of a verb takes an argument that it may do without."""
+        return argument in signature(self.verb(name)).parameters
 
     def table(self, name: Table) -> Any:
         """A table by name, empty if the domain has none."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from typing import Any
 
@@ -31,3 +32,20 @@ def add_watch(
             progress(report)
 
     return hear
+
+
+def show(
+    watch: Watch | None,
+    space: str,
+    rows: Callable[[], tuple[NamedBox, ...]],
+    stage: str,
+    reason: str = "",
+) -> None:
+    """Show a space as it stands after its search to who watches, if anybody does: at which
+    ``stage``, and what changed it.
+
+    >>> show(lambda best: print(best.stage, best.reason), "site", tuple, "routes", "no way leads")
+    routes no way leads
+    """
+    if watch is not None:
+        watch(BestLayout(space, 1.0, math.inf, rows, stage, reason))

@@ -64,6 +64,7 @@ def arrange_file(
     brief, plan, domain = yield from open_request(request)
     steps = list[Step]()
     heard: dict[str, Any] = {} if request.trace is None else {"hear": steps.append}
+    watches = domain.takes("solve", "watch")
     try:
         solution = yield from stream_events(
             lambda tell, cancelled: domain.verb("solve")(
@@ -77,7 +78,7 @@ def arrange_file(
                 threads=threads,
                 progress=lambda share, what: tell(Progress(share, what)),
                 cancel=cancelled,
-                **(heard | ({"watch": _tell_changes(tell)} if domain.has("passes") else {})),
+                **(heard | ({"watch": _tell_changes(tell)} if watches else {})),
             ),
             cancel,
         )

@@ -14,10 +14,11 @@ from typing import NamedTuple
 
 from scenewright._version import __version__
 from scenewright.core.brief import Brief
-from scenewright.core.layout import NamedBox, Watch
+from scenewright.core.layout import FIT, ROUTES, SETTLED, NamedBox, Watch
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
 from scenewright.core.solution import LeftOut, Solution, TermValue
+from scenewright.domains.extend.areas import ExtendPlan
 from scenewright.domains.extend.fronting import front_pieces
 from scenewright.domains.extend.furnish import new_pieces
 from scenewright.domains.extend.given import standing_pieces
@@ -32,10 +33,12 @@ from scenewright.domains.extend.uses import dress_extension
 from scenewright.engine.rows import preset_named
 from scenewright.engine.solve import Budget, Report
 from scenewright.engine.trace import Hear, hear_in
-from scenewright.engine.watched import add_watch
+from scenewright.engine.watched import add_watch, show
 
 COMPOSED = ("grow",)
 """Solvers whose buildings get fronts to their street and the form of their use."""
+SAME = 1e-6
+"""Metres by which sizes of one model may differ."""
 Progress = Callable[[float, str], None]
 Cancel = Callable[[], bool]
 
@@ -87,7 +90,7 @@ def solve(
         stopped = cancel is not None and cancel()
         found.append(furnish_area(one, layout, tried, stopped=stopped))
     spent = time.perf_counter() - started
-    return assemble_solution(stage, found, preset, named, seed, spent)
+    return assemble_solution(stage, found, preset, named, seed, spent, watch)
 
 
 def _boxes(problem: ExtendProblem, layout: GrownLayout) -> tuple[NamedBox, ...]:
@@ -137,8 +140,10 @@ def assemble_solution(
     solver: str,
     seed: int,
     seconds: float,
+    watch: Watch | None = None,
 ) -> Solution:
-    """The solution of all areas of a brief, with the old buildings."""
+    """The solution of all areas of a brief, with the old buildings; ``watch`` gets what changes
+    and what stays."""
     plan = stage.plan
     first = plan.areas[0].id
     skipped = tuple(
@@ -151,8 +156,12 @@ def assemble_solution(
     if solver in COMPOSED:
         counted = {area.id for area in plan.areas if area.row.count is not None}
         fronted = front_pieces(plan.ground, pieces, counted)
+        show_changes(watch, plan, pieces, fronted, ROUTES, "fronts look at ways that lead to them")
         dressed, lacking = dress_extension(plan, fronted)
+        reason = "buildings are drawn by their uses and their neighbours"
+        show_changes(watch, plan, fronted, dressed, FIT, reason)
         pieces = (*dressed, *plant_extension(plan, dressed, stage.catalog, seed))
+    show_changes(watch, plan, (), pieces, SETTLED)
     return Solution(
         brief=stage.brief,
         pieces=pieces,
@@ -169,6 +178,34 @@ def assemble_solution(
         evaluations=sum(one.evaluations for one in found),
         detail=tuple(road for area in plan.areas for road in area.continued),
     )
+
+
+def show_changes(
+    watch: Watch | None,
+    plan: ExtendPlan,
+    before: Sequence[Piece],
+    after: Sequence[Piece],
+    stage: str,
+    reason: str = "",
+) -> None:
+    """Show the new buildings of each area with others than before to who watches."""
+    for area in plan.areas if watch else ():
+        old, new = ([p for p in every if p.space == area.id] for every in (before, after))
+        if old != new:
+            lost = len(old) - len(new)
+            told = f"{reason}, {lost} of them left out" if reason and lost else reason
+            show(watch, area.id, partial(_boxes_of_pieces, plan, new), stage, told)
+
+
+def _boxes_of_pieces(plan: ExtendPlan, pieces: Sequence[Piece]) -> tuple[NamedBox, ...]:
+    """New buildings as boxes of their kinds, whichever of their sides the front is on."""
+    sizes, found = {kind.name: kind.size for kind in plan.pattern.kinds}, list[NamedBox]()
+    for piece in (p for p in pieces if not p.fixed and p.function in sizes):
+        wide, deep = sizes[piece.function][:2]
+        turned = abs(piece.size.width - wide) > SAME
+        heading = piece.pose.heading - math.pi / 2 * turned
+        found.append(NamedBox(piece.function, (*piece.pose[:2], heading, wide, deep)))
+    return tuple(found)
 
 
 def _share(progress: Progress, number: int, count: int, name: str) -> Callable[[Report], None]:

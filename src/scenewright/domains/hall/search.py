@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import time
 from collections.abc import Callable
 from functools import partial
@@ -11,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from scenewright.core.catalog import Catalog
-from scenewright.core.layout import BestLayout, Boxes, NamedBox, Watch, name_rows
+from scenewright.core.layout import Boxes, NamedBox, Watch, name_rows
 from scenewright.core.passes import ALL_PASSES, PassOptions
 from scenewright.domains.hall.build_problem import HallContext, build_problem
 from scenewright.domains.hall.demands.holdings import HallDemand
@@ -31,7 +30,7 @@ from scenewright.domains.hall.solvers.outcome import (
 from scenewright.domains.hall.terms.table import SPACE, space_cost
 from scenewright.domains.hall.zoning.assign import Unit
 from scenewright.engine.solve import Budget, Found, Report
-from scenewright.engine.watched import add_watch
+from scenewright.engine.watched import add_watch, show
 
 Progress = Callable[[float, str], None]
 Cancel = Callable[[], bool]
@@ -222,9 +221,8 @@ def show_objects(
     search: HallSearch, fitted: Fitted, boxes: Callable[[], Boxes], stage: str, reason: str
 ) -> None:
     """Show objects as they stand to who watches, if anybody does, with what changed them."""
-    if search.watch is not None:
-        rows = partial(_make_rows, search, fitted, boxes)
-        search.watch(BestLayout(search.hall.space.id, 1.0, math.inf, rows, stage, reason))
+    rows = partial(_make_rows, search, fitted, boxes)
+    show(search.watch, search.hall.space.id, rows, stage, reason)
 
 
 def show_found(

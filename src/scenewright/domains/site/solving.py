@@ -21,7 +21,7 @@ from scenewright.catalog.appearance import facts
 from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief
 from scenewright.core.catalog import Catalog
-from scenewright.core.layout import NamedBox, Watch, name_rows
+from scenewright.core.layout import REPAIR, ROUTES, SETTLED, NamedBox, Watch, name_rows
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
 from scenewright.core.solution import LeftOut, Solution, TermValue
@@ -49,12 +49,14 @@ from scenewright.domains.site.works import gather_works, lay_works
 from scenewright.engine.rows import preset_named
 from scenewright.engine.solve import Budget, Report
 from scenewright.engine.trace import Hear, hear_in
-from scenewright.engine.watched import add_watch
+from scenewright.engine.watched import add_watch, show
 from scenewright.ground.plan import SitePlan
 from scenewright.ground.works import GroundWorks
 
 Progress = Callable[[float, str], None]
 Cancel = Callable[[], bool]
+Show = Callable[[SiteLayout, str, str], None]
+"""Shows a layout to who watches, with its stage and what changed it."""
 
 __all__ = ["PRESETS", "problems", "solve"]
 
@@ -99,8 +101,8 @@ def solve(
 
     ``steps`` are layouts looked at (of each block, by the default solver); the same seed and
     steps give the same answer. ``plan`` is that of the brief (made unless given). ``progress``
-    gets the share done; when ``cancel`` answers true, what was found so far is returned.
-    ``hear`` gets the steps of a traced solver.
+    gets the share done, ``watch`` the best layout of each site; when ``cancel`` answers true, what
+    was found so far is returned. ``hear`` gets the steps of a traced solver.
     """
     started = time.perf_counter()
     chosen, catalog = preset_named(PRESETS, preset), catalog_of(brief.catalogs)
@@ -189,12 +191,16 @@ def _build(
         found: SiteFound = SITE_SOLVERS[solver].run(posed, budget, seed, on_progress, cancel)
         return found
 
-    found, served, lost = _run_served(site, plan, problem, run)
+    def picture(layout: SiteLayout, stage: str, reason: str = "") -> None:
+        show(watch, plan.id, lambda: _building_rows(rows, layout), stage, reason)
+
+    found, served, lost = _run_served(site, plan, problem, run, picture)
     again = lost and problem.spacing < BESIDE and budget.seconds is None
     if again and variant.choice is None and variant.boxes is None:
-        wider = _run_served(site, plan, problem._replace(spacing=BESIDE), run)
+        wider = _run_served(site, plan, problem._replace(spacing=BESIDE), run, picture)
         if wider[1].layout.present.sum() > served.layout.present.sum():
             found, served, lost = wider
+    picture(served.layout, SETTLED)
     found = found._replace(layouts=(served.layout,))
     works = gather_works(site, plan, served.network.pathways, served.footprints)
     built = furnish_site(site, plan, rows, problem, found, catalog, seed, works)
@@ -206,16 +212,27 @@ def _build(
 
 
 def _run_served(
-    site: Site, plan: SitePlan, problem: SiteProblem, run: Callable[[SiteProblem], SiteFound]
+    site: Site,
+    plan: SitePlan,
+    problem: SiteProblem,
+    run: Callable[[SiteProblem], SiteFound],
+    picture: Show,
 ) -> tuple[SiteFound, ServedLayout, dict[int, str]]:
     """What is found, the part of it that ways lead to, and why the rest of it is left out, by
-    the number of each building."""
+    the number of each building; what changes it after the search is shown by ``picture``."""
     if site.sun_required:
         found, dark = solve_in_sun(run, problem, site.sun_hours)
     else:
         found, dark = run(problem), {}
     layout, lost = _reached_only(site, plan, problem, found.layouts[0])
     served = serve_doors(site, plan, problem, layout, fixed_buildings(plan))
+    if dark:
+        picture(found.layouts[0], REPAIR, f"without {len(dark)} that lack sun")
+    if lost or served.lost:
+        reason = f"without {len(lost) + len(served.lost)} that no way leads to"
+        picture(served.layout, ROUTES, reason)
+    elif not np.array_equal(layout.boxes, served.layout.boxes):
+        picture(served.layout, ROUTES, "fronts look at the ways to them")
     return found, served, dark | lost | served.lost
 
 

@@ -18,7 +18,7 @@ import shapely
 
 from scenewright._version import __version__
 from scenewright.core.brief import Brief
-from scenewright.core.layout import NamedBox, Watch
+from scenewright.core.layout import FIT, SETTLED, NamedBox, Watch
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
 from scenewright.core.solution import LeftOut, Patch, Solution, TermValue
@@ -40,7 +40,7 @@ from scenewright.domains.village.uses import dress_block
 from scenewright.engine.rows import preset_named
 from scenewright.engine.solve import Budget, Report
 from scenewright.engine.trace import Hear, hear_in
-from scenewright.engine.watched import add_watch
+from scenewright.engine.watched import add_watch, show
 
 Progress = Callable[[float, str], None]
 Cancel = Callable[[], bool]
@@ -97,18 +97,21 @@ def solve(
         budget = Budget(seconds, given, threads=threads, hear=hear_in(hear, one.id))
         answer = VILLAGE_SOLVERS[named].run(problem, budget, seed + 7919 * k, on_progress, cancel)
         layout = answer.layouts[0]
-        found.append(
-            furnish_block(
-                block,
-                one,
-                village,
-                problem,
-                layout,
-                answer.evaluations,
-                seed + 7919 * k,
-                stopped=cancel is not None and cancel(),
-            )
+        rows = partial(_boxes, one, village.houses, layout)
+        filled = furnish_block(
+            block,
+            one,
+            village,
+            problem,
+            layout,
+            answer.evaluations,
+            seed + 7919 * k,
+            stopped=cancel is not None and cancel(),
         )
+        if chosen.settings.composed:
+            show(watch, one.id, rows, FIT, "houses are drawn by their uses and their neighbours")
+        show(watch, one.id, rows, SETTLED)
+        found.append(filled)
     spent = time.perf_counter() - started
     return assemble_solution(brief, found, preset, named, seed, spent, lanes)
 

@@ -16,7 +16,7 @@ from scenewright.building.plan import plan_rooms
 from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief
 from scenewright.core.catalog import Catalog
-from scenewright.core.layout import SETTLED, BestLayout, Watch
+from scenewright.core.layout import SETTLED, Watch
 from scenewright.core.passes import ALL_PASSES, PassOptions
 from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
@@ -39,6 +39,7 @@ from scenewright.engine.rows import preset_named
 from scenewright.engine.shared_progress import SharedProgress
 from scenewright.engine.solve import Budget
 from scenewright.engine.trace import Hear
+from scenewright.engine.watched import show
 
 Progress = Callable[[float, str], None]
 Cancel = Callable[[], bool]
@@ -192,9 +193,8 @@ def _run(
             on_progress = partial(shared.hear, task.number)
         cancelled = cancel or (lambda: False)
         laid = lay_best(brief, task, partial(once, on_progress), cancelled)
-        if watch is not None and laid.picture:
-            rows = partial(tuple, laid.picture)
-            watch(BestLayout(task.hall.space.id, 1.0, laid.energy, rows, SETTLED))
+        if laid.picture:
+            show(watch, task.hall.space.id, partial(tuple, laid.picture), SETTLED)
         return laid
 
     answers: dict[int, Laid] = {}

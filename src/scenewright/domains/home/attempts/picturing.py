@@ -2,21 +2,20 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 
 import numpy as np
 
-from scenewright.core.layout import SETTLED, BestLayout, NamedBox, name_rows
+from scenewright.core.layout import SETTLED, NamedBox, name_rows
 from scenewright.domains.home.attempts.attempt import FurnishedGroup, RoomAnswer, RoomTask
+from scenewright.engine.watched import show
 
 Placed = tuple[FurnishedGroup, ...]
 
 
 def show_groups(task: RoomTask, placed: Placed, stage: str, reason: str = "") -> None:
     """Show groups of a room as they stand to who watches, if anybody does."""
-    if task.watch is not None:
-        task.watch(BestLayout(task.space.id, 1.0, math.inf, lambda: _rows(placed), stage, reason))
+    show(task.watch, task.space.id, lambda: _rows(placed), stage, reason)
 
 
 def show_change(task: RoomTask, before: Placed, after: Placed, stage: str, reason: str) -> None:
