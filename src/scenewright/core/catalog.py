@@ -169,18 +169,24 @@ class Catalog:
         """Of the assets of a category called by a word of a ``name``, its last such word, the
         ``number``-th in turn; ``None`` if there are none. Of a *mammoth diorama* the mammoth
         is drawn: words for how something is shown count last."""
-        said = re.findall(r"[^\W\d_]+", name.casefold())[::-1]
-        for word in sorted(said, key=lambda word: any(_means(word, w) for w in SHOWN_AS)):
-            found = [a for a in self.of(category) if any(_means(word, w) for w in a.called)]
-            if found:
-                return found[number % len(found)]
-        return None
+        found = _called(self, category, name)
+        return found[number % len(found)] if found else None
 
 
 @lru_cache(maxsize=8192)
 def _chosen(catalog: Catalog, category: str, size: Size) -> Asset | None:
     found = [a for a in catalog.of(category) if not a.called]
     return min(found, key=lambda a: _misfit(a, size)) if found else None
+
+
+@lru_cache(maxsize=8192)
+def _called(catalog: Catalog, category: str, name: str) -> tuple[Asset, ...]:
+    said = re.findall(r"[^\W\d_]+", name.casefold())[::-1]
+    for word in sorted(said, key=lambda word: any(_means(word, w) for w in SHOWN_AS)):
+        found = [a for a in catalog.of(category) if any(_means(word, w) for w in a.called)]
+        if found:
+            return tuple(found)
+    return ()
 
 
 def _misfit(asset: Asset, size: Size) -> float:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from functools import lru_cache
 
 import numpy as np
 import shapely
@@ -67,11 +68,17 @@ def source_pieces(plan: ExtendPlan, catalog: Catalog) -> Iterator[tuple[int, Bui
 def footprint_within(local: Points, size: Size, asset: Asset | None) -> Footprint:
     """What a building covers in the frame of its box, ``local`` (n, 2); the box of its own model
     where that is not drawn over such a footprint."""
-    corners = [(float(x), float(y)) for x, y in local]
-    found = read_footprint(read_footprint(corners, *size[:2]) or corners, *size[:2])
+    found = _fill_box(tuple((float(x), float(y)) for x, y in local), *size[:2])
     if asset is not None and asset.id.startswith(OWN):
         return found if asset.over and asset.over(size, found) else asset.footprint(size)
     return () if shapely.Polygon(local).area > BOXY * size.width * size.depth else found
+
+
+@lru_cache(maxsize=4096)
+def _fill_box(corners: Footprint, width: float, depth: float) -> Footprint:
+    """An outline stretched to fill a box; that of a building that stands is asked for again and
+    again."""
+    return read_footprint(read_footprint(corners, width, depth) or corners, width, depth)
 
 
 def wrap_angle(angle: float) -> float:

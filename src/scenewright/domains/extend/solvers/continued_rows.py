@@ -65,7 +65,11 @@ def read_rows(problem: ExtendProblem) -> RowsToContinue:
 
 def continue_rows(canvas: Canvas, rows: RowsToContinue, rng: np.random.Generator) -> int:
     """Continue all rows of buildings; how many were added."""
-    return sum(_go_on(canvas, string, rows.streets, rng) for string in rows.strings)
+    made = 0
+    for string in rows.strings:
+        canvas.tell()
+        made += _go_on(canvas, string, rows.streets, rng)
+    return made
 
 
 def _string(

@@ -65,6 +65,8 @@ def grow_area(
                 break
             rng = np.random.default_rng([seed, number])
             made = grow_once(problem, order, rng, number, tell_growth(watch, len(found), whole))
+            if found and watch.cancelled():
+                break
             found.append(rate_layout(problem, turn_fronts(problem, made)))
         found.sort(key=lambda layout: layout.score["energy"])
         steps += 1
@@ -155,14 +157,17 @@ def polish(
     cancelled: Cancel = lambda: False,
     hear: Callable[[GrownLayout], None] = lambda _: None,
 ) -> GrownLayout:
-    """The layout annealed, if that is better, until ``cancelled``; ``hear`` is given better and
-    better ones meanwhile."""
-    if not problem.settings.polish:
+    """The layout annealed, if that is better and was not ``cancelled``; ``hear`` is given better
+    and better ones meanwhile."""
+    if not problem.settings.polish or cancelled():
         return layout
     canvas = Canvas(problem)
     for pose, origin, how in zip(layout.poses, layout.origin.tolist(), layout.how, strict=True):
         canvas.add(pose, origin, how)
     many = max(len(layout.poses), 1)
     moves = round(problem.settings.polish * np.clip((ANNEALED / many) ** 1.5, 1.0, MOST_TIMES))
-    made = rate_layout(problem, turn_fronts(problem, anneal(canvas, rng, moves, cancelled, hear)))
+    annealed = anneal(canvas, rng, moves, cancelled, hear)
+    if cancelled():
+        return layout
+    made = rate_layout(problem, turn_fronts(problem, annealed))
     return made if made.score["energy"] < layout.score["energy"] else layout

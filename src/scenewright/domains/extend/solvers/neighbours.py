@@ -21,7 +21,7 @@ Proposal = tuple[float, int, int, tuple[float, float, float]]
 """Its worth (negative), a ticket, the building of the sources, and the pose."""
 SAME = 0.2
 """Metres within which two proposals of one building are one."""
-OFTEN = 50
+OFTEN = 5
 """Proposals looked at between two words on how far it is."""
 LEAST_WORTH = -0.2
 """Least worth of a proposal that is built."""
