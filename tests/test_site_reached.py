@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 import sites
@@ -43,6 +43,8 @@ def test_a_court_is_reached_through_a_gap_as_wide_as_the_way(gap: float, open_: 
     assert find_reached_buildings(plan, court(gap), 4.0).tolist() == [True, True, True, True, open_]
 
 
+@example(200, True, 4.0)
+@example(1348, True, 5.88624283384632)
 @given(st.integers(0, 10_000), st.booleans(), st.floats(2.0, 6.0))
 def test_what_is_reached_the_referee_finds_reached(seed: int, road: bool, width: float) -> None:
     rng = np.random.default_rng(seed)

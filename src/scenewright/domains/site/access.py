@@ -13,22 +13,29 @@ import shapely
 
 from scenewright.core.footprint import place_outline
 from scenewright.core.layout import corners
+from scenewright.domains.site.brief import VERGE
 from scenewright.domains.site.problem import Flags, Floats
 from scenewright.ground.plan import SitePlan
 from scenewright.ground.streetside.border import find_mouths
 
-ARRIVE, SLACK, ROUND = 1.95, 0.008, 8
+ARRIVE, SLACK, ROUND = 1.995, 0.0095, 8
 """How near a way must come, in metres; what a way may lack of its width on each side, so that one
 exactly wide enough counts; segments of a quarter of a circle."""
+END = 0.005
+"""Metres before the border from which a street goes on outside."""
 
 
 def find_reached_buildings(
-    plan: SitePlan, boxes: Floats, width: float, outlines: Sequence[Floats] = ()
+    plan: SitePlan,
+    boxes: Floats,
+    width: float,
+    outlines: Sequence[Floats] = (),
+    verge: float = VERGE,
 ) -> Flags:
     """Which of the buildings (n, 5) the middle of a way of some width comes near to, from a road
     or an entrance or the border beside a street, or from anywhere on the outline of a site without
-    any. ``outlines`` are
-    corners (k, 2) of what each covers in its own frame (left out: all are boxes)."""
+    any. ``outlines`` are corners (k, 2) of what each covers in its own frame (left out: all are
+    boxes); outside, a way runs on streets and within a ``verge`` of them."""
     radius = 0.5 * width - SLACK
     footprints = shapely.polygons(corners(boxes))
     for number, (outline, box) in enumerate(zip(outlines, boxes, strict=False)):
@@ -37,7 +44,8 @@ def find_reached_buildings(
     solid = np.concatenate([footprints, np.array(marks, object)])
     floor = shapely.Polygon(plan.outline, plan.holes)
     around = shapely.union_all(shapely.buffer(solid, radius, quad_segs=ROUND))
-    free = shapely.get_parts(shapely.difference(floor.buffer(-radius, quad_segs=ROUND), around))
+    room = shapely.union_all([floor, *_list_ground_outside(plan, width, verge)])
+    free = shapely.get_parts(shapely.difference(room.buffer(-radius, quad_segs=ROUND), around))
     start = _start(plan, floor, radius)
     shapely.prepare(start)
     driven = free[shapely.intersects(start, free)]
@@ -46,6 +54,18 @@ def find_reached_buildings(
     for part in driven:
         got |= shapely.dwithin(part, footprints, radius + ARRIVE)
     return got
+
+
+def _list_ground_outside(plan: SitePlan, width: float, verge: float) -> list[shapely.Geometry]:
+    """The ground along streets outside, and where they run so near the border that a way of some
+    width does not stay inside on them."""
+    whole, found = shapely.Polygon(plan.outline), []
+    for street in plan.roads:
+        deep = max(0.5 * (width - street.width), 0.0) + END
+        line = shapely.difference(shapely.LineString(street.line), shapely.buffer(whole, -deep))
+        ground = shapely.buffer(line, 0.5 * street.width + verge, cap_style="square")
+        found.append(shapely.difference(ground, whole))
+    return found
 
 
 def _start(plan: SitePlan, floor: shapely.Polygon, radius: float) -> shapely.Geometry:

@@ -326,7 +326,7 @@ def _reached_only(
     here = np.flatnonzero(found.present)
     made = problem.buildings
     outlines = [made.outlines()[i] for i in here] if made.footprints else []
-    got = find_reached_buildings(plan, found.boxes[here], problem.fire_access, outlines)
+    got = find_reached_buildings(plan, found.boxes[here], problem.fire_access, outlines, site.verge)
     if got.all():
         return found, {}
     present = found.present.copy()
