@@ -24,6 +24,7 @@ from scenewright.domains.extend.works import lay_walks
 from scenewright.ground.buildings.built import BuiltRoad
 from scenewright.ground.planting.density import count_planting, split_ground
 from scenewright.ground.reading import read_built
+from scenewright.ground.ways.surfaces import kerb
 
 PLACE = (11.5, 49.5)
 
@@ -78,15 +79,16 @@ def test_new_ground_is_planted_and_lit_as_the_source_is(planted: sw.Solution) ->
 def test_trees_and_lamps_stand_clear(planted: sw.Solution) -> None:
     plan = plan_of(planted.brief).detail
     houses = shapely.union_all(polygons_of([*of(planted, "building")]))
-    street = shapely.union_all(
-        [shapely.LineString(way.line).buffer(way.width / 2) for way in plan.ground.roads]
-    )
+    lines = [(shapely.LineString(way.line), way.width / 2) for way in plan.ground.roads]
+    street = shapely.union_all([line.buffer(half) for line, half in lines])
+    lane = shapely.union_all([line.buffer(half - kerb(2.0 * half)) for line, half in lines])
     rows = lay_walks(plan, planted.pieces).pathways
     walks = shapely.union_all([shapely.LineString(r.line).buffer(r.width / 2) for r in rows])
     trees, lamps = points(of(planted, "tree")), points(of(planted, "lamp_post"))
     assert len(trees) > 5
     assert len(lamps) > 2
-    for taken, stems, posts in ((houses, 3.2, 0.6), (street, 1.4, 0.4), (walks, 1.4, 0.6)):
+    assert shapely.contains(street, lamps).all()
+    for taken, stems, posts in ((houses, 3.2, 0.6), (lane, 1.4, 0.4), (walks, 1.4, 0.6)):
         assert shapely.distance(trees, taken).min() >= stems - 1e-6
         assert shapely.distance(lamps, taken).min() >= posts - 1e-6
     assert shapely.contains(plan.areas[0].outline, np.concatenate([trees, lamps])).all()

@@ -139,6 +139,25 @@ def test_trees_and_lamps_keep_clear(street: Solution) -> None:
     assert all(found["pavement"].contains(shapely.Point(p.pose.x, p.pose.y)) for p in lamps)
 
 
+def test_trees_line_wide_streets_off_crossings_corners_and_lamps() -> None:
+    roads = [{"line": [[-5, 45], [125, 45]], "width": 14}, {"line": [[60, -5], [60, 95]]}]
+    wide = solved([roads[0], roads[1] | {"width": 12}], buildings=[{"model": "row_houses"}] * 6)
+    found, (plan,) = shapes_of(wide), plans_of(wide.brief)
+    street = shapely.union_all([shapely.Polygon(a.outline) for w in plan.roads for a in w.areas])
+    stems, posts = (
+        shapely.points([p.pose[:2] for p in wide.pieces if p.category == category])
+        for category in ("tree", "lamp_post")
+    )
+    rows = stems[shapely.contains(street, stems)]
+    assert len(rows) >= 8
+    assert shapely.distance(rows, found["asphalt"]).min() > 0.5
+    crossings = shapely.union_all([one.area() for one in list_zebras(plan)])
+    assert shapely.distance(rows, crossings).min() > 5.0
+    assert shapely.distance(rows, shapely.MultiPoint(posts)).min() > 2.0
+    corners_seen = shapely.box(60 - 6 - 10, 45 - 7 - 10, 60 + 6 + 10, 45 + 7 + 10).buffer(-5.1)
+    assert not shapely.contains(corners_seen, stems).any()
+
+
 def test_like_buildings_differ_in_colour_and_landmarks_do_not(street: Solution) -> None:
     data = encode_scene(scene_of(street), shipped())
     document = json.loads(data[20 : 20 + struct.unpack("<I", data[12:16])[0]])

@@ -27,8 +27,9 @@ from scenewright.ground.planting.density import (
     count_planting,
     split_ground,
 )
-from scenewright.ground.planting.filling import TakenGround, plant_alike
+from scenewright.ground.planting.filling import plant_alike
 from scenewright.ground.planting.pieces import lamp_piece, tree_piece
+from scenewright.ground.planting.streets import TakenGround, keep_sight
 from scenewright.ground.ways.walks import find_doors
 
 AROUND = 8.0
@@ -150,6 +151,7 @@ def _take_ground(plan: ExtendPlan, pieces: Sequence[Piece]) -> TakenGround:
         shapely.STRtree([*ways, *waters]),
         shapely.STRtree(covered),
         shapely.STRtree(shapely.points(doors.places)),
+        *keep_sight(plan.ground),
     )
 
 

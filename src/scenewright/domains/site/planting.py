@@ -6,8 +6,7 @@ They are dressing: placed after the buildings, clear of them, of ways and of the
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
-from typing import NamedTuple
+from collections.abc import Sequence
 
 import numpy as np
 import shapely
@@ -17,17 +16,16 @@ from scenewright.core.catalog import Catalog
 from scenewright.core.layout import corners
 from scenewright.core.scene import Piece
 from scenewright.domains.site.problem import Floats
-from scenewright.ground.plan import SitePlan, Way
+from scenewright.ground.buildings.built import BuiltRoad
+from scenewright.ground.plan import SitePlan
 from scenewright.ground.planting.pieces import lamp_piece, tree_piece
-from scenewright.ground.planting.places import (
-    AVENUE,
-    FROM_WAYS,
-    VERGE,
-    drop_near,
-    keep_apart,
-    points_beside,
-    shake_grid,
-    turn_to_road,
+from scenewright.ground.planting.places import AVENUE, FROM_WAYS, drop_near, keep_apart, shake_grid
+from scenewright.ground.planting.streets import (
+    TRIED,
+    TakenGround,
+    keep_sight,
+    list_lamp_places,
+    list_tree_places,
 )
 from scenewright.ground.ways.surfaces import kerb
 from scenewright.ground.works import GREEN, GroundWorks, middle_lines
@@ -36,22 +34,13 @@ TREES = 900
 """Most trees of a site."""
 GROVE = 6.5
 """Side of the squares that hold at most one tree of a grove, in metres."""
-LAMPS, LAMP_IN = 28.0, 0.45
-"""Distance of the lamps of a street, and how far inside its edge they stand, in metres."""
+LAMPS = 28.0
+"""Metres between the lamps on one side of a street."""
 RIM = 4.0
 """How far inside the edge of a square its trees stand, in metres."""
 FROM_BUILDINGS, FROM_WALKS, FROM_BORDER = 4.6, 1.3, 2.5
 SCALES = (0.75, 0.88, 1.0, 1.15)
 """Sizes of trees, few so that files can share their meshes."""
-
-
-class GreenGround(NamedTuple):
-    """The site, shrunk by what trees keep from its border, and what they keep clear of."""
-
-    floor: shapely.Polygon
-    buildings: shapely.STRtree
-    ways: shapely.STRtree
-    walks: shapely.STRtree
 
 
 def green(
@@ -66,16 +55,21 @@ def green(
     if not kinds:
         return ()
     ways = cover_ways(works)
-    ground = _ground(plan, works, buildings, ways)
-    beside = np.concatenate([np.zeros((0, 2)), *(_avenue(way) for way in plan.roads)])
-    beside = beside[:: max(1, len(beside) // (8 * TREES))]
-    around = _clear(_rim_of_squares(works), ground._replace(walks=shapely.STRtree(ways)), False)
-    rows = np.vstack([around, _clear(beside, ground)])
-    rows = keep_apart(rows, 0.55 * AVENUE)[: 2 * TREES // 3]
-    groves = _groves(plan, ground, rows, rng)[: TREES - len(rows)]
+    ground, taken = _floor(plan), _take_ground(plan, works, buildings, ways)
+    roads = [BuiltRoad(at, way.width, way.kind) for way in plan.roads for at in way.inside]
+    lamps = _lamps(plan, roads, taken)
+    lit = taken._replace(doors=shapely.STRtree(shapely.points(lamps[:, :2])))
+    long = sum(shapely.LineString(road.line).length for road in roads)
+    sides = list_tree_places(roads, lit, max(TRIED, long / (4 * TREES)))
+    beside = np.concatenate([np.zeros((0, 2)), *(keep_apart(at, AVENUE) for at in sides)])
+    around = _clear(_rim_of_squares(works), taken._replace(walks=shapely.STRtree(ways)))
+    beside = beside[shapely.contains_xy(ground, beside[:, 0], beside[:, 1])]
+    rows = keep_apart(np.vstack([around, beside]), 0.55 * AVENUE)[: 2 * TREES // 3]
+    groves = _groves(plan, ground, taken, rows, rng)[: TREES - len(rows)]
     species = np.concatenate([np.zeros(len(rows)), _waves(groves, 55.0, rng) < -0.35])
     sizes = rng.integers(len(SCALES), size=len(rows) + len(groves))
-    sizes[: len(rows)] = 2
+    free = drop_near(rows, taken.buildings, FROM_BUILDINGS)
+    sizes[: len(rows)] = np.where((rows[:, None] == free).all(2).any(1), 2, 0)
     trees = [
         tree_piece(
             f"{plan.id}/tree_{k}", plan.id, kinds[int(kind) % len(kinds)], at, SCALES[size], rng
@@ -84,21 +78,29 @@ def green(
             zip(np.vstack([rows, groves]), species, sizes, strict=True), 1
         )
     ]
-    return (*trees, *_lamps(plan, catalog))
+    posts = catalog.of("lamp_post")[:1] * len(lamps)
+    lit_by = enumerate(zip(posts, lamps.tolist(), strict=False), 1)
+    return (*trees, *(lamp_piece(f"{plan.id}/lamp_{k}", plan.id, *row) for k, row in lit_by))
 
 
-def _ground(
+def _floor(plan: SitePlan) -> shapely.Polygon:
+    """The site, shrunk by what trees keep from its border."""
+    return shapely.Polygon(plan.outline, plan.holes).buffer(-FROM_BORDER)
+
+
+def _take_ground(
     plan: SitePlan, works: GroundWorks, buildings: Sequence[Piece], ways: NDArray[np.object_]
-) -> GreenGround:
+) -> TakenGround:
     boxes = [(p.pose.x, p.pose.y, p.pose.heading, p.size.width, p.size.depth) for p in buildings]
     areas = [shapely.Polygon(a.outline, a.holes) for way in plan.roads for a in way.areas]
     set_apart = [shapely.Polygon(a.outline) for a in works.areas if a.kind not in GREEN]
     areas += [shapely.Polygon(outline) for outline in plan.waters]
-    return GreenGround(
-        shapely.Polygon(plan.outline, plan.holes).buffer(-FROM_BORDER),
+    return TakenGround(
         shapely.STRtree(shapely.polygons(corners(np.array(boxes).reshape(-1, 5)))),
         shapely.STRtree(areas),
         shapely.STRtree([*ways, *set_apart]),
+        shapely.STRtree([]),
+        *keep_sight(plan),
     )
 
 
@@ -124,36 +126,30 @@ def _rim_of_squares(works: GroundWorks) -> Floats:
     return np.concatenate(found)
 
 
-def _clear(points: Floats, ground: GreenGround, border: bool = True) -> Floats:
+def _clear(points: Floats, taken: TakenGround) -> Floats:
     """The points that keep their distances."""
-    if border:
-        points = points[shapely.contains_xy(ground.floor, points[:, 0], points[:, 1])]
     for tree, distance in (
-        (ground.buildings, FROM_BUILDINGS),
-        (ground.ways, FROM_WAYS),
-        (ground.walks, FROM_WALKS),
+        (taken.buildings, FROM_BUILDINGS),
+        (taken.ways, FROM_WAYS),
+        (taken.walks, FROM_WALKS),
     ):
         points = drop_near(points, tree, distance)
     return points
 
 
-def _avenue(way: Way) -> Floats:
-    """Places of trees on both sides of a way."""
-    at = [
-        points_beside(line, side * (way.width / 2 + VERGE), AVENUE, AVENUE / 2)[:, :2]
-        for line in way.inside
-        for side in (1, -1)
-    ]
-    return np.concatenate([np.zeros((0, 2)), *at])
-
-
-def _groves(plan: SitePlan, ground: GreenGround, rows: Floats, rng: np.random.Generator) -> Floats:
+def _groves(
+    plan: SitePlan,
+    floor: shapely.Polygon,
+    taken: TakenGround,
+    rows: Floats,
+    rng: np.random.Generator,
+) -> Floats:
     """Points of a shaken grid where a slow wave is high: groves, and lawns between them."""
     low, high = plan.outline.min(0), plan.outline.max(0)
     step = max(GROVE, math.sqrt(0.5 * plan.area / TREES))
     points = shake_grid(low, high, step, rng)
     points = points[_waves(points, 38.0, rng) > 0.1]
-    points = _clear(points, ground)
+    points = _clear(points[shapely.contains_xy(floor, points[:, 0], points[:, 1])], taken)
     if len(rows) and len(points):
         points = drop_near(points, shapely.STRtree(shapely.points(rows)), 0.7 * AVENUE)
     return points[rng.permutation(len(points))]
@@ -166,35 +162,11 @@ def _waves(points: Floats, long: float, rng: np.random.Generator) -> Floats:
     return np.asarray(np.cos(points @ (ways * np.linspace(0.6, 1.5, 5)) + shift).sum(1) / 2.0)
 
 
-def _lamps(plan: SitePlan, catalog: Catalog) -> Iterator[Piece]:
-    """Lamps on the pavements, their arms over the road."""
-    assets = catalog.of("lamp_post")
-    for count, at in enumerate(_lamp_spots(plan)[:TREES] if assets else (), 1):
-        yield lamp_piece(f"{plan.id}/lamp_{count}", plan.id, assets[0], at)
-
-
-def _lamp_spots(plan: SitePlan) -> list[tuple[float, float, float]]:
-    """Place and heading of lamps on both sides of the roads in turn, inside, off other ways."""
-    found, owners = [np.zeros((0, 3))], [np.zeros(0, np.int64)]
-    for number, way in enumerate(plan.roads):
-        if way.kind != "road" or not kerb(way.width):
-            continue
-        for line in way.inside:
-            for side, start in ((1, LAMPS / 4), (-1, 3 * LAMPS / 4)):
-                at = points_beside(line, side * (way.width / 2 - LAMP_IN), LAMPS, start)
-                at[:, 2] = turn_to_road(at[:, 2], side)
-                found.append(at)
-                owners.append(np.full(len(at), number))
-    spots, owner = np.concatenate(found), np.concatenate(owners)
-    areas = [
-        (number, shapely.Polygon(a.outline, a.holes))
-        for number, way in enumerate(plan.roads)
-        for a in way.areas
-    ]
+def _lamps(plan: SitePlan, roads: Sequence[BuiltRoad], taken: TakenGround) -> Floats:
+    """Places (n, 3) of lamps on the pavements, their arms over the road."""
+    paved = [road for road in roads if kerb(road.width)]
+    sides = list_lamp_places(paved, taken)
+    started = [at[round(LAMPS / (2 * TRIED)) :] if k % 2 else at for k, at in enumerate(sides)]
+    spots = np.concatenate([np.zeros((0, 3)), *(keep_apart(at, LAMPS) for at in started)])
     floor = shapely.Polygon(plan.outline, plan.holes)
-    good = shapely.contains_xy(floor, spots[:, 0], spots[:, 1])
-    lamp, area = shapely.STRtree([shape for _, shape in areas]).query(
-        shapely.points(spots[:, :2]), predicate="intersects"
-    )
-    good[lamp[owner[lamp] != np.array([number for number, _ in areas], np.int64)[area]]] = False
-    return [(x, y, turn) for x, y, turn in spots[good].tolist()]
+    return spots[shapely.contains_xy(floor, spots[:, 0], spots[:, 1])][:TREES]
