@@ -1,15 +1,16 @@
 """Streets, plots and fronts of villages and extensions, and of real places rebuilt.
 
 Shares over all scenes: fronts to the way, dead ends, walks, plots, the rims of squares,
-outbuildings; coverage beside the real one for ten places (each filled by a style that has not
-learned from it, told its streets alone) and for halves of real towns that are continued.
+outbuildings, roofs that crash, walls that lead nowhere; coverage beside the real one for ten places
+(each filled by a style that has not learned from it, told its streets alone) and for halves of real
+towns that are continued.
 Time is the processor's.
 """
 
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -17,6 +18,7 @@ import shapely
 
 import scenewright as sw
 from benchmarks.facades import BLANK, COUNT, count_blank_models, count_faults
+from benchmarks.ground_faults import fault_counts
 from benchmarks.ground_measures import Ground, counts_of, read_ground
 from benchmarks.ground_places import Place, extension_places, village_places
 from benchmarks.real_data import skipped
@@ -24,6 +26,7 @@ from scenewright.catalog.assets.buildings.house_looks import LOOKS
 from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
 from scenewright.core.layout import corners
+from scenewright.core.scene import GroundSurface, Piece
 from scenewright.domains import plan_of, scene_of
 
 Record = dict[str, Any]
@@ -78,7 +81,7 @@ def _records(group: str, places: Iterable[Place], heard: Progress) -> Iterator[R
             continue
         took += time.process_time() - begun
         faults += not sw.check(solution).valid
-        counts = counts_of(ground_of(solution))
+        counts = measure(solution)
         for name, row in counts.items():
             sums[name] = sums.get(name, np.zeros(2)) + row
         if place.coverage is not None:
@@ -94,20 +97,27 @@ def _records(group: str, places: Iterable[Place], heard: Progress) -> Iterator[R
     yield _record(group, "processor seconds", took, None, number)
 
 
-def ground_of(solution: sw.Solution) -> Ground:
-    """The ground of a solved village or extension, of what is new there."""
-    plan = plan_of(solution.brief)
-    scene = scene_of(solution, plan)
+def measure(solution: sw.Solution) -> dict[str, tuple[float, float]]:
+    """Every measure and fault of a solved village or extension as how many of how many."""
+    surfaces = scene_of(solution, plan_of(solution.brief)).surfaces
+    _, stood = _split_houses(solution)
+    ground = ground_of(solution, surfaces)
+    return {**counts_of(ground), **fault_counts(ground, stood, surfaces)}
+
+
+def _split_houses(solution: sw.Solution) -> tuple[list[Piece], list[Piece]]:
+    """The houses that are new in a scene, and those of a source."""
     old = {"source"} if solution.brief.domain == "extend" else set()
-    houses = [p for p in solution.pieces if p.category == "building" and p.space not in old]
+    houses = [p for p in solution.pieces if p.category == "building"]
+    return [p for p in houses if p.space not in old], [p for p in houses if p.space in old]
+
+
+def ground_of(solution: sw.Solution, surfaces: Sequence[GroundSurface]) -> Ground:
+    """The ground of a solved village or extension, of what is new there."""
+    houses, _ = _split_houses(solution)
     squares = [shapely.Polygon(corners(np.array([one.box]))[0]) for one in solution.patches]
     return read_ground(
-        houses,
-        scene.surfaces,
-        squares,
-        lanes_of(solution),
-        plots_of(solution),
-        _floors(solution.brief),
+        houses, surfaces, squares, lanes_of(solution), plots_of(solution), _floors(solution.brief)
     )
 
 

@@ -60,6 +60,20 @@ def test_houses_keep_off_laid_lanes_and_look_at_them(hamlet: sw.Solution) -> Non
     assert sw.check(hamlet).valid
 
 
+@pytest.mark.parametrize("style", ["hui", "riviera"])
+def test_houses_nearer_than_a_passage_stand_square_to_each_other(style: str) -> None:
+    brief = sw.read("sample:village-dense").model_copy(update={"style": style})
+    solution = sw.solve(brief, preset="quick", seed=5)
+    houses = [p for p in solution.pieces if p.category == "building"]
+    shapes = polygons_of(houses)
+    turn = np.array([p.pose.heading for p in houses])
+    away = shapely.distance(shapes[:, None], shapes[None])
+    apart = np.abs((turn[:, None] - turn[None] + np.pi / 4) % (np.pi / 2) - np.pi / 4)
+    near = (away < 1.5) & ~np.eye(len(houses), dtype=bool)
+    assert near.sum() >= 20
+    assert np.degrees(apart[near].max()) < 3.0
+
+
 def test_the_referee_finds_a_house_on_a_laid_lane(hamlet: sw.Solution) -> None:
     from dataclasses import replace
 

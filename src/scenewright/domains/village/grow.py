@@ -39,6 +39,7 @@ from scenewright.domains.village.relations import relate
 from scenewright.domains.village.standing import Flags, Floats, Shapes, StandingHouses, add, place
 from scenewright.domains.village.weights import weigh
 from scenewright.engine.growing import OnGrowth
+from scenewright.ground.streetside.neighbours import find_crowding
 from scenewright.ground.streetside.plots import OUTBUILDING
 
 SLIT = (0.01, 0.3)
@@ -116,7 +117,11 @@ def _legal(
     shapes, rings = shapes_at(house, poses)
     blocked = [*standing.shapes, problem.kept_free]
     good = np.flatnonzero(is_legal(problem.floor, shrink(np.array(blocked, object)), shapes, rings))
-    return good[~is_slit(standing, shapes[good])]
+    good = good[~is_slit(standing, shapes[good])]
+    if problem.settings.composed:
+        turns = standing.frames[:, 2]
+        good = good[~find_crowding(shapes[good], poses[good, 2], standing.shapes, turns)]
+    return good
 
 
 def layout_of(

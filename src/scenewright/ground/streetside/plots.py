@@ -31,8 +31,9 @@ BENT = 2.5
 """Metres: the root of the area that a border may gain or lose where it is drawn straighter."""
 JOINED = 0.5
 """Metres within which the ground of an outbuilding adjoins that of its dwelling."""
-NARROW, SHORT = 1.6, 1.5
-"""Metres from a wall within which no fence stands (a passage stays open), and of the shortest."""
+PASSAGE, SHORT = 1.6, 1.5
+"""Metres between houses that one passes through: within them of a wall no fence stands; and of the
+shortest fence."""
 OUTBUILDING = 45.0
 """Square metres below which a building is taken for an outbuilding."""
 LEAST = 4.0
@@ -183,7 +184,7 @@ def fence_lines(
         return shapely.LineString(), shapely.LineString()
     whole = shapely.union_all([shapely.Polygon(row.outline) for row in plots], grid_size=1e-3)
     rim = shapely.buffer(shapely.boundary(whole), 0.3, quad_segs=1)
-    near = shapely.union_all(shapely.buffer(shapes, NARROW, join_style="mitre"))
+    near = shapely.union_all(shapely.buffer(shapes, PASSAGE, join_style="mitre"))
     lines = shapely.union_all(rings, grid_size=1e-3)
     inner = shapely.difference(lines, shapely.union_all([rim, near, blocked]))
     outer = shapely.difference(shapely.boundary(whole), shapely.union_all([near, blocked]))
