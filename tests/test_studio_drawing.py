@@ -166,6 +166,34 @@ def test_a_village_is_drawn_by_its_blocks_and_lanes() -> None:
     assert [fault.ids for fault in read.faults] == [("block-1",)]
 
 
+def test_an_extension_is_drawn_by_what_stands_and_where_to_grow() -> None:
+    """A house is doubled wall to wall; what is moved alone takes nothing along."""
+    house = {"act": "building", "outline": box(0, 10, 8, 20)}
+    again = {"act": "shift", "copy": True, "by": [8, 0]}
+    bare = drawn({"act": "room", "outline": box(40, 0, 100, 60)}, domain="extend")
+    assert [fault.message for fault in read_draft(bare).faults] == ["no buildings are drawn yet"]
+    row = [house, *({**again, "id": f"building-{k}"} for k in (1, 2, 3))]
+    streets = [{"act": "street", "line": line} for line in ([[-5, 4], [40, 4]], [[45, 4], [90, 4]])]
+    acts = [{"act": "room", "outline": box(40, 0, 100, 60), "name": "East"}, *row, *streets]
+    use = {"act": "set", "id": "building-2", "key": "use", "value": "shop"}
+    draft = drawn(*acts, use, domain="extend")
+    made = read_draft(draft)
+    assert made.faults == []
+    assert made.brief is not None
+    source, area = made.brief.part.sources[0], made.brief.part.areas[0]
+    assert [one.use for one in source.buildings] == [None, "shop", None, None]
+    assert (len(source.roads), len(area.roads), area.name) == (1, 1, "East")
+    apart, _ = draw_act(draft, {"act": "shift", "id": "building-4", "by": [2, 0]})
+    assert [one["outline"][0] for one in apart["buildings"]] == [
+        [0, 10],
+        [8, 10],
+        [16, 10],
+        [26, 10],
+    ]
+    over, _ = draw_act(draft, {"act": "shift", "id": "building-4", "by": [-2, 0]})
+    assert [one.ids for one in read_draft(over).faults] == [("building-3", "building-4")]
+
+
 def test_storeys_are_drawn_one_over_the_other_and_stairs_lead_up() -> None:
     stairs = {"act": "stairs", "at": [0.8, 2.4], "heading": 0.0}
     wide = {**LEFT, "outline": box(0, 0, 8, 3)}

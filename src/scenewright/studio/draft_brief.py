@@ -31,11 +31,6 @@ def brief_of(draft: Json) -> Brief:
     return brief_json.loads(json.dumps(document))
 
 
-def outlines_in_brief(domain: str) -> str:
-    """Where a kind of scene keeps what its outlines mean: ``rooms``, ``sites`` or ``blocks``."""
-    return {"site": "sites", "village": "blocks"}.get(domain, "rooms")
-
-
 def _home(draft: Json) -> Json:
     rooms = [*_rooms(draft)]
     document: Json = {"rooms": rooms, "outlines": "inner" if is_inner(draft) else "centre"}
@@ -83,11 +78,32 @@ def _village(draft: Json) -> Json:
     return {"style": "rural", "blocks": blocks, "lanes": lanes}
 
 
+def _extend(draft: Json) -> Json:
+    """Buildings and streets are one source; streets whose middle lies in an area are that's."""
+    areas, left = [], [(_without(row, "level"), _middle(row["line"])) for row in draft["streets"]]
+    for row in draft["rooms"]:
+        shape = shapely.Polygon(row["outline"])
+        roads = [road for road, middle in left if shape.contains(middle)]
+        left = [one for one in left if not shape.contains(one[1])]
+        areas.append({**_without(row, "level", "asked"), "roads": roads, **row.get("asked", {})})
+    buildings = [
+        {key: value for key, value in _without(row, "level", "name").items() if value}
+        for row in draft["buildings"]
+    ]
+    source = {"buildings": buildings, "roads": [road for road, _ in left]}
+    return {"sources": [source], "areas": areas}
+
+
+def _middle(line: list[list[float]]) -> shapely.Point:
+    return shapely.LineString(line).interpolate(0.5, normalized=True)
+
+
 MEANINGS: Mapping[str, Callable[[Json], Json]] = {
     "home": _home,
     "hall": _hall,
     "site": _site,
     "village": _village,
+    "extend": _extend,
 }
 
 

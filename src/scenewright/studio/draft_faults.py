@@ -15,7 +15,7 @@ from scenewright.core.brief import Brief
 from scenewright.core.errors import InputError
 from scenewright.core.plan import Plan
 from scenewright.domains import plan_valid
-from scenewright.studio.draft_brief import ABOUT, brief_of, outlines_in_brief
+from scenewright.studio.draft_brief import ABOUT, brief_of
 from scenewright.studio.draft_geometry import THICK, edges_of, is_inner, nearest_edge, on_level
 from scenewright.studio.shapes import Json
 from scenewright.studio.wishing import FORMS
@@ -65,6 +65,9 @@ def read_draft(draft: Json) -> ReadDraft:
     ]
     faults += find_street_faults(draft)
     faults += [DraftFault(f"not held: {text}", [], (), True) for text in draft.get("lost", ())]
+    needs = FORMS[draft["domain"]].needs
+    if needs and not draft[needs]:
+        faults.append(DraftFault(f"no {needs} are drawn yet", [], ()))
     if not draft["rooms"]:
         return ReadDraft(None, None, faults)
     if not any(not fault.warns for fault in faults):
@@ -81,6 +84,7 @@ def _find_on_level(draft: Json, level: str) -> Iterator[DraftFault]:
     sound = yield from find_outline_faults(rooms)
     if FORMS[draft["domain"]].walls:
         yield from find_closed_rooms(draft, level, sound)
+    yield from find_outline_faults(on_level(draft, "buildings", level))
     inner = yield from find_outline_faults(zones)
     floor = shapely.union_all([shape for _, shape in sound.values()])
     for number, (name, shape) in inner.items():
@@ -161,7 +165,8 @@ def find_opening_faults(draft: Json, level: str) -> Iterator[DraftFault]:
 
 def find_street_faults(draft: Json) -> Iterator[DraftFault]:
     """Streets that lead past everything that is drawn."""
-    borders = [shapely.LinearRing(row["outline"]) for row in draft["rooms"]]
+    rows = [*draft["rooms"], *draft["buildings"]]
+    borders = [shapely.LinearRing(row["outline"]) for row in rows]
     places = shapely.MultiLineString(borders)
     for row in draft["streets"]:
         line = shapely.LineString(row["line"])
@@ -172,18 +177,16 @@ def find_street_faults(draft: Json) -> Iterator[DraftFault]:
 
 
 def _place(draft: Json, error: InputError) -> DraftFault:
-    """A fault of the brief, at the room, hall, site or block that it names."""
-    named = outlines_in_brief(draft["domain"])
-    found = re.match(named + r"\[(\d+)\]", error.place or "")
-    street = re.match(r"lanes\[(\d+)\]", error.place or "")
+    """A fault of the brief, at the outline or street that it names."""
     message = f"{error.fault}; {error.remedy}" if error.remedy else error.fault
-    if found and int(found[1]) < len(draft["rooms"]):
-        row = draft["rooms"][int(found[1])]
-        what = f"{row['name']}: {message}"
-        return DraftFault(what, row["outline"], (row["id"],), level=row["level"])
-    if street and int(street[1]) < len(draft["streets"]):
-        row = draft["streets"][int(street[1])]
-        return DraftFault(message, [row["line"][0]], (row["id"],))
+    named = {FORMS[draft["domain"]].under: "rooms", "lanes": "streets", "buildings": "buildings"}
+    for name, number in re.findall(r"(\w+)\[(\d+)\]", error.place or ""):
+        group = named.get(name)
+        if group and int(number) < len(draft[group]):
+            row = draft[group][int(number)]
+            what = f"{row['name']}: {message}" if row["name"] else message
+            points = row["outline"] if "outline" in row else [row["line"][0]]
+            return DraftFault(what, points, (row["id"],), level=row["level"])
     return DraftFault(message, [], ())
 
 

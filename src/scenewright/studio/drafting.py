@@ -1,5 +1,6 @@
 """A plan drawn on the page: rooms by the middle lines of their walls, openings on these, columns,
-storeys and stairs; zones of halls; sites or blocks with the streets about them.
+storeys and stairs; zones of halls; sites or blocks with the streets about them; areas with the
+buildings that are continued into them.
 
 A draft is plain JSON and may be faulty (:mod:`.draft_faults` says where); every act makes another
 one, and :mod:`.draft_brief` says what it means. What lies at one place is joined: what is moved
@@ -15,6 +16,7 @@ from typing import Any
 
 import numpy as np
 
+from scenewright.core.brief.uses import USES
 from scenewright.core.errors import InputError
 from scenewright.studio.draft_geometry import (
     MOST,
@@ -45,13 +47,16 @@ WIDTHS = {"road": 6.0, "path": 2.5}
 """Usual widths of streets, metres."""
 STOREY = 2.6
 """Clear height of a storey, metres."""
-GROUPS = ("rooms", "zones", "streets", "stairs", "openings", "columns")
-NOUNS = {"home": "room", "hall": "hall", "site": "site", "village": "block"}
+HIGH = 7.5
+"""Usual height of a building, metres."""
+OUTLINED = ("rooms", "zones", "buildings")
+GROUPS = (*OUTLINED, "streets", "stairs", "openings", "columns")
+NOUNS = {"home": "room", "hall": "hall", "site": "site", "village": "block", "extend": "area"}
 """Kinds of scene that are drawn, and what an outline is in each."""
 
 
 def new_draft(domain: str = "home", name: str = "New plan") -> Json:
-    """An empty draft of a home, hall, site or village. InputError for another."""
+    """An empty draft of one of the kinds of :data:`NOUNS`. InputError for another."""
     _one_of(*NOUNS)({}, {}, domain)
     walls = {"wall_thickness": 0.12, "outer_wall_thickness": 0.3}
     levels = [{"id": "level-1", "name": "", "height": STOREY}]
@@ -108,14 +113,24 @@ def _zone(draft: Json, asked: Mapping[str, Any]) -> str:
     return _put_outline(draft, asked, "zones", "zone")
 
 
+def _building(draft: Json, asked: Mapping[str, Any]) -> str:
+    done = _put_outline(draft, asked, "buildings", "building")
+    draft["buildings"][-1] |= {"height": HIGH, "use": "", "roof": ""}
+    return done
+
+
 def _put_outline(draft: Json, asked: Mapping[str, Any], group: str, noun: str) -> str:
     outline = read_points(asked.get("outline"), 3)
     x, y = np.transpose(outline)
     if float(np.sum(x * np.roll(y, -1) - y * np.roll(x, -1))) < 0:
         outline.reverse()
     row = _put(draft, asked, group, noun, {"outline": outline})
-    row["name"] = str(asked.get("name") or f"{noun.capitalize()} {row['id'].split('-')[1]}")[:100]
+    row["name"] = str(asked.get("name") or _usual_name(row, noun))[:100]
     return f"drew {row['name']}"
+
+
+def _usual_name(row: Json, noun: str) -> str:
+    return f"{noun.capitalize()} {row['id'].split('-')[1]}"
 
 
 def _street(draft: Json, asked: Mapping[str, Any]) -> str:
@@ -185,9 +200,7 @@ def _move(draft: Json, asked: Mapping[str, Any]) -> str:
     one line with it that it is joined to."""
     points, by, level = read_points(asked.get("points")), asked.get("by"), _level(draft, asked)
     dx, dy = read_point(by)
-    rows = [
-        ("outline", row) for group in ("rooms", "zones") for row in on_level(draft, group, level)
-    ]
+    rows = [("outline", row) for group in OUTLINED for row in on_level(draft, group, level)]
     outlines = [row["outline"] for _, row in rows]
     walls = [points]
     if len(points) == 2:
@@ -204,6 +217,21 @@ def _move(draft: Json, asked: Mapping[str, Any]) -> str:
         if edge.far <= REACH:
             row["at"] = point_along(draft, edge)
     return "moved a wall" if len(points) == 2 else "moved a corner" if len(points) == 1 else "moved"
+
+
+def _shift(draft: Json, asked: Mapping[str, Any]) -> str:
+    """Move one thing alone, whatever it is joined to; with ``copy`` another one like it."""
+    row, (dx, dy) = _find(draft, asked), read_point(asked.get("by"))
+    groups = [group for group in (*OUTLINED, "streets") if row in draft[group]]
+    if not groups:
+        raise InputError("this is not moved as a whole", "choose an outline or a street")
+    if asked.get("copy"):
+        noun = groups[0].removesuffix("s")
+        row = _put(draft, {"level": row["level"]}, groups[0], noun, {**row})
+        row["name"] = _usual_name(row, noun) if "outline" in row else row["name"]
+    key = "line" if "line" in row else "outline"
+    row[key] = [rounded((x + dx, y + dy)) for x, y in row[key]]
+    return f"{'doubled' if asked.get('copy') else 'moved'} {row['name'] or row['id']}"
 
 
 def _length(draft: Json, asked: Mapping[str, Any]) -> str:
@@ -302,18 +330,22 @@ KEYS_BY_ROW: Mapping[str, Callable[[Json, Json, Any], Any]] = {
     "shape": _one_of("straight", "quarter", "half", "spiral"),
     "turn": _one_of("left", "right"),
     "heading": _turned,
+    "use": _one_of("", *USES),
+    "roof": _one_of("", "gabled", "hipped", "flat"),
     "at": _place,
 }
 """What can be set of the plan and of what is drawn on it, and how a value is read."""
 ACTS: Mapping[str, Callable[[Json, Mapping[str, Any]], str]] = {
     "room": _room,
     "zone": _zone,
+    "building": _building,
     "street": _street,
     "opening": _opening,
     "column": _column,
     "stairs": _stairs,
     "storey": _storey,
     "move": _move,
+    "shift": _shift,
     "length": _length,
     "set": _set,
     "ask": _ask,

@@ -30,7 +30,7 @@ from scenewright.studio.solid import tell_solid
 from scenewright.studio.streaming import stream_layouts
 from scenewright.studio.taking import pack_scene, write_scene
 from scenewright.studio.versions import Drawn, Shown, Versions
-from scenewright.studio.wishing import list_wishes, with_wishes
+from scenewright.studio.wishing import FORMS, list_wishes, with_wishes
 from scenewright.workflow import project
 from scenewright.workflow.dressing import change_look
 from scenewright.workflow.fitting import find_nearest_fit
@@ -80,6 +80,8 @@ class Session:
             return {"running": self.running, **where}
         scene: Json = self._draw(shown) if shown else {"name": "", "levels": [], "pieces": []}
         scene["wishes"] = list_wishes(shown.solution.brief) if shown else {}
+        form = FORMS.get(self.kind())
+        scene |= {"walls": bool(form and form.walls), "storeys": bool(form and form.storeys)}
         if drawn:
             scene["name"], scene["draft"] = drawn.draft["name"], drawn.draft
             scene["faults"] = [one._asdict() for one in drawn.faults]
@@ -117,7 +119,7 @@ class Session:
             self.versions.keep(0, f"opened {Path(source).name}", unfurnished(brief), plan)
 
     def begin(self, domain: str = "home") -> None:
-        """Begin a plan to be drawn: of a home, a hall, a site or a village."""
+        """Begin a plan to be drawn, of a kind of scene that is."""
         with self._turn():
             self.versions.keep_draft(0, "began a plan", new_draft(domain))
 

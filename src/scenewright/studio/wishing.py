@@ -22,7 +22,8 @@ MOST = 50
 class Form(NamedTuple):
     """What can be asked of the places of a kind of scene: where the brief lists these (``under``),
     the model of one, the key of their ``rows`` and its model, and other ``keys`` of a place; and
-    whether places have ``walls`` with doors, and lie on several ``storeys`` as they are drawn."""
+    whether places have ``walls`` with doors, and lie on several ``storeys`` as they are drawn; what
+    else a drawing ``needs`` to mean anything."""
 
     under: str
     place: str
@@ -31,6 +32,7 @@ class Form(NamedTuple):
     keys: tuple[str, ...] = ()
     walls: bool = False
     storeys: bool = False
+    needs: str = ""
 
 
 NUMBERS = ("floor_area_ratio", "coverage", "height_limit", "setback", "road_setback", "spacing")
@@ -39,7 +41,7 @@ FORMS: Mapping[str, Form] = {
     "hall": Form("rooms", "Room", "demands", "Demand", ("theme", "people", "fill"), walls=True),
     "site": Form("sites", "Site", "buildings", "Building", (*NUMBERS, "form")),
     "village": Form("blocks", "VillageBlock", keys=("count", "coverage", "square")),
-    "extend": Form("areas", "GrowthArea", keys=("count", "coverage", "storeys")),
+    "extend": Form("areas", "GrowthArea", keys=("count", "coverage", "storeys"), needs="buildings"),
 }
 """By domain; what is none of these asks for nothing on the page."""
 

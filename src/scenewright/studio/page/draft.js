@@ -8,10 +8,10 @@ import { $, fill, make, say } from "/wire.js";
 import { showWishes } from "/wishes.js";
 
 const NEAR = 9, SNAP_WORDS = [t("grid and lines"), t("lines"), t("angles"), t("off")];
-const TOOLS = { v: "select", r: "room", z: "zone", t: "street", f: "path", d: "door", p: "passage", w: "window", c: "column", u: "stairs" };
+const TOOLS = { v: "select", r: "room", z: "zone", t: "street", f: "path", d: "door", p: "passage", w: "window", c: "column", u: "stairs", b: "building" };
 const OUTLINES = t("Drag a rectangle, or click corner after corner and the first again; digits type a length (4.2 or 4.2x3.6), Enter");
 const LINES = t("Click along its middle; digits type a length; Enter, or a click on the last point, ends it");
-const HINTS = { select: t("Drag a corner or a wall; click a length to type it; Delete removes"), room: OUTLINES, zone: OUTLINES, street: LINES, path: LINES, stairs: t("Drag from the lowest step the way they lead up"),
+const HINTS = { select: t("Drag a corner or a wall; click a length to type it; Delete removes"), room: OUTLINES, zone: OUTLINES, building: OUTLINES, street: LINES, path: LINES, stairs: t("Drag from the lowest step the way they lead up"),
   door: t("Click a wall"), passage: t("Click a wall: an open passage"), window: t("Click a wall"), column: t("Click a floor"), scale: t("Drag along a length you know in the image, then type it in metres") };
 // What is drawn in each kind of scene, the grid in metres, and how much is seen at first.
 const KINDS = {
@@ -19,14 +19,15 @@ const KINDS = {
   hall: { tools: ["room", "zone", "door", "passage", "window", "column"], noun: t("Hall"), grid: 0.1, view: [-3, -20, 36, 24] },
   site: { tools: ["room", "street", "path"], noun: t("Site"), grid: 1, view: [-20, -120, 190, 140] },
   village: { tools: ["room", "street", "path"], noun: t("Block"), grid: 1, view: [-20, -90, 150, 110] },
+  extend: { tools: ["building", "street", "path", "room"], noun: t("Area to grow into"), grid: 0.5, view: [-20, -90, 150, 110] },
 };
-const at = { draft: null, faults: [], level: "", tool: "room", picked: "", view: KINDS.home.view, px: 0.01, under: null, poly: [], press: null, here: null, digits: "", guides: [], shift: null };
+const at = { draft: null, faults: [], walls: true, storeys: true, level: "", tool: "room", picked: "", view: KINDS.home.view, px: 0.01, under: null, poly: [], press: null, here: null, digits: "", guides: [], shift: null };
 let act = null, snapping = 0, after = null, known = "";
 
 const kind = () => KINDS[at.draft.domain];
 const here = (group) => at.draft[group].filter((one) => one.level === at.level);
-const outlines = () => [...here("rooms"), ...here("zones")];
-const find = (id) => ["rooms", "zones", "streets", "stairs", "openings", "columns"].flatMap((group) => at.draft[group].filter((one) => one.id === id).map((row) => [group, row]))[0] ?? ["", null];
+const outlines = () => [...here("rooms"), ...here("zones"), ...here("buildings")];
+const find = (id) => ["rooms", "zones", "buildings", "streets", "stairs", "openings", "columns"].flatMap((group) => at.draft[group].filter((one) => one.id === id).map((row) => [group, row]))[0] ?? ["", null];
 
 export function showDrawing(doc, change) {
   act = async (keys) => { const said = await change("draw", { level: at.level, ...keys }); if (!said.fault) after?.(); after = null; return said; };
@@ -44,16 +45,16 @@ export function hideDrawing() {
 
 export function refreshDrawing(doc) {
   if ($("drawing").hidden || !doc.draft) return;
-  at.draft = doc.draft; at.faults = doc.faults ?? [];
+  at.draft = doc.draft; at.faults = doc.faults ?? []; at.walls = doc.walls; at.storeys = doc.storeys;
   if (!at.draft.levels.some((one) => one.id === at.level)) at.level = at.draft.levels[0].id;
   const begun = `${at.draft.domain} ${at.draft.name}`;
-  if (begun !== known && (!known || !at.draft.rooms.length)) { at.tool = at.draft.rooms.length ? "select" : "room"; frame(); }
+  if (begun !== known && (!known || !at.draft.rooms.length)) { at.tool = at.draft.rooms.length ? "select" : kind().tools[0]; frame(); }
   known = begun;
   show();
 }
 
 function frame() {
-  const points = [...at.draft.rooms, ...at.draft.streets].flatMap(pointsOf), edge = 15 * kind().grid;
+  const points = [...at.draft.rooms, ...at.draft.buildings, ...at.draft.streets].flatMap(pointsOf), edge = 15 * kind().grid;
   if (!points.length) { at.view = kind().view; return; }
   const xs = points.map((p) => p[0]), ys = points.map((p) => -p[1]), [x, y] = [Math.min(...xs) - edge, Math.min(...ys) - edge];
   at.view = [x, y, Math.max(...xs) + edge - x, Math.max(...ys) + edge - y];
@@ -89,20 +90,20 @@ function show() {
 }
 
 function showStoreys() {
-  $("storeys").hidden = at.draft.domain !== "home";
+  $("storeys").hidden = !at.storeys;
   const tabs = at.draft.levels.length < 2 ? [] : at.draft.levels.map((one, k) => make("button", { textContent: one.name || (k ? t("Floor {n}", { n: k }) : t("Ground floor")), role: "tab", ariaSelected: one.id === at.level,
     onclick: () => { at.level = one.id; at.picked = ""; choose("select"); } }));
   $("storey-tabs").replaceChildren(...tabs);
 }
 
 function showPanel() {
-  const [group, row] = find(at.picked), of = { rooms: "of-room", zones: "of-room", openings: "of-opening", streets: "of-street", stairs: "of-stairs" }[group] ?? (row ? "" : "of-plan");
-  for (const id of ["of-room", "of-opening", "of-street", "of-stairs", "of-plan"]) $(id).hidden = id !== of;
-  $("erase").hidden = !row;
+  const [group, row] = find(at.picked), of = { rooms: "of-room", zones: "of-room", buildings: "of-building", openings: "of-opening", streets: "of-street", stairs: "of-stairs" }[group] ?? (row ? "" : "of-plan");
+  for (const id of ["of-room", "of-opening", "of-building", "of-street", "of-stairs", "of-plan"]) $(id).hidden = id !== of;
+  $("erase").hidden = !row; $("twin").hidden = !moves(group);
   const put = (id, value) => { if (document.activeElement !== $(id)) $(id).value = value; };
   if (of === "of-room") {
     $("outline-kind").textContent = group === "zones" ? t("Zone") : kind().noun; put("room-name", row.name);
-    const { area } = middle(row.outline), built = ["home", "hall"].includes(at.draft.domain) && group === "rooms";
+    const { area } = middle(row.outline), built = at.walls && group === "rooms";
     $("room-area").textContent = isInner(at.draft) ? t("{area} m² between its walls", { area: area.toFixed(2) }) : built ? t("{area} m² between the middles of its walls", { area: area.toFixed(2) }) : t("{area} m²", { area: area.toFixed(area < 1000 ? 2 : 0) });
   }
   if (of === "of-opening") {
@@ -110,12 +111,13 @@ function showPanel() {
     $("of-sill").hidden = row.kind !== "window"; $("of-leaf").hidden = row.kind !== "door";
     put("opening-sill", row.sill ?? ""); put("opening-swing", row.swing ?? "in"); put("opening-hinge", row.hinge ?? "left");
   }
+  if (of === "of-building") { put("building-height", row.height); put("building-use", row.use); put("building-roof", row.roof); }
   if (of === "of-street") { put("street-name", row.name); put("street-width", row.width); put("street-kind", row.kind); }
   if (of === "of-stairs") { put("stairs-width", row.width); put("stairs-shape", row.shape); put("stairs-turn", row.turn); put("stairs-heading", Math.round(row.heading * 180 / Math.PI)); }
   put("plan-name", at.draft.name); put("wall", at.draft.wall_thickness); put("outer-wall", at.draft.outer_wall_thickness); put("village-style", at.draft.style || "rural");
-  const storey = at.draft.levels.find((one) => one.id === at.level), built = ["home", "hall"].includes(at.draft.domain);
+  const storey = at.draft.levels.find((one) => one.id === at.level);
   put("storey-name", storey.name); put("storey-height", storey.height);
-  $("of-walls").hidden = !built; $("of-style").hidden = at.draft.domain !== "village"; $("of-storey").hidden = at.draft.domain !== "home" || at.draft.levels.length < 2;
+  $("of-walls").hidden = !at.walls; $("of-style").hidden = at.draft.domain !== "village"; $("of-storey").hidden = !at.storeys || at.draft.levels.length < 2;
   listFaults();
   const place = group === "rooms" ? row : !row && at.draft.rooms.length === 1 ? at.draft.rooms[0] : null;
   showWishes(place, at.draft.domain, place && (place.asked ?? {}), (asked) => act({ act: "ask", id: place.id, asked }), { zones: at.draft.zones });
@@ -132,12 +134,13 @@ function listFaults() {
 
 function choose(name) { Object.assign(at, { tool: name, poly: [], press: null, digits: "", guides: [] }); show(); }
 const pick = (group) => () => { at.picked = at.draft[group].at(-1)?.id ?? ""; show(); };
+const moves = (group) => !at.walls && ["rooms", "buildings", "streets"].includes(group);
 const isLine = () => ["street", "path"].includes(at.tool);
 
 async function finish(points) {
   const line = isLine(), group = line ? "streets" : `${at.tool}s`, name = line ? "street-name" : "room-name";
   Object.assign(at, { poly: [], press: null, digits: "", guides: [], here: null });
-  after = () => { pick(group)(); $(name).focus(); $(name).select(); };
+  after = () => { pick(group)(); if (at.tool !== "building") { $(name).focus(); $(name).select(); } };
   await act(line ? { act: "street", line: points, kind: at.tool === "path" ? "path" : "road" } : { act: at.tool, outline: points });
 }
 
@@ -148,7 +151,7 @@ $("draft").addEventListener("pointerdown", (event) => {
   if (tool === "select" && label) { type(label); return; }
   $("draft").setPointerCapture(event.pointerId);
   if (tool === "scale") Object.assign(at, { poly: [raw], here: raw, press: { scale: true } });
-  else if (["room", "zone"].includes(tool)) {
+  else if (["room", "zone", "building"].includes(tool)) {
     const spot = caught(raw, event, poly.at(-1));
     if (!poly.length) Object.assign(at, { press: { rectangle: true, from: spot }, here: spot });
     else if (poly.length > 2 && far(spot, poly[0]) < near) { finish(poly); return; } else poly.push(spot);
@@ -179,8 +182,10 @@ function grasp(event, raw, near) {
     if (outlines().every((row) => row.id !== at.picked)) at.picked = wall.row.id;
     return { points: prolong(outlines(), wall.a, wall.b), from: wall.at, wall };
   }
-  at.picked = ["rooms", "zones", "streets"].includes(group) ? own : "";
-  return pan(event);
+  const again = own && own === at.picked;
+  at.picked = ["rooms", "zones", "buildings", "streets"].includes(group) ? own : "";
+  const points = moves(group) && (group === "buildings" || again) ? pointsOf(find(own)[1]) : [];
+  return points.length ? { points, from: raw, whole: own, corner: points.reduce((a, b) => far(a, raw) < far(b, raw) ? a : b) } : pan(event);
 }
 
 $("draft").addEventListener("pointermove", (event) => {
@@ -190,7 +195,10 @@ $("draft").addEventListener("pointermove", (event) => {
     at.view = [press.start[0] - (event.clientX - press.from[0]) * by, press.start[1] - (event.clientY - press.from[1]) * by, at.view[2], at.view[3]];
   } else if (press?.scale) at.here = raw;
   else if (press?.stairs) at.here = raw;
-  else if (press?.points) {
+  else if (press?.whole) {
+    const [x, y] = press.corner, spot = caught([x + raw[0] - press.from[0], y + raw[1] - press.from[1]], event);
+    at.shift = { id: press.whole, by: [spot[0] - x, spot[1] - y] };
+  } else if (press?.points) {
     const spot = caught(raw, event, press.from), by = [spot[0] - press.from[0], spot[1] - press.from[1]];
     if (press.wall) {
       const { a, b } = press.wall, long = far(a, b), n = [-(b[1] - a[1]) / long, (b[0] - a[0]) / long], out = by[0] * n[0] + by[1] * n[1];
@@ -201,7 +209,7 @@ $("draft").addEventListener("pointermove", (event) => {
     const [group, one] = find(press.thing);
     one.at = group === "openings" ? wallAt(raw, event).at ?? one.at : caught(raw, event);
     press.moved = true;
-  } else if (["room", "zone", "street", "path"].includes(tool)) at.here = caught(raw, event, press?.from ?? at.poly.at(-1));
+  } else if (["room", "zone", "building", "street", "path"].includes(tool)) at.here = caught(raw, event, press?.from ?? at.poly.at(-1));
   else if (["door", "passage", "window"].includes(tool)) { at.here = raw; at.here.wall = wallAt(raw, event); }
   else return;
   show();
@@ -222,7 +230,7 @@ $("draft").addEventListener("pointerup", async (event) => {
     await act({ act: "stairs", at: done.from, heading: Math.round(Math.atan2(at.here[1] - done.from[1], at.here[0] - done.from[0]) / (Math.PI / 12)) * Math.PI / 12 });
   } else if (done?.points && at.shift) {
     const asked = at.shift; at.shift = null;
-    if (Math.hypot(...asked.by) > 0.005) await act({ act: "move", ...asked }); else show();
+    if (Math.hypot(...asked.by) > 0.005) await act({ act: asked.id ? "shift" : "move", ...asked }); else show();
   } else if (done?.thing && done.moved) {
     await act({ act: "set", id: done.thing, key: "at", value: find(done.thing)[1].at });
   } else if (done?.pan && far([event.clientX, event.clientY], done.from) < 4) show();
@@ -285,6 +293,7 @@ function nextSnap() { snapping = (snapping + 1) % SNAPS.length; show(); }
 document.addEventListener("keydown", (event) => {
   if ($("drawing").hidden || event.target.matches("input, select, textarea") || document.querySelector("dialog[open]")) return;
   const key = event.key.toLowerCase(), begun = at.poly.length || at.press?.rectangle;
+  if ((event.ctrlKey || event.metaKey) && key === "d" && !$("twin").hidden) { event.preventDefault(); $("twin").click(); }
   if (event.ctrlKey || event.metaKey) return;
   if (begun && /^[0-9.,x]$/.test(key)) { at.digits += key; show(); }
   else if (key === "backspace" && at.digits) { at.digits = at.digits.slice(0, -1); show(); }
@@ -301,6 +310,11 @@ document.addEventListener("keydown", (event) => {
 for (const button of $("tools").querySelectorAll("[data-tool]")) button.onclick = () => choose(button.dataset.tool);
 $("snap").onclick = nextSnap;
 $("erase").onclick = () => { const id = at.picked; at.picked = ""; act({ act: "remove", id }); };
+// Another one like it, wall to wall beside it: the next house of a terrace.
+$("twin").onclick = () => {
+  const [group, row] = find(at.picked), xs = pointsOf(row).map((p) => p[0]);
+  after = pick(group); act({ act: "shift", id: row.id, copy: true, by: [Math.max(...xs) - Math.min(...xs) || 5, 0] });
+};
 $("add-storey").onclick = () => {
   after = () => { at.level = at.draft.levels.at(-1).id; at.picked = ""; choose("select"); };
   act({ act: "storey", copy: $("copy-storey").checked });
@@ -308,8 +322,8 @@ $("add-storey").onclick = () => {
 $("erase-storey").onclick = () => act({ act: "remove", id: at.level });
 const set = (id, key, own, read = (value) => value) => { $(id).onchange = () => act({ act: "set", id: own(), key, value: read($(id).value) }); };
 const row = () => at.picked, plan = () => undefined, storey = () => at.level;
-for (const [id, key] of [["room-name", "name"], ["opening-swing", "swing"], ["opening-hinge", "hinge"], ["street-name", "name"], ["street-kind", "kind"], ["stairs-shape", "shape"], ["stairs-turn", "turn"]]) set(id, key, row);
-for (const [id, key] of [["opening-width", "width"], ["opening-sill", "sill"], ["street-width", "width"], ["stairs-width", "width"]]) set(id, key, row, Number);
+for (const [id, key] of [["room-name", "name"], ["opening-swing", "swing"], ["opening-hinge", "hinge"], ["street-name", "name"], ["street-kind", "kind"], ["stairs-shape", "shape"], ["stairs-turn", "turn"], ["building-use", "use"], ["building-roof", "roof"]]) set(id, key, row);
+for (const [id, key] of [["opening-width", "width"], ["opening-sill", "sill"], ["street-width", "width"], ["stairs-width", "width"], ["building-height", "height"]]) set(id, key, row, Number);
 set("stairs-heading", "heading", row, (degrees) => Number(degrees) * Math.PI / 180);
 for (const [id, key] of [["plan-name", "name"], ["village-style", "style"]]) set(id, key, plan);
 for (const [id, key] of [["wall", "wall_thickness"], ["outer-wall", "outer_wall_thickness"]]) set(id, key, plan, Number);

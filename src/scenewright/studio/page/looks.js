@@ -6,8 +6,8 @@ const EYE = 1.6, WIDEST = 1280;
 let taking = false;
 
 // The button is there while one walks; pressed again it gives the photograph up.
-export function offerPhoto(walking, domain) {
-  $("photo").hidden = $("hour").hidden = !walking || !["home", "hall"].includes(domain);
+export function offerPhoto(walking, walls) {
+  $("photo").hidden = $("hour").hidden = !walking || !walls;
 }
 
 export async function takePhoto([x, y, heading], floor) {

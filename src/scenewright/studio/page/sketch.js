@@ -3,7 +3,7 @@ import { element, line, outline } from "/draw.js";
 import { t } from "/words.js";
 import { far, middle, nearestSide, shifted, sides } from "/snapping.js";
 
-const BUILT = ["home", "hall"], HAIR = 1.5;
+const HAIR = 1.5;
 // Outlines of what was drawn here are the middles of walls, those of a plan that was brought their faces.
 export const isInner = (draft) => draft.kept?.outlines === "inner";
 
@@ -17,12 +17,13 @@ export function drawSketch(svg, at) {
   const below = draft.levels[draft.levels.findIndex((one) => one.id === at.level) - 1];
   for (const room of draft.rooms) if (room.level === below?.id) element("path", { class: "below", d: outline([room.outline]) }, svg);
   const led = draft.stairs.filter((one) => one.level === below?.id);
-  const built = BUILT.includes(draft.domain), rooms = on("rooms"), name = built ? "sketch" : "sketch plot";
+  const built = at.walls, rooms = on("rooms"), name = built ? "sketch" : "sketch plot";
   if (built) for (const room of rooms) element("path", { class: name, d: outline([shifted(room, shift)]), "stroke-width": 2 * draft.outer_wall_thickness - (isInner(draft) ? 0 : draft.wall_thickness) }, svg);
   for (const room of rooms) {
     element("path", { class: room.id === picked ? `${name} on` : name, d: outline([shifted(room, shift)]), "stroke-width": !built ? 3 * px : isInner(draft) ? HAIR * px : draft.wall_thickness, "data-id": room.id }, svg);
   }
   for (const one of draft.streets) element("path", { class: one.id === picked ? "street on" : "street", d: line(shifted(one, shift)), "stroke-width": one.width, "data-id": one.id }, svg);
+  for (const one of on("buildings")) element("path", { class: one.id === picked ? "building on" : "building", d: outline([shifted(one, shift)]), "stroke-width": HAIR * px, "data-id": one.id }, svg);
   for (const zone of on("zones")) element("path", { class: zone.id === picked ? "zone on" : "zone", d: outline([shifted(zone, shift)]), "data-id": zone.id }, svg);
   for (const one of on("columns")) {
     const half = one.size / 2, [x, y] = one.at;
@@ -31,9 +32,9 @@ export function drawSketch(svg, at) {
   if (!shift) for (const one of on("openings")) drawOpening(one, at, rooms, svg);
   for (const one of [...led, ...on("stairs")]) drawStairs(one, picked, svg, led.includes(one));
   const told = new Set();
-  for (const row of [...rooms, ...on("zones"), ...draft.streets]) drawWords(row, at, told, svg);
+  for (const row of [...rooms, ...on("zones"), ...draft.streets, ...on("buildings").filter((one) => one.id === picked)]) drawWords(row, at, told, svg);
   for (const fault of at.faults) if (!fault.warns && (!fault.level || fault.level === at.level)) drawFault(fault, svg, px);
-  const row = [...rooms, ...on("zones"), ...draft.streets].find((one) => one.id === picked);
+  const row = [...rooms, ...on("zones"), ...on("buildings"), ...draft.streets].find((one) => one.id === picked);
   if (row && at.tool === "select") for (const [x, y] of shifted(row, shift)) element("circle", { class: "hold", cx: x, cy: -y, r: 5 * px }, svg);
   drawGhost(at, svg);
 }
@@ -77,7 +78,7 @@ function drawStairs({ id, at: [x, y], heading, width }, picked, svg, led = false
   element("path", { class: "leaf", d: line([place(0.1, 0), place(1.85, 0)]) + line([place(1.6, 0.2), place(1.85, 0), place(1.6, -0.2)]) }, group);
 }
 
-function drawWords(row, { draft, shift, px, picked, faults }, told, svg) {
+function drawWords(row, { draft, shift, px, picked, faults, walls }, told, svg) {
   const ring = shifted(row, shift), size = 13 * px, zoned = draft.zones.length > 0 && !draft.zones.includes(row);
   if (row.outline) {
     const { area, at: [x, centre] } = middle(ring), y = zoned ? Math.max(...ring.map((p) => p[1])) + 2.4 * size : centre;
@@ -86,10 +87,10 @@ function drawWords(row, { draft, shift, px, picked, faults }, told, svg) {
     const lacks = faults.some((fault) => fault.warns && fault.ids.includes(row.id));
     if (lacks) element("text", { class: "area bad-text", x, y: -y + size * 2.6, "font-size": size * 0.9 }, svg, t("no door yet"));
   }
-  const wall = ["home", "hall"].includes(draft.domain) ? draft.wall_thickness / 2 : row.line ? row.width / 2 : 0;
+  const wall = walls ? draft.wall_thickness / 2 : row.line ? row.width / 2 : 0;
   for (const [a, b, k] of sides({ ...row, [row.line ? "line" : "outline"]: ring })) {
     const long = far(a, b), u = [(b[0] - a[0]) / long, (b[1] - a[1]) / long], off = 14 * px + wall, both = [a, b].map(String).sort().join(" ");
-    if (long < 60 * px || draft.zones.length && told.has(both)) continue;
+    if (long < 60 * px || draft.zones.length && told.has(both) || row.outline && row.id !== picked && depthOf(ring, a, u) < 75 * px) continue;
     told.add(both);
     const mx = (a[0] + b[0]) / 2 - u[1] * off, my = (a[1] + b[1]) / 2 + u[0] * off;
     let turn = -Math.atan2(u[1], u[0]) * 180 / Math.PI;
@@ -99,6 +100,9 @@ function drawWords(row, { draft, shift, px, picked, faults }, told, svg) {
     made.dataset.long = long;
   }
 }
+
+// How far an outline reaches from one of its sides: a length in a narrow one would lie on its name.
+const depthOf = (ring, a, u) => Math.max(...ring.map((p) => Math.abs((p[1] - a[1]) * u[0] - (p[0] - a[0]) * u[1])));
 
 function drawFault(fault, svg, px) {
   if (fault.points.length > 2) element("path", { class: "wrong", d: outline([fault.points]) }, svg);

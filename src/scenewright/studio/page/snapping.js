@@ -49,7 +49,7 @@ export function onWall(rooms, at, { how, grid }) {
 // What the server does with a moved corner or wall, shown while it is dragged.
 const liesOn = (at, points) => points.some((one) => far(one, at) < 1e-6)
   || points.length === 2 && Math.abs(far(points[0], at) + far(at, points[1]) - far(...points)) < 1e-6;
-export const shifted = (row, shift) => shift ? pointsOf(row).map((at) => liesOn(at, shift.points) ? [at[0] + shift.by[0], at[1] + shift.by[1]] : at) : pointsOf(row);
+export const shifted = (row, shift) => shift && (!shift.id || shift.id === row.id) ? pointsOf(row).map((at) => shift.id || liesOn(at, shift.points) ? [at[0] + shift.by[0], at[1] + shift.by[1]] : at) : pointsOf(row);
 
 // A wall with the walls in one line with it that it is joined to, as the server moves them.
 export function prolong(rows, a, b) {

@@ -52,7 +52,7 @@ function show() {
   $("adding").hidden = !(doc.levels ?? []).length; $("dress").hidden = doc.domain !== "home";
   $("arrange").disabled = $("breed").disabled = !(doc.levels ?? []).length || doc.running;
   for (const id of ["solid", "walk", "picture"]) $(id).disabled = !(doc.levels ?? []).length;
-  $("redraw").hidden = !doc.version || Boolean(doc.draft) || !["home", "hall"].includes(doc.domain);
+  $("redraw").hidden = !doc.version || Boolean(doc.draft) || !doc.walls;
   for (const id of ["stop", "share", "stage"]) $(id).hidden = !doc.running;
   if (!doc.running) $("stage").textContent = "";
   $("levels").replaceChildren(...((doc.levels ?? []).length > 1 ? doc.levels : []).map((one) => {
@@ -238,7 +238,7 @@ function gather(rows) {
 }
 
 function showLists() {
-  $("verdict").textContent = isBare() ? ["view", "rate"].includes(doc.me?.right) ? t("nothing is arranged yet") : t("nothing is arranged yet: press Arrange") : doc.verdict ?? "";
+  $("verdict").textContent = doc.running ? t("arranging …") : isBare() ? ["view", "rate"].includes(doc.me?.right) ? t("nothing is arranged yet") : t("nothing is arranged yet: press Arrange") : doc.verdict ?? "";
   fill("findings", toShow(), listFinding);
   fill("left-out", doc.left_out ?? [], (out) => item(`${out.what.replaceAll("_", " ")}: ${out.reason}`, [], out.required));
   fill("changes", gather(changes), (one) => one.count ? item(t("{n} pieces {change}: {reason}", one)) : item(inWords(`${one.piece} ${one.change}: ${one.reason}`).replaceAll("_", " "), [one.piece]));
@@ -431,7 +431,7 @@ async function showSpace(walking) {
   for (const [id, on] of [["space", true], ["pad", walking && matchMedia("(pointer: coarse)").matches]]) $(id).hidden = !on;
   if (walking) $("minimap").removeAttribute("hidden"); else $("minimap").setAttribute("hidden", "");
   $("plan").setAttribute("hidden", "");
-  $("solid").ariaPressed = !walking; $("walk").ariaPressed = walking; offerPhoto(walking, doc.domain);
+  $("solid").ariaPressed = !walking; $("walk").ariaPressed = walking; offerPhoto(walking, doc.walls);
   if (!space || spaceOf !== doc.version) {
     say(t("building the scene …"));
     const stood = space?.walking ? space.where() : null, version = doc.version;
@@ -489,7 +489,7 @@ function showPlan() {
   hideBreeding(); hideDrawing();
   $("plan").removeAttribute("hidden");
   $("solid").ariaPressed = $("walk").ariaPressed = false;
-  offerPhoto(false, "");
+  offerPhoto(false);
 }
 
 $("solid").onclick = () => $("solid").ariaPressed === "true" ? showPlan() : showSpace(false);

@@ -28,7 +28,10 @@ DRAWING_VERBS: Mapping[str, Verb] = {
             "kind": {"type": "string", "description": "door, passage, window; road, path"},
             "level": {"type": "string", "description": "id of a storey; the first if left out"},
             "heading": {"type": "number", "description": "radians, the way stairs lead up"},
-            "copy": {"type": "boolean", "description": "a storey with the rooms of that below"},
+            "copy": {
+                "type": "boolean",
+                "description": "a storey with the rooms of that below; shift another one",
+            },
             "asked": {"type": "object", "description": "as wishes, by key"},
             "at": AT,
             "points": {"type": "array", "description": "corners, or two ends of a wall, to move"},
