@@ -75,6 +75,13 @@ def test_a_hall_cancelled_at_once_lists_all_that_it_lacks() -> None:
     assert not sw.check(solution, figures=False).complete
 
 
+@pytest.mark.parametrize("sample", ["home-room", "site-30", "village-street", "extend-terrace"])
+def test_what_is_cancelled_at_once_is_not_said_to_be_whole(sample: str) -> None:
+    solution = sw.solve(sw.read(f"sample:{sample}"), cancel=lambda: True)
+    assert any(out.required for out in solution.left_out)
+    assert not sw.check(solution, figures=False).complete
+
+
 def test_an_extension_is_polished_no_further(monkeypatch: pytest.MonkeyPatch) -> None:
     moves: list[int] = []
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from importlib.util import find_spec
 
 EXTRAS = {
+    "browser": ("playwright",),
     "cluster": ("dask", "distributed", "fsspec"),
     "bim": ("ifcopenshell",),
     "draco": ("DracoPy",),

@@ -111,6 +111,9 @@ def problems(
     return tuple(one.problem for one in stage.areas)
 
 
+STOPPED = "stopped before they were placed"
+
+
 def furnish_area(
     staged: StagedArea, layout: GrownLayout, evaluations: int, *, stopped: bool = False
 ) -> FilledArea:
@@ -121,13 +124,17 @@ def furnish_area(
     pieces = (*standing_pieces(area), *new)
     missing = layout.asked - len(layout.poses)
     left_out = []
-    if not layout.asked and not len(layout.poses) and not area.fixed:
+    short = 0.0 if layout.asked else layout.score.get("coverage", 0.0)
+    if stopped and short > problem.settings.slack:
+        what = f"the buildings of {short:.0%} of the ground to be covered"
+        left_out.append(LeftOut(area.id, what, STOPPED, True))
+    elif not layout.asked and not len(layout.poses) and not area.fixed:
         reason = f"none fits on {area.outline.area:.0f} m² at the distances of the source"
         left_out.append(LeftOut(area.id, "all buildings", reason, False))
     if missing > 0:
         what = f"{missing} of {layout.asked} buildings"
         full = f"no place left on {area.outline.area:.0f} m² at the distances of the source"
-        reason = "stopped before they were placed" if stopped else full
+        reason = STOPPED if stopped else full
         left_out.append(LeftOut(area.id, what, reason, True))
     rows = reasons(problem, layout)
     return FilledArea(area.id, pieces, rows, tuple(left_out), evaluations)

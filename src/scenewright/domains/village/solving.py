@@ -208,7 +208,7 @@ def _left_out(
         what = f"{missing} of {layout.asked} houses"
         full = f"no place left on {plan.area:.0f} m² that a way from the street leads to"
         reason = "stopped before they were placed" if stopped else full
-        found.append(LeftOut(plan.id, what, reason, block.count is not None))
+        found.append(LeftOut(plan.id, what, reason, stopped or block.count is not None))
     if block.square is not None and no_square:
         side = math.sqrt(block.square)
         reason = f"no street side has {side:.1f} x {side:.1f} m free behind it"
