@@ -28,8 +28,9 @@ END, HELD, GATE = 1.0, 0.6, 2.0
 another wall, and by a gate: a walk, a square or a way."""
 BEFORE, WIDE = 1.5, 1.2
 """Metres before a door, and across it, that no wall may stand in."""
-GARDEN, THIN = 20.0, 0.4
-"""Square metres of the least garden, and metres of the widest gap that is none."""
+GARDEN, THIN, HOUSE = 20.0, 0.4, 2.0
+"""Square metres of the least garden, metres of the widest gap that is none, and of the wall of a
+house that may have a door to a garden."""
 
 
 def fault_counts(
@@ -133,14 +134,18 @@ def _ends(wall: shapely.Polygon) -> Iterator[shapely.Point]:
 def _shut_gardens(
     ground: Ground, others: Sequence[Piece], walls: shapely.Geometry
 ) -> tuple[float, float]:
-    """Gardens within walls that neither a way, a walk nor the door of a house leads to."""
+    """Gardens within walls that neither a way, a walk nor a house leads to."""
     plots = shapely.union_all(list(ground.plots.values()))
     houses = shapely.union_all([*ground.shapes, *(roof_outline(one) for one in others)])
     shut = shapely.buffer(shapely.union(walls, houses), THIN / 2, join_style="mitre")
     open_ = shapely.difference(shapely.union(plots.buffer(4.0), ground.ways), shut)
     parts = [p for p in shapely.get_parts(open_) if p.geom_type == "Polygon"]
     gardens = [p for p in parts if p.intersection(plots).area >= GARDEN]
-    doors = shapely.multipoints(ground.doors + 0.5 * ground.ahead)
+    fronts = shapely.boundary(shapely.buffer(houses, THIN, join_style="mitre"))
     paths = shapely.union_all([ground.ways, ground.walks, *ground.squares])
-    bare = [p for p in gardens if not p.intersects(doors) and p.intersection(paths).area < 0.5]
+    bare = [
+        p
+        for p in gardens
+        if p.intersection(fronts).length < HOUSE and p.intersection(paths).area < 0.5
+    ]
     return float(len(bare)), float(len(gardens))

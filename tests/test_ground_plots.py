@@ -10,7 +10,9 @@ import shapely
 
 import scenewright as sw
 from scenewright.core.piece_outlines import polygons_of
-from scenewright.ground.streetside.plots import fence_lines, lay_plots, share_ground
+from scenewright.domains.village.check.judge import door_of
+from scenewright.ground.streetside.fences import fence_lines
+from scenewright.ground.streetside.plots import lay_plots, share_ground
 
 BOX = shapely.box
 
@@ -59,11 +61,35 @@ def test_no_fence_stands_in_a_passage_or_before_a_gate() -> None:
     shapes = np.array([BOX(0, 0, 10, 10), BOX(12, 0, 22, 10), BOX(40, 0, 50, 10)], object)
     plots = lay_plots(BOX(-5, -5, 60, 20), "abc", shapes, np.zeros(3, bool))
     gate = BOX(30, -10, 33, 30)
-    outer, inner = fence_lines(plots, shapes, gate)
-    assert inner.length > 10
-    assert outer.length > 100
-    assert not shapely.dwithin(inner, shapely.union_all(shapes), 1.0)
-    assert inner.intersection(gate).length + outer.intersection(gate).length < 0.01
+    street, other = fence_lines(plots, shapes, BOX(-5, -9, 60, -5), gate, 0.1)
+    assert street.length > 50
+    assert other.length > 60
+    assert not shapely.union(street, other).intersects(BOX(10.1, 1, 11.9, 9))
+    assert street.intersection(gate).length + other.intersection(gate).length < 0.01
+
+
+def test_every_end_of_a_fence_is_on_a_house_another_fence_or_a_gate() -> None:
+    shapes = np.array([BOX(0, 0, 10, 8), BOX(20, 1, 30, 9), BOX(31.2, 1, 40, 9)], object)
+    plots = lay_plots(BOX(-5, -2.6, 46, 24), "abc", shapes, np.zeros(3, bool))
+    gates = shapely.union_all([BOX(4, -3, 6, 0), BOX(24, -3, 26, 1), BOX(35, -3, 37, 1)])
+    lines = shapely.union_all(fence_lines(plots, shapes, BOX(-5, -6, 46, -2.6), gates, 0.1))
+    edges = shapely.get_parts(shapely.line_merge(lines))
+    ends = [shapely.Point(e.coords[k]) for e in edges if not e.is_closed for k in (0, -1)]
+    assert len(ends) >= 6
+    for k, end in enumerate(ends):
+        others = [end.distance(other) for other in ends[:k] + ends[k + 1 :]]
+        held = [end.distance(one) for one in (gates, shapely.union_all(shapes))]
+        assert min(*held, *others) < 0.06
+
+
+def test_no_wall_stands_before_a_door(dense: sw.Solution) -> None:
+    rows = sw.scene_of(dense).surfaces
+    walls = [shapely.Polygon(*a) for s in rows if s.kind == "white_wall" for a in s.areas]
+    assert sum(wall.length for wall in walls) > 500
+    for piece in (p for p in dense.pieces if p.category == "building"):
+        door, ahead = door_of(piece)
+        before = shapely.LineString([door + 0.1 * ahead, door + 1.5 * ahead])
+        assert all(not before.intersects(wall) for wall in walls)
 
 
 def test_plots_are_written_and_drawn(dense: sw.Solution, tmp_path) -> None:

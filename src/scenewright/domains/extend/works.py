@@ -14,14 +14,14 @@ from scenewright.core.scene import GroundSurface, Piece
 from scenewright.core.solution import Solution
 from scenewright.domains.extend.areas import OLD, ExtendPlan
 from scenewright.ground.outlines import GRID, polygons
-from scenewright.ground.streetside.plots import OUTBUILDING, Plot, fence_lines, lay_plots
+from scenewright.ground.streetside.fences import fence_lines, list_forecourts
+from scenewright.ground.streetside.plots import OUTBUILDING, Plot, lay_plots
 from scenewright.ground.ways.door_walks import WalkGround, lay_long_walks, lay_walks_to_doors
 from scenewright.ground.ways.lanes import corners_of_line
 from scenewright.ground.works import GroundWorks, Pathway
 
-WIDE, GATE, ALONG = 1.4, 1.2, 1.5
-"""Metres: the width of a walk, what a fence leaves open about it, and from a street within which
-one stands along it."""
+WIDE, GATE = 1.4, 1.2
+"""Metres: the width of a walk, and what a fence leaves open about it."""
 HIGH, THICK = 1.0, 0.08
 """Height and thickness of a fence in metres."""
 GARDENS, LOW = 260.0, 11.0
@@ -97,11 +97,10 @@ def fence_plots(
     if not houses or np.median(shapely.area(shapes)) > GARDENS or np.median(high) > LOW:
         return
     walks = [shapely.LineString(row.line).buffer(WIDE / 2 + GATE) for row in works.pathways]
-    streets = _streets(plan.detail)
-    blocked = shapely.union_all([*walks, streets.buffer(0.1)])
-    outer, inner = fence_lines(_lay_all_plots(solution, plan), shapes, blocked)
-    along = shapely.intersection(outer, shapely.buffer(streets, ALONG))
-    strip = shapely.buffer(shapely.union(along, inner), THICK / 2, cap_style="flat")
+    gates, streets = shapely.union_all([*walks, *list_forecourts(houses)]), _streets(plan.detail)
+    lines = fence_lines(_lay_all_plots(solution, plan), shapes, streets, gates, THICK)
+    strip = shapely.buffer(shapely.union_all(lines), THICK / 2, cap_style="square")
+    strip = shapely.difference(strip, shapely.union_all(shapes))
     areas = tuple(rings(part) for part in polygons(strip))
     if areas:
         yield GroundSurface("fences", space, "fence", areas, -0.01, HIGH)

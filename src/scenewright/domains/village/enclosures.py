@@ -17,7 +17,8 @@ from scenewright.catalog.assets.buildings.house_looks import LOOKS
 from scenewright.core.piece_outlines import outline_of, polygons_of
 from scenewright.core.scene import Piece
 from scenewright.domains.village.blocks import BlockPlan
-from scenewright.ground.streetside.plots import Plot, Shapes, fence_lines
+from scenewright.ground.streetside.fences import fence_lines
+from scenewright.ground.streetside.plots import Plot, Shapes
 
 
 class Enclosure(NamedTuple):
@@ -45,45 +46,29 @@ ENCLOSED = {
     "white": Enclosures(WHITE, WHITE),
 }
 """By what encloses the plots of a style."""
-SETBACK, SHORTEST = 0.25, 1.5
-"""Metres from the street, and of the shortest piece."""
-FRONTING = 0.6
-"""Metres from a way within which the border of a plot lies along it."""
 BED, BEDS, BEHIND = (1.2, 4.5), 3, 2.6
 """Width and length of a bed, how many a house has, and metres behind it."""
 DWELLING = 50.0
 
 
 def enclose_plots(
-    block: BlockPlan, plots: Sequence[Plot], shapes: Shapes, blocked: shapely.Geometry, look: str
+    block: BlockPlan, plots: Sequence[Plot], shapes: Shapes, gates: shapely.Geometry, look: str
 ) -> Iterator[tuple[Enclosure, shapely.Geometry, shapely.Geometry]]:
-    """What encloses the plots of a block, with the ground it takes and that of its coping; none
-    where walls are near and on ``blocked`` ground (walks with their gates, squares)."""
+    """What encloses the plots of a block, with the ground it takes and that of its coping; none on
+    the ground of ``gates`` (walks, squares, what is before doors)."""
     kinds = ENCLOSED[LOOKS[look].enclosed]
-    outer, inner = fence_lines(plots, shapes, blocked)
-    ways = shapely.union_all([shapely.boundary(block.lanes), *shapely.linestrings(block.streets)])
-    along = shapely.buffer(ways, FRONTING, quad_segs=1)
-    front, back = shapely.intersection(outer, along), shapely.difference(outer, along)
-    held = shapely.union_all([shapely.Polygon(plot.outline) for plot in plots], grid_size=1e-3)
-    street = _set_back(front, kinds.street.thick, shapely.difference(held, blocked))
-    half = kinds.between.thick / 2
-    lines = shapely.union(inner, back)
-    between = shapely.buffer(lines, half, cap_style="flat", join_style="mitre", mitre_limit=2.0)
-    between = shapely.difference(shapely.difference(between, street), blocked)
-    for kind, ground in ((kinds.street, street), (kinds.between, between)):
-        parts = [p for p in shapely.get_parts(ground) if p.geom_type == "Polygon"]
-        wall = shapely.union_all([p for p in parts if p.area > SHORTEST * kind.thick])
+    ways = shapely.union_all([block.lanes, *shapely.linestrings(block.streets)])
+    lines = fence_lines(plots, shapes, ways, gates, kinds.street.thick)
+    houses = shapely.union_all([*shapes, gates])
+    taken = houses
+    for kind, line in ((kinds.street, lines.street), (kinds.between, lines.other)):
+        strip = shapely.buffer(
+            line, kind.thick / 2, cap_style="square", join_style="mitre", mitre_limit=2.0
+        )
+        wall = shapely.difference(strip, taken)
+        taken = shapely.union(taken, wall)
         cap = shapely.buffer(wall, 0.07, join_style="mitre") if kind.coping else shapely.Polygon()
-        yield kind, wall, shapely.difference(cap, blocked)
-
-
-def _set_back(line: shapely.Geometry, thick: float, ground: shapely.Geometry) -> shapely.Geometry:
-    """A strip of some thickness behind a line, on some ground."""
-    inner = shapely.buffer(line, SETBACK + thick, cap_style="flat", join_style="mitre")
-    strip = shapely.difference(
-        inner, shapely.buffer(line, SETBACK, quad_segs=2, join_style="mitre")
-    )
-    return shapely.intersection(strip, ground)
+        yield kind, wall, shapely.difference(cap, houses)
 
 
 def lay_beds(

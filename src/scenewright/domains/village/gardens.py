@@ -17,6 +17,7 @@ from scenewright.domains.village.enclosures import enclose_plots, lay_beds
 from scenewright.domains.village.plots import houses_on, lay_block_plots, squares_on
 from scenewright.domains.village.walks import walk_ground
 from scenewright.ground.outlines import GRID
+from scenewright.ground.streetside.fences import list_forecourts
 from scenewright.ground.ways.door_walks import Walk, lay_long_walks, lay_walks_to_doors
 
 HEIGHTS = {"asphalt": 0.03, "path": 0.035, "yard": 0.02, "square": 0.04, "walk": 0.045, "bed": 0.14}
@@ -89,9 +90,8 @@ def _of_block(
     over = _cut(cross_verges(block, lines, strips), _only_areas(shapely.union(houses, squares)))
     for kind, shape in (("square", squares), ("walk", over), ("yard", yards)):
         yield from _surface(f"{kind} of {block.id}", block.id, kind, shape)
-    gates = shapely.buffer(
-        shapely.union_all([squares, strips, block.lanes]), GATE, join_style="mitre"
-    )
+    gates = shapely.buffer(shapely.union_all([squares, strips]), GATE, join_style="mitre")
+    gates = shapely.union_all([gates, *list_forecourts(here)])
     plots = lay_block_plots(village, block, pieces, patches)
     walls = []
     for k, (one, wall, cap) in enumerate(
@@ -101,7 +101,7 @@ def _of_block(
         yield from _surface(f"{one.kind} {k} of {block.id}", block.id, one.kind, wall, one.high)
         top = one.high + one.coping
         yield from _surface(f"coping {k} of {block.id}", block.id, "coping", cap, top, one.high)
-    taken = shapely.union_all([gates, *walls, yards])
+    taken = shapely.union_all([gates, block.lanes, *walls, yards])
     free = shapely.difference(shapely.buffer(floor, -1.0), taken)
     trees = [p for p in pieces if p.space == block.id and p.category == "tree"]
     beds = shapely.union_all(list(lay_beds(here, trees, free)))

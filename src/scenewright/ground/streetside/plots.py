@@ -31,9 +31,8 @@ BENT = 2.5
 """Metres: the root of the area that a border may gain or lose where it is drawn straighter."""
 JOINED = 0.5
 """Metres within which the ground of an outbuilding adjoins that of its dwelling."""
-PASSAGE, SHORT = 1.6, 1.5
-"""Metres between houses that one passes through: within them of a wall no fence stands; and of the
-shortest fence."""
+PASSAGE = 1.6
+"""Metres between houses that one passes through."""
 OUTBUILDING = 45.0
 """Square metres below which a building is taken for an outbuilding."""
 LEAST = 4.0
@@ -171,33 +170,3 @@ def lay_plots(
             others = tuple(names[k] for k in rows.tolist() if k != home)
             found.append(Plot(names[home], ring, float(plot.area), others))
     return tuple(found)
-
-
-def fence_lines(
-    plots: Sequence[Plot], shapes: Shapes, blocked: shapely.Geometry
-) -> tuple[shapely.Geometry, shapely.Geometry]:
-    """Where fences stand: along the borders of plots towards ways (``blocked`` is what of these is
-    open: gates, walks, squares), and between plots; none where a wall is so near that nobody
-    could pass."""
-    rings = [shapely.LinearRing(row.outline) for row in plots]
-    if not rings:
-        return shapely.LineString(), shapely.LineString()
-    whole = shapely.union_all([shapely.Polygon(row.outline) for row in plots], grid_size=1e-3)
-    rim = shapely.buffer(shapely.boundary(whole), 0.3, quad_segs=1)
-    near = shapely.union_all(shapely.buffer(shapes, PASSAGE, join_style="mitre"))
-    lines = shapely.union_all(rings, grid_size=1e-3)
-    inner = shapely.difference(lines, shapely.union_all([rim, near, blocked]))
-    outer = shapely.difference(shapely.boundary(whole), shapely.union_all([near, blocked]))
-    return _long(outer), _long(inner)
-
-
-def _long(lines: shapely.Geometry) -> shapely.Geometry:
-    """The pieces of lines that are long enough for a fence."""
-    merged = shapely.line_merge(shapely.union_all(np.array(_strings(lines), object)))
-    kept = [p for p in shapely.get_parts(merged) if p.length >= SHORT]
-    return shapely.union_all(np.array(kept, object))
-
-
-def _strings(shape: shapely.Geometry) -> list[shapely.LineString]:
-    parts = shapely.get_parts(shapely.get_parts(shape))
-    return [p for p in parts if p.geom_type in ("LineString", "LinearRing") and p.length > 0]

@@ -51,7 +51,7 @@ def lay_walks_to_doors(
         return ()
     taken = shapely.STRtree(polygons_of([*standing, *others]))
     shapely.prepare(ground.floor)
-    doors, ways = _doors(standing)
+    doors, ways = find_doors(standing)
     found: dict[int, Walk] = {}
     for ahead in AHEAD:
         _lay(doors, doors + ahead * ways, ground, taken, found)
@@ -64,7 +64,7 @@ def lay_long_walks(
     """Walks to the doors that none of those ``laid`` begins at: round the corners of houses, to a
     goal or to a walk."""
     standing = [p for p in houses if np.isfinite([*p.pose, *p.size]).all()]
-    doors, ways = _doors(standing)
+    doors, ways = find_doors(standing)
     begun = {tuple(np.round(walk.coords[0], 3).tolist()) for walk in laid}
     left = [k for k, at in enumerate(doors) if tuple(np.round(at, 3).tolist()) not in begun]
     if not left:
@@ -130,7 +130,7 @@ def _raster(
     return cells, open_.reshape(len(y), len(x)), cell
 
 
-def _doors(houses: Sequence[Piece]) -> tuple[Points, Points]:
+def find_doors(houses: Sequence[Piece]) -> tuple[Points, Points]:
     """The middle of the side farthest ahead of each house (n, 2), and the direction out (n, 2)."""
     turn = np.array([p.pose.heading for p in houses])
     ways = np.stack([np.cos(turn), np.sin(turn)], 1)
