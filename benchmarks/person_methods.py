@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from functools import partial
 from itertools import islice
 from typing import NamedTuple
 
@@ -25,10 +26,9 @@ from scenewright.engine.preference.screens import ScreenMix, choose_screen
 from scenewright.engine.preference.trust import TrustRecord, count_hit
 from scenewright.workflow.evolution.population import (
     BredLayout,
-    breed_further,
-    breed_genomes,
+    choose_genomes,
     draw_genomes,
-    rank_parents,
+    fit_breeding,
 )
 
 PICKS, WORSTS, REASONS = 3, 2, 1
@@ -74,10 +74,10 @@ def _learn(
     actions, best, trust = 0, -np.inf, TrustRecord()
     taste = tastes.PersonTaste(world.scale, None, np.zeros(len(world.scale.names)))
     rule = tastes.TasteRule() if ours_ else LINEAR
+    halves = taste, taste
     for screen in range(screens):
-        before = taste
         breeding = np.random.default_rng([seed, 2, screen])
-        _breed(world, before, known, numbers, screen, breeding, how, mix.wide(before.statements))
+        _breed(world, halves, known, numbers, screen, breeding, how, mix.wide(halves[0].statements))
         rows = [g for g in numbers if known[g].lacking == 0]
         values = np.array([known[g].values for g in rows])
         seen = np.array([g in shown for g in rows])
@@ -96,7 +96,10 @@ def _learn(
         events += told
         actions += len(told)
         by_number = {k: known[g].values for k, g in enumerate(numbers)}
-        taste = tastes.learn_taste(world.scale, events, by_number, world.reasons, rule=rule)
+        learn = partial(tastes.learn_taste, world.scale, values=by_number, reasons=world.reasons)
+        first = events[: len(events) - len(told) + 1]
+        halves = taste, learn(events=first, rule=rule)
+        taste = learn(events=events, rule=rule)
         yield SearchStep(actions, len(shown), champion, best, trust)
 
 
@@ -107,13 +110,14 @@ def _kept(events: list[Event], numbers: list[Genome]) -> list[Genome]:
     return [numbers[number] for number in (*first, *favourites_of(events))]
 
 
-def _breed(world, taste, known, numbers, screen, rng, how, wide) -> None:  # type: ignore[no-untyped-def]
-    """The next candidates, as the product breeds them."""
-    parents = rank_parents(taste, list(known.values()), how.parents)
-    genomes = breed_genomes(world.genes, parents, set(known), screen, rng, how)
-    if screen:
-        begun = [*parents, *genomes]
-        genomes = breed_further(world.breeder, taste, begun, set(known), screen, rng, how, wide)
+def _breed(world, tastes_, known, numbers, screen, rng, how, wide) -> None:  # type: ignore[no-untyped-def]
+    """The next candidates, as the product breeds them: half on the taste before the last screen,
+    half on that after its first mark."""
+    rows, genomes = list(known.values()), list[Genome]()
+    for part, taste in enumerate(tastes_ if screen else tastes_[:1]):
+        fitted = fit_breeding(how, world.breeder, part)
+        told = world.breeder, taste, rows, genomes, screen, rng, fitted
+        genomes = [*genomes, *choose_genomes(*told, 0 if part else wide)]
     for genome in genomes:
         row = world.look(genome)
         if genome not in known:

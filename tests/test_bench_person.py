@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 from benchmarks import person
 from benchmarks.person_raters import SimulatedPerson, like
-from benchmarks.person_wait import measure_waits
 from benchmarks.person_world import FIRST, World, home_world
+from benchmarks.sheets import describe, measure
 
-from scenewright.workflow.evolution.population import draw_genomes
+from scenewright.workflow.evolution.population import BreedingPlan, draw_genomes
 
 KEYS = ["case", "metric", "unit", "ours", "baseline", "baseline_name", "ratio", "runs"]
 
@@ -78,6 +78,9 @@ def test_records_say_that_persons_are_simulated(world: World) -> None:
 
 
 def test_waits_are_measured_from_asking() -> None:
-    ((screen, busy, pictures, drawn, _bred),) = measure_waits("home-child", 1)
-    assert 0.0 < screen < pictures
-    assert 0.0 < busy < drawn
+    waits, breeding = measure("home-child", 1, 0.0)
+    breeding.close()
+    assert all(0.0 < few < many for few, many in zip(waits.four, waits.twelve, strict=True))
+    assert len(waits.later) == 1
+    assert waits.solved == BreedingPlan().first + BreedingPlan().each
+    assert all(list(record) == KEYS for record in describe("a room", waits))

@@ -25,12 +25,17 @@ class Breeder(NamedTuple):
     much that was asked for it lacks, where that is far quicker than developing it: of known
     parts put together anew, of buildings without ways. NaN is what only developing
     tells; there need be no features where something lacks. ``first`` are genomes that are quickest
-    to develop of all: they begin the first batch, and can be looked at while it is bred."""
+    to develop of all: they begin the first batch, and can be looked at while it is bred. No more
+    than ``each`` candidates are developed for a later sheet and no more than ``unseen`` measured:
+    as many as two cores make while a person looks at one. They are counts, not seconds, so that
+    the same marks lead to the same sheet on any machine."""
 
     genes: tuple[Gene, ...]
     develop: Callable[[Genome], Solution]
     measure: Callable[[Genome], tuple[Mapping[str, float], int]] | None = None
     first: tuple[Genome, ...] = ()
+    each: int = 24
+    unseen: int = 640
 
 
 class BreedingStage(NamedTuple):

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from functools import cache, partial
+from functools import cache
 from typing import NamedTuple
 
 import numpy as np
@@ -12,7 +11,6 @@ from scenewright.core.breeding import Breeder, Gene, Genome
 from scenewright.core.brief import Brief
 from scenewright.core.plan import Plan
 from scenewright.core.solution import Solution
-from scenewright.domains.extend.features import measure_features
 from scenewright.domains.extend.pattern import GapRules, SourcePattern
 from scenewright.domains.extend.presets import PRESETS
 from scenewright.domains.extend.problem import ExtendProblem, GrownLayout
@@ -29,6 +27,8 @@ AMOUNTS = (1.0, 0.85, 1.15)
 FAVOURED, TIMES = 4, 3.0
 """Mixes: that of the sources, then :data:`TIMES` as many small, usual and large buildings."""
 CHANCES = 24
+EACH = 16
+"""Candidates of a later sheet: growing one takes as long as all else of it."""
 MOST_AREAS = 8
 """Areas that have genes of their own; all further ones share the last."""
 
@@ -75,7 +75,7 @@ def make_breeder(brief: Brief, plan: Plan, seed: int = 0) -> Breeder:
         found = [furnish_area(staged, layout, 1) for staged, layout in filled]
         return assemble_solution(stage, found, "quick", "grow", seed, 0.0)
 
-    return Breeder(genes, develop, partial(_measure, plan, develop))
+    return Breeder(genes, develop, each=EACH)
 
 
 def read_genome(genome: Genome) -> list[AreaWish]:
@@ -102,12 +102,3 @@ def _favour(pattern: SourcePattern, mix: int) -> np.ndarray:
         return pattern.weight
     more = np.where(size_classes(pattern) == mix - 1, TIMES, 1.0) * pattern.weight
     return np.asarray(more / more.sum() * pattern.weight.sum())
-
-
-def _measure(
-    plan: Plan, develop: Callable[[Genome], Solution], genome: Genome
-) -> tuple[dict[str, float], int]:
-    """The features of what a genome develops into, and how many buildings it lacks."""
-    solution = develop(genome)
-    lacking = sum(out.required for out in solution.left_out)
-    return measure_features(solution, plan), lacking

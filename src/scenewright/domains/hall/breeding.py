@@ -12,13 +12,15 @@ from scenewright.domains.hall.solving import solve
 
 ZONES, PATTERNS, SEEDS = 6, 12, 8
 """Proposals of zones, ways to narrow the patterns, and seeds to choose from."""
+EACH = 12
+"""Candidates of a later sheet: each is a hall solved."""
 
 
 def make_breeder(brief: Brief, plan: Plan, seed: int = 0) -> Breeder:
     """Genes of a hall: which proposal of zones (where the brief leaves them open), to which of
     its patterns each demand is narrowed, and the seed."""
     genes = (Gene("zones", ZONES), Gene("patterns", PATTERNS), Gene("chance", SEEDS))
-    return Breeder(genes, partial(_develop, brief, plan, seed))
+    return Breeder(genes, partial(_develop, brief, plan, seed), each=EACH)
 
 
 def _develop(brief: Brief, plan: Plan, seed: int, genome: Genome) -> Solution:

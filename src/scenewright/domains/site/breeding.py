@@ -53,6 +53,8 @@ OPEN = 0.14
 """Radius of the open ground, as a share of the root of the site's area."""
 MOST_BLOCKS = 8
 """Blocks that have genes of their own; all further ones share the last."""
+EACH, UNSEEN = 16, 60
+"""Candidates of a later sheet, and of how many only the buildings are placed to choose them."""
 TRIED = 3
 """Layouts of each block that are tried where what a genome says leaves out buildings."""
 
@@ -95,7 +97,9 @@ def make_breeder(brief: Brief, plan: Plan, seed: int = 0) -> Breeder:
     )
 
     ready = prepare_grounds(brief, plan)
-    return Breeder(genes, partial(_develop, ready, seed), partial(_measure, ready))
+    return Breeder(
+        genes, partial(_develop, ready, seed), partial(_measure, ready), (), EACH, UNSEEN
+    )
 
 
 def prepare_grounds(brief: Brief, plan: Plan) -> Ready:

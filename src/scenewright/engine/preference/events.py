@@ -73,6 +73,8 @@ class Undo(NamedTuple):
 
 
 Event = Pick | Worst | Prefer | Stars | Reason | Lock | Edit | Keep | Undo
+Judgement = Pick | Worst | Prefer | Stars | Keep
+"""What says how much a layout is liked."""
 KINDS: dict[str, Any] = {
     kind.__name__.lower(): kind
     for kind in (Pick, Worst, Prefer, Stars, Reason, Lock, Edit, Keep, Undo)

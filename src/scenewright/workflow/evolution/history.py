@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
-from scenewright.engine.preference.events import Edit, Event, Pick, counting, event_of
+from scenewright.engine.preference.events import Edit, Event, Judgement, Pick, counting, event_of
 from scenewright.engine.preference.trust import TrustRecord, count_hit
 from scenewright.workflow.evolution.log import Entry
 from scenewright.workflow.evolution.log_records import check_known
@@ -52,6 +52,13 @@ class History(NamedTuple):
     def before_screen(self, number: int) -> tuple[Event, ...]:
         """The events said before a screen was chosen."""
         return self.events[: self.screens[number].before] if number >= 0 else ()
+
+    def before_mark(self) -> int | None:
+        """How many events there are up to the first mark of the last screen, which is one of them;
+        none before that."""
+        first = self.screens[-1].before if self.screens else 0
+        events = enumerate(self.events[first:], first + 1)
+        return next((k for k, event in events if isinstance(event, Judgement)), None)
 
     @property
     def trust(self) -> TrustRecord:

@@ -12,10 +12,12 @@ from scenewright.core.brief import Brief
 from scenewright.core.errors import CancelledError
 from scenewright.core.plan import Plan
 from scenewright.core.solution import Solution
-from scenewright.workflow.evolution.population import BredLayout, BreedingGround, develop_all
+from scenewright.workflow.evolution.population import BredLayout, BreedingGround, develop
 
 OnProgress = Callable[[float, str], None]
 OnCancel = Callable[[], bool]
+Choose = Callable[[list[Genome]], list[Genome]]
+"""Chooses what is bred, beside the genomes that are being bred for the same screen."""
 Developed = tuple[BredLayout, Solution]
 WORKERS = 2
 """Threads that breed."""
@@ -44,8 +46,9 @@ class Batch(NamedTuple):
 
 
 class Nursery:
-    """Breeds one batch at a time in the background. ``locked`` gives the brief of an epoch;
-    ``breeder`` is what it breeds by (that of the domain, if left out)."""
+    """Breeds for one screen at a time in the background, one batch after the other. ``locked``
+    gives the brief of an epoch; ``breeder`` is what it breeds by (that of the domain, if left
+    out)."""
 
     def __init__(
         self,
@@ -59,7 +62,8 @@ class Nursery:
         self._breeder = breeder
         self._pool = ThreadPoolExecutor(WORKERS, thread_name_prefix="breeding")
         self._grounds: dict[str, BreedingGround] = {}
-        self.batch: Batch | None = None
+        self._made: dict[tuple[str, Genome], Developed] = {}
+        self.batches: tuple[Batch, ...] = ()
 
     def ground(self, epoch: str) -> BreedingGround:
         """The values an epoch's candidates are bred on."""
@@ -70,35 +74,40 @@ class Nursery:
             self._grounds[epoch] = BreedingGround(plan, breeder)
         return self._grounds[epoch]
 
-    def begin(self, epoch: str, screen: int, choose: Callable[[], list[Genome]]) -> None:
+    def begin(self, epoch: str, screen: int, choose: Choose) -> None:
         """Begin to breed the genomes that ``choose`` gives; what was being bred is given up."""
         self.give_up()
-        ground = self.ground(epoch)
-        genomes = self._pool.submit(choose)
-        parts = tuple(
-            self._pool.submit(_develop_part, ground, genomes, part) for part in range(PARTS)
-        )
-        self.batch = Batch(epoch, screen, genomes, parts)
+        self._submit(epoch, screen, choose)
 
-    def is_breeding(self, epoch: str, screen: int) -> bool:
-        """Whether the batch is for this screen of this epoch."""
-        return self.batch is not None and self.batch[:2] == (epoch, screen)
+    def add(self, choose: Choose) -> None:
+        """Breed more for the same screen, after what is being bred."""
+        self._submit(*self.batches[0][:2], choose)
+
+    def count(self, epoch: str, screen: int) -> int:
+        """How many batches are being bred for this screen of this epoch."""
+        return sum(batch[:2] == (epoch, screen) for batch in self.batches)
+
+    def ready(self) -> bool:
+        """Whether all that was begun is bred."""
+        return all(batch.ready() for batch in self.batches)
 
     def peek(self) -> list[tuple[int, Developed]]:
-        """The candidates of the batch bred so far, each with its place in it."""
-        found, parts = [], self.batch.parts if self.batch else ()
-        done = [k for k, part in enumerate(parts) if part.done() and not part.cancelled()]
-        for k in done:
-            count = self.batch.size() if self.batch else 0
-            first = count * k // len(parts)
-            found += [(first + n, one) for n, one in enumerate(parts[k].result())]
+        """The candidates bred so far, each with its place among all that will be."""
+        found, before = list[tuple[int, Developed]](), 0
+        for batch in self.batches:
+            count = batch.size()
+            done = [k for k, part in enumerate(batch.parts) if part.done() and not part.cancelled()]
+            for k in done:
+                first = before + count * k // PARTS
+                found += [(first + n, one) for n, one in enumerate(batch.parts[k].result())]
+            before += count
         return found
 
     def collect(self, progress: OnProgress | None, cancel: OnCancel | None) -> list[Developed]:
         """What was bred, when all is; ``progress`` gets how much is. Once ``cancel`` says so
-        the batch is given up: :class:`CancelledError`."""
+        it is given up: :class:`CancelledError`; what is developed by then is not made again."""
         found: list[Developed] = []
-        parts = self.batch.parts if self.batch else ()
+        parts = [part for batch in self.batches for part in batch.parts]
         for k, part in enumerate(parts):
             while not part.done():
                 if progress is not None:
@@ -108,24 +117,38 @@ class Nursery:
                     raise CancelledError("cancelled while breeding")
                 wait([part], PATIENCE)
             found += part.result()
-        self.batch = None
+        self.batches = ()
+        self._made.clear()
         return found
 
     def give_up(self) -> None:
         """Breed no more of what was begun."""
-        for part in self.batch.parts if self.batch else ():
-            part.cancel()
-        self.batch = None
+        for batch in self.batches:
+            batch.genomes.cancel()
+            for part in batch.parts:
+                part.cancel()
+        self.batches = ()
 
     def close(self) -> None:
         """Let the threads go when they have done what they are at."""
         self._pool.shutdown(wait=False, cancel_futures=True)
 
+    def _submit(self, epoch: str, screen: int, choose: Choose) -> None:
+        ground, before = self.ground(epoch), [batch.genomes for batch in self.batches]
+        genomes = self._pool.submit(lambda: choose([g for one in before for g in one.result()]))
+        parts = tuple(
+            self._pool.submit(self._develop_part, epoch, ground, genomes, part)
+            for part in range(PARTS)
+        )
+        self.batches = (*self.batches, Batch(epoch, screen, genomes, parts))
 
-def _develop_part(
-    ground: BreedingGround, genomes: Future[list[Genome]], part: int
-) -> list[Developed]:
-    """One of :data:`PARTS` equal parts of the genomes, developed when they are chosen."""
-    chosen = genomes.result()
-    first, last = (len(chosen) * k // PARTS for k in (part, part + 1))
-    return develop_all(ground, chosen[first:last])
+    def _develop_part(
+        self, epoch: str, ground: BreedingGround, genomes: Future[list[Genome]], part: int
+    ) -> list[Developed]:
+        """One of :data:`PARTS` equal parts of the genomes, developed when they are chosen."""
+        chosen = genomes.result()
+        first, last = (len(chosen) * k // PARTS for k in (part, part + 1))
+        for genome in chosen[first:last]:
+            if (epoch, genome) not in self._made:
+                self._made[epoch, genome] = develop(ground, genome)
+        return [self._made[epoch, genome] for genome in chosen[first:last]]

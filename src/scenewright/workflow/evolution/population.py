@@ -23,11 +23,12 @@ BESIDE = 2
 
 class BreedingPlan(NamedTuple):
     """How many candidates there are before the first screen and how many are bred for each later
-    one; ``alleles`` of a gene that may be used at first, and how many more with each screen;
-    ``fresh`` share of children made without parents, ``mutated`` genes of a child on average,
-    ``crossed`` share of children of two parents, ``parents`` that children are made of; ``rounds``
-    of so large a ``brood`` are bred unseen where genomes can be measured by themselves, by what is
-    predicted and ``hope`` times its standard deviation."""
+    one, at most: the second half of them once a layout of the one before is marked; ``alleles`` of
+    a gene that may be used at first, and how many more with each screen; ``fresh`` share of
+    children made without parents, ``mutated`` genes of a child on average, ``crossed`` share of
+    children of two parents, ``parents`` that children are made of; ``rounds`` of so large a
+    ``brood`` are bred unseen where genomes can be measured by themselves, by what is predicted and
+    ``hope`` times its standard deviation."""
 
     first: int = 24
     each: int = 24
@@ -154,6 +155,40 @@ def rank_parents(taste: PersonTaste, bred: Sequence[BredLayout], count: int) -> 
     return [rows[k].genome for k in order.tolist()]
 
 
+def fit_breeding(how: BreedingPlan, breeder: Breeder, part: int | None = None) -> BreedingPlan:
+    """A plan with no more candidates than a breeder makes for one sheet; of them the first
+    (``part`` 0) or the second half (1), if one is named. Broods too small to choose from are none.
+
+    >>> slow = Breeder((), lambda genome: None, each=13, unseen=100)
+    >>> [fit_breeding(BreedingPlan(), slow, part)[1] for part in (None, 0, 1)]
+    [13, 7, 6]
+    """
+    each = min(how.each, breeder.each)
+    shares = {None: each, 0: each - each // 2, 1: each // 2}
+    brood = min(how.brood, breeder.unseen // (1 if part is None else 2) // (how.rounds + 2))
+    return how._replace(each=shares[part], brood=brood)
+
+
+def choose_genomes(
+    breeder: Breeder,
+    taste: PersonTaste | None,
+    bred: Sequence[BredLayout],
+    coming: Sequence[Genome],
+    number: int,
+    rng: np.random.Generator,
+    how: BreedingPlan,
+    wide: int = 0,
+) -> list[Genome]:
+    """Genomes of batch ``number``, after those that are ``bred`` and those ``coming``: by chance
+    before anything is, then by what is predicted, ``wide`` of them to learn from."""
+    parents = rank_parents(taste, bred, how.parents) if taste else []
+    known = {*coming, *(one.genome for one in bred if one.genome)}
+    begun = breed_genomes(breeder.genes, parents, known, number if bred else 0, rng, how)
+    if taste is None or not bred:
+        return list(dict.fromkeys((*breeder.first, *begun)))[: how.first]
+    return breed_further(breeder, taste, [*parents, *begun], known, number, rng, how, wide)
+
+
 def breed_further(
     breeder: Breeder,
     taste: PersonTaste,
@@ -167,7 +202,7 @@ def breed_further(
     """Genomes bred by what is predicted, from genomes ``begun``, where genomes can be measured
     without developing them: ``wide`` of them to learn from, the others what is predicted best
     after ``how.rounds`` generations."""
-    if breeder.measure is None or taste.posterior is None:
+    if breeder.measure is None or taste.posterior is None or not how.brood:
         return [genome for genome in begun if genome not in known][: how.each]
     open_ = count_open(breeder.genes, len(known), number, how)
     pool: dict[Genome, Floats] = {}
@@ -244,15 +279,10 @@ def _list_neighbours(genome: Genome, breeder: Breeder, open_: int) -> list[Genom
     ]
 
 
-def develop_all(
-    ground: BreedingGround, genomes: Sequence[Genome]
-) -> list[tuple[BredLayout, Solution]]:
-    """What genomes develop into, measured."""
-    found = []
-    for genome in genomes:
-        solution = ground.breeder.develop(genome)
-        found.append((measure_solution(solution, ground.plan, genome), solution))
-    return found
+def develop(ground: BreedingGround, genome: Genome) -> tuple[BredLayout, Solution]:
+    """What a genome develops into, measured."""
+    solution = ground.breeder.develop(genome)
+    return measure_solution(solution, ground.plan, genome), solution
 
 
 def is_sane(bred: BredLayout, least: int) -> bool:

@@ -38,13 +38,8 @@ from scenewright.workflow.evolution.candidate import Screen, ShownCandidate
 from scenewright.workflow.evolution.choosing import choose_candidates, predict_candidates
 from scenewright.workflow.evolution.history import History
 from scenewright.workflow.evolution.log import EvolutionLog
-from scenewright.workflow.evolution.nursery import Nursery, OnCancel, OnProgress
-from scenewright.workflow.evolution.population import (
-    BreedingPlan,
-    breed_further,
-    breed_genomes,
-    rank_parents,
-)
+from scenewright.workflow.evolution.nursery import Choose, Nursery, OnCancel, OnProgress
+from scenewright.workflow.evolution.population import BreedingPlan, choose_genomes, fit_breeding
 from scenewright.workflow.evolution.statement_checks import check_said
 
 Keep = Callable[[str, str, dict[str, Any]], None]
@@ -263,14 +258,7 @@ class RaterPool:
         with self._begun:
             if self._archive.bred:
                 return
-            breeder, how = self._nursery.ground("").breeder, self._breeding
-            rng = np.random.default_rng([self.seed, 2])
-
-            def choose() -> list[Any]:
-                begun = breed_genomes(breeder.genes, [], set(), 0, rng, how)
-                return list(dict.fromkeys((*breeder.first, *begun)))[: how.first]
-
-            self._nursery.begin("", 0, choose)
+            self._nursery.begin("", 0, self._choosing(np.random.default_rng([self.seed, 2])))
             self._take_in(self._nursery.collect(progress, cancel))
 
     def _take_in(self, found: Sequence[Any]) -> None:
@@ -283,8 +271,8 @@ class RaterPool:
     def _adopt(self) -> None:
         """Take in what was bred meanwhile, if it is ready; whoever asks does not wait for it."""
         with self._lock:
-            batch = self._nursery.batch
-            if self._adopting or batch is None or not batch.ready():
+            batches = self._nursery.batches
+            if self._adopting or not batches or not self._nursery.ready():
                 return
             self._adopting = True
         Thread(target=self._take_bred, daemon=True).start()
@@ -300,17 +288,14 @@ class RaterPool:
         with self._lock:
             seen = len(self._of(rater).shown)
             full = len(self._archive.bred) >= AHEAD and seen < SEEN * len(self._archive.bred)
-            if self._nursery.batch is not None or self._adopting or full:
+            if self._nursery.batches or self._adopting or full:
                 return
-            rows, how = [*self._archive.bred.values()], self._breeding
-            known = {one.genome for one in rows if one.genome}
-            breeder, age = self._nursery.ground("").breeder, self._batches
-            rng = np.random.default_rng([self.seed, 3, age])
-            parents = rank_parents(taste, rows, how.parents)
-            wide = self._mix.wide(taste.statements)
+            rng = np.random.default_rng([self.seed, 3, self._batches])
+            self._nursery.begin("", self._batches, self._choosing(rng, taste))
 
-            def choose() -> list[Any]:
-                begun = breed_genomes(breeder.genes, parents, known, age, rng, how)
-                return breed_further(breeder, taste, [*parents, *begun], known, age, rng, how, wide)
-
-            self._nursery.begin("", age, choose)
+    def _choosing(self, rng: np.random.Generator, taste: PersonTaste | None = None) -> Choose:
+        """How the next genomes are chosen: for one taste, the first by chance."""
+        rows, age, breeder = [*self._archive.bred.values()], self._batches, self._breeder()
+        how = fit_breeding(self._breeding, breeder)
+        wide = self._mix.wide(taste.statements) if taste is not None else 0
+        return lambda coming: choose_genomes(breeder, taste, rows, coming, age, rng, how, wide)

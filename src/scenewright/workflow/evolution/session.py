@@ -1,8 +1,9 @@
 """An evolution: candidates are shown, a person says what she thinks of them, better ones come.
 
 :meth:`Evolution.ask` gives the next screen, :meth:`Evolution.tell` takes what was said. While she
-looks, the next candidates are bred on what was known when the screen was chosen; so the next
-screen is there at once, and the same log and seed give the same screens however fast she is.
+looks, the next candidates are bred: half on what was known when the screen was chosen, half on her
+first mark, from then on. So the next screen is there at once, and the same log and seed give the
+same screens however fast she is.
 """
 
 from __future__ import annotations
@@ -44,13 +45,12 @@ from scenewright.workflow.evolution.history import read_history
 from scenewright.workflow.evolution.locking import lock_brief, name_epoch
 from scenewright.workflow.evolution.log import EvolutionLog
 from scenewright.workflow.evolution.log_records import check_genome
-from scenewright.workflow.evolution.nursery import Nursery, OnCancel, OnProgress
+from scenewright.workflow.evolution.nursery import Choose, Nursery, OnCancel, OnProgress
 from scenewright.workflow.evolution.population import (
     BreedingPlan,
-    breed_further,
-    breed_genomes,
+    choose_genomes,
+    fit_breeding,
     measure_solution,
-    rank_parents,
 )
 from scenewright.workflow.evolution.statement_checks import check_said
 
@@ -169,11 +169,15 @@ class Evolution:
 
     def ready(self) -> bool:
         """Whether the next screen can be shown at once."""
-        return self._nursery.batch is not None and self._nursery.batch.ready()
+        return bool(self._nursery.batches) and self._nursery.ready()
 
     def bred_so_far(self) -> list[Solution]:
         """The valid candidates bred so far for the next screen. Looking changes nothing."""
         return [solution for _, (bred, solution) in self._nursery.peek() if bred.valid]
+
+    def size(self) -> int:
+        """How many candidates there are."""
+        return len(self._archive.bred)
 
     @property
     def sheets(self) -> tuple[tuple[int, ...], ...]:
@@ -189,16 +193,16 @@ class Evolution:
         number it will have; none while there is nothing to tell. Looking changes nothing."""
         if self._run is not None:
             return None
-        batch, taste = self._nursery.batch, self.taste
+        batches, taste = self._nursery.batches, self.taste
         known = taste.posterior is not None or bool(taste.start.any())
         found = [(place, *one) for place, one in self._nursery.peek() if one[0].valid]
-        if batch is None or not found or not known:
+        if not batches or not found or not known:
             return None
         mean, deviation = judge_each(taste, np.array([bred.values for _, bred, _ in found]))
         best = int(np.argmax(mean))
-        number, plan = len(self._archive.bred) + found[best][0], self._nursery.ground(batch.epoch)
+        number, ground = len(self._archive.bred) + found[best][0], batches[0].epoch
         predicted = float(mean[best]), float(deviation[best])
-        return ShownCandidate(number, found[best][2], plan.plan, *predicted)
+        return ShownCandidate(number, found[best][2], self._nursery.ground(ground).plan, *predicted)
 
     def ask(self, progress: OnProgress | None = None, cancel: OnCancel | None = None) -> Screen:
         """The next screen: the champion, favourites, the predicted best, draws and the farthest.
@@ -223,7 +227,7 @@ class Evolution:
     ) -> Screen:
         """The next sheet of a method: what it asks of, developed now."""
         crowd = run.crowd(self._history, self._archive.bred, number)
-        self._nursery.begin("", number, lambda: list(crowd.asked))
+        self._nursery.begin("", number, lambda _coming: list(crowd.asked))
         shown = self._archive.add(self._nursery.collect(progress, cancel), "")
         body = {"screen": number, "shown": shown, "predicted": [None] * len(shown), "wide": 0}
         self._append("screen", body, shown)
@@ -240,6 +244,8 @@ class Evolution:
                 self._check_lock(event.name, champion_of((*self._history.events, *events[:k])))
         for event in events:
             self._append("event", record_of(event))
+        if self._run is None and self._history.before_mark() is not None:
+            self._breed_on_mark(name_epoch(self.events))
 
     def undo(self) -> Event | None:
         """Take back what was said last; what it was, if anything."""
@@ -297,34 +303,43 @@ class Evolution:
         self, epoch: str, screen: int, progress: OnProgress | None, cancel: OnCancel | None = None
     ) -> None:
         """Take in what was bred for a screen, breeding it now if nobody has."""
-        if not self._nursery.is_breeding(epoch, screen):
+        if not self._nursery.count(epoch, screen):
             before = self._history.before_screen(screen - 1)
             known = self._archive.of_epoch(epoch)
             self._breed(epoch, screen, self._learn(counting(before)) if known else None)
+        self._breed_on_mark(epoch)
         self._archive.add(self._nursery.collect(progress, cancel), epoch)
 
     def _breed(self, epoch: str, screen: int, taste: PersonTaste | None) -> None:
         """Begin to breed for a screen, on what was known when the one before was chosen."""
+        self._nursery.begin(epoch, screen, self._choosing(epoch, screen, taste, 0))
+
+    def _breed_on_mark(self, epoch: str) -> None:
+        """Breed the second half for the next screen, if only the first is: on all that was said
+        up to the first mark of the screen shown."""
+        screen = len(self._history.screens)
+        if self._nursery.count(epoch, screen) == 1 and self._archive.of_epoch(epoch):
+            said = self._history.events[: self._history.before_mark()]
+            taste = self._learn(counting(said))
+            self._nursery.add(self._choosing(epoch, screen, taste, 1))
+
+    def _choosing(self, epoch: str, screen: int, taste: PersonTaste | None, part: int) -> Choose:
+        """How the genomes of a half are chosen, once those of the other are."""
         rows = [self._archive.bred[n] for n in self._archive.of_epoch(epoch)]
-        parents = rank_parents(taste, rows, self._breeding.parents) if taste else []
         autos = self._history.autos
-        rng = np.random.default_rng([self.seed, 2, screen, autos, epoch.count(":")])
-        breeder, how = self._nursery.ground(epoch).breeder, self._breeding
-        known = {one.genome for one in rows if one.genome}
-        for genome in known:
-            check_genome(genome, breeder.genes)
-        age = screen + autos if rows else 0
+        rng = np.random.default_rng([self.seed, 2 + part, screen, autos, epoch.count(":")])
+        breeder = self._nursery.ground(epoch).breeder
+        how = fit_breeding(self._breeding, breeder, part)
+        for one in rows:
+            if one.genome:
+                check_genome(one.genome, breeder.genes)
+        wide = self._mix.wide(taste.statements) if taste is not None and part == 0 else 0
 
-        def choose() -> list[Genome]:
-            begun = breed_genomes(breeder.genes, parents, known, age, rng, how)
-            if not rows:
-                begun = list(dict.fromkeys((*breeder.first, *begun)))[: how.first]
-            if taste is None or not rows:
-                return begun
-            wide = self._mix.wide(taste.statements)
-            return breed_further(breeder, taste, [*parents, *begun], known, age, rng, how, wide)
+        def choose(coming: list[Genome]) -> list[Genome]:
+            age = screen + autos
+            return choose_genomes(breeder, taste, rows, coming, age, rng, how, wide)
 
-        self._nursery.begin(epoch, screen, choose)
+        return choose
 
     def _learn(self, events: Sequence[Event]) -> PersonTaste:
         if not self._archive.bred:
