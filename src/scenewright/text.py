@@ -46,6 +46,32 @@ def fold_letters(text: str) -> str:
     )
 
 
+def plural(word: str) -> str:
+    """The plural of a name.
+
+    >>> [plural(word) for word in ("showcase", "fridge shelf", "box", "bench", "lockers")]
+    ['showcases', 'fridge shelves', 'boxes', 'benches', 'lockers']
+    >>> plural("category"), plural("free bay")
+    ('categories', 'free bays')
+    """
+    if word.endswith("shelf"):
+        return word[:-1] + "ves"
+    if word.endswith("y") and word[-2:-1] not in tuple("aeiou"):
+        return word[:-1] + "ies"
+    if word.endswith(("ss", "x", "ch", "sh")):
+        return word + "es"
+    return word if word.endswith(("s", "ing")) else word + "s"
+
+
+def quantity(count: int, word: str) -> str:
+    """A number of things in words.
+
+    >>> quantity(1, "tree"), quantity(0, "tree"), quantity(1200, "new building")
+    ('1 tree', '0 trees', '1,200 new buildings')
+    """
+    return f"{count:,} {word if count == 1 else plural(word)}"
+
+
 def printable(text: str) -> str:
     """A text on one line, without what a terminal would obey: runs of white space become a space,
     control, escape and bidirectional characters the sign U+FFFD.

@@ -15,7 +15,7 @@ from rich.console import Console
 from scenewright.cli import tables, terminal
 from scenewright.cli.progress import interrupts, tell_if_cold
 from scenewright.core.errors import InputError
-from scenewright.text import printable
+from scenewright.text import printable, quantity
 
 if TYPE_CHECKING:
     from rich.progress import Progress
@@ -164,7 +164,7 @@ def _tell(console: Console, rows: Sequence[ResultRow], folder: Path, watch: Batc
     counted = [{"files": status, "": count} for status, count in totals(rows).items() if count]
     tables.table(console, counted, title="batch")
     rate = watch.made / max(watch.seconds(), 1e-9)
-    words = [f"{len(rows)} file{'s' * (len(rows) != 1)} in {folder}"]
+    words = [f"{quantity(len(rows), 'file')} in {folder}"]
     words += [f"{watch.made} in {watch.seconds():.0f} s, {rate:.1f} a second"] * bool(watch.made)
     words += [f"{watch.before} already done"] * bool(watch.before)
     words += [f"{len(entries) - MOST} more need attention"] * (len(entries) > MOST)

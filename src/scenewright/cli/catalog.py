@@ -13,6 +13,7 @@ from rich.console import Console
 from scenewright.cli import clusters, tables, terminal
 from scenewright.core.atomic_file import check_targets, write_atomically
 from scenewright.core.errors import InputError
+from scenewright.text import quantity
 
 if TYPE_CHECKING:
     from scenewright.catalog.loading import ReadCatalog
@@ -161,8 +162,8 @@ def learn(
         return 0
     console = tables.output_console()
     tables.table(console, list(found.rows), title="learned groups")
-    several, files = "s" * (found.rooms != 1), "s" * (len(homes) != 1)
-    text = f"{found.rooms} furnished room{several} of {len(homes)} home{files}; wrote {output}"
+    rooms, read = quantity(found.rooms, "furnished room"), quantity(len(homes), "home")
+    text = f"{rooms} of {read}; wrote {output}"
     tables.print_line(console, text, "dim")
     return 0
 
@@ -227,5 +228,5 @@ def _counts(found: ReadCatalog) -> dict[str, Any]:
 
 def _summary(counts: dict[str, Any]) -> str:
     models, kinds = counts["usable"], len(counts["categories"])
-    text = f"{models} model{'s' * (models != 1)} of {kinds} categor{'y' if kinds == 1 else 'ies'}"
+    text = f"{quantity(models, 'model')} of {quantity(kinds, 'category')}"
     return f"{text}, {counts['other']} used only where named, {counts['skipped']} skipped"

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from rich.console import Console
 
-from scenewright.text import printable
+from scenewright.text import printable, quantity
 
 if TYPE_CHECKING:
     from rich.progress import Progress
@@ -136,5 +136,5 @@ def compiling_noticed(console: Console, bar: Callable[[str], None] | None = None
     with compile_clock(began) as clock:
         yield
     if clock.kernels:
-        parts = f"{clock.kernels} part{'s' * (clock.kernels != 1)}"
+        parts = quantity(clock.kernels, "part")
         console.print(f"compiled {parts} in {clock.seconds:.1f} s", style="dim", highlight=False)

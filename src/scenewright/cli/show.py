@@ -11,6 +11,7 @@ from rich.console import Console
 from scenewright.cli.show_input import print_input, print_warnings
 from scenewright.cli.tables import print_line, table
 from scenewright.core.registry import domain_of
+from scenewright.text import quantity
 from scenewright.workflow.documents import appearance_of, count_pieces, floors_of
 
 if TYPE_CHECKING:
@@ -304,7 +305,7 @@ def _work(solution: Solution, rooms: int) -> str:
     pieces = len(solution.pieces)
     space = _space_word(solution)
     return (
-        f"{pieces} piece{'s' * (pieces != 1)} in {rooms} {space}{'s' * (rooms != 1)}, "
+        f"{quantity(pieces, 'piece')} in {quantity(rooms, space)}, "
         f"{solution.seconds:.2f} s, {solution.evaluations:,} layouts evaluated "
         f"({solution.solver}, preset {solution.preset}, seed {solution.seed})"
     )

@@ -15,6 +15,7 @@ from scenewright.core.errors import InputError
 from scenewright.render.colour import linear_of
 from scenewright.render.picture import PAGE, Pixels, develop_image
 from scenewright.render.portrait import HOTTEST, RAMP, Portrait
+from scenewright.text import quantity
 
 MOST = 48
 """Portraits on a sheet."""
@@ -91,7 +92,7 @@ def write(pixels: Pixels, path: Path) -> None:
 
 def _head(pen: ImageDraw.ImageDraw, width: int, title: str, count: int, of: int) -> None:
     """The title, how many are drawn, and what the colours mean."""
-    text = f"{count} of {of} models" if of > count else f"{count} model{'s' * (count != 1)}"
+    text = f"{count} of {of} models" if of > count else quantity(count, "model")
     pen.text((EDGE, 18), title, INK, _font(21))
     pen.text((EDGE, 46), text, FAINT, _font(13))
     long, left = 150, width - EDGE - 150

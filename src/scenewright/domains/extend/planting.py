@@ -31,6 +31,7 @@ from scenewright.ground.planting.filling import plant_alike
 from scenewright.ground.planting.pieces import lamp_piece, tree_piece
 from scenewright.ground.planting.streets import TakenGround, keep_sight
 from scenewright.ground.ways.walks import find_doors
+from scenewright.text import quantity
 
 AROUND = 8.0
 """Metres about the ground of a source within which its streets and trees still count."""
@@ -90,11 +91,12 @@ def describe_planting(solution: Solution, whole: Plan) -> str:
     if any(scene.trees or scene.lamps for scene in plan.sources):
         rows = measure_planting(plan, solution.pieces).values()
         for area, row in zip(plan.areas, rows, strict=True):
+            trees, lamps = quantity(row["trees"], "tree"), quantity(row["lamps"], "lamp")
             lines.append(
-                f"{area.name}: {row['trees']} trees, {row['trees_per_hectare']:.1f} per ha of green"
+                f"{area.name}: {trees}, {row['trees_per_hectare']:.1f} per ha of green"
                 f" (source {row['source_trees_per_hectare']:.1f}) and"
                 f" {row['street_trees_per_100_m']:.1f} per 100 m of street"
-                f" ({row['source_street_trees_per_100_m']:.1f}); {row['lamps']} lamps,"
+                f" ({row['source_street_trees_per_100_m']:.1f}); {lamps},"
                 f" {row['lamps_per_100_m']:.1f} per 100 m ({row['source_lamps_per_100_m']:.1f})"
             )
     for number, scene in enumerate(plan.sources, 1):
@@ -112,11 +114,12 @@ def _list_unused(plan: ExtendPlan, scene: BuiltScene) -> Iterator[str]:
     trees = len(scene.trees) - round(counted.trees + counted.along)
     lamps = len(scene.lamps) - round(counted.lamps)
     if trees or lamps:
-        yield f"draws {trees} trees off its ground and {lamps} lamps off its streets: not counted"
+        off = f"{quantity(trees, 'tree')} off its ground and {quantity(lamps, 'lamp')}"
+        yield f"draws {off} off its streets: not counted"
     spots, kept = _spots((*scene.trees, *scene.lamps)), _old_ground(plan)
     cleared = int((~shapely.contains_xy(kept, spots[:, 0], spots[:, 1])).sum())
     if cleared:
-        yield f"draws {cleared} trees and lamps on new ground or on none: not kept"
+        yield f"draws {cleared} of its trees and lamps on new ground or on none: not kept"
 
 
 def _old_ground(plan: ExtendPlan) -> shapely.Geometry:

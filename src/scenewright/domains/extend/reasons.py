@@ -11,6 +11,7 @@ from scenewright.domains.extend.plan import plan_extend
 from scenewright.domains.extend.problem import ExtendProblem, GrownLayout
 from scenewright.domains.extend.rating import MEANINGS as RATED
 from scenewright.domains.extend.rating import WEIGHTS, measure_layout
+from scenewright.text import quantity
 
 FIGURES: dict[str, str] = {
     "rows": "share of the new buildings that continue a row of the source or of the brief",
@@ -52,7 +53,7 @@ def describe_extension(solution: Solution, plan: Plan | None = None) -> str:
     for area in (plan or plan_extend(solution.brief)).detail.areas:
         mine = [(t.value, t.term) for t in solution.terms if t.space == area.id and t.term in WAYS]
         main = sorted((row for row in mine if row[0] > 0), key=lambda row: -row[0])[:2]
-        parts = [f"{counts[area.id]} buildings"]
+        parts = [quantity(counts[area.id], "building")]
         parts += [f"{share:.0%} {_NAMED[name]}" for share, name in main]
         words.append(f"{area.name}: {', '.join(parts)}")
     return "; ".join(words)

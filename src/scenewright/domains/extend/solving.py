@@ -34,6 +34,7 @@ from scenewright.engine.rows import preset_named
 from scenewright.engine.solve import Budget, Report
 from scenewright.engine.trace import Hear, hear_in
 from scenewright.engine.watched import add_watch, show
+from scenewright.text import quantity
 
 COMPOSED = ("grow",)
 """Solvers whose buildings get fronts to their street and the form of their use."""
@@ -132,7 +133,7 @@ def furnish_area(
         reason = f"none fits on {area.outline.area:.0f} m² at the distances of the source"
         left_out.append(LeftOut(area.id, "all buildings", reason, False))
     if missing > 0:
-        what = f"{missing} of {layout.asked} buildings"
+        what = f"{missing} of {quantity(layout.asked, 'building')}"
         full = f"no place left on {area.outline.area:.0f} m² at the distances of the source"
         reason = STOPPED if stopped else full
         left_out.append(LeftOut(area.id, what, reason, True))

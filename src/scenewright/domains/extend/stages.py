@@ -26,6 +26,7 @@ from scenewright.engine.trace import Step
 from scenewright.ground.buildings.abstraction import abstract_boxes, leaves_of, total_value
 from scenewright.ground.buildings.built import frames_of
 from scenewright.ground.buildings.grammar import parse_scene, show_layout
+from scenewright.text import quantity
 
 
 def cluster_kinds(brief: Brief, pattern: SourcePattern, catalog: Catalog) -> list[int]:
@@ -53,7 +54,7 @@ def read_sources(
         tree = abstract_boxes(frames.boxes)
         grammar += show_layout(layout)
         values.append(total_value(tree))
-        symmetry.append(f"{len(leaves_of(tree))} boxes, symmetry value {values[-1]:.2f}")
+        symmetry.append(f"{quantity(len(leaves_of(tree)), 'box')}, symmetry value {values[-1]:.2f}")
     return (
         BreedingStage("cluster", lines, {"classes": sorted_}),
         BreedingStage("grammar", tuple(grammar), {"productions": grammar}),
@@ -75,9 +76,8 @@ def tell_ants(found: BredPlots, heard: Sequence[Step]) -> BreedingStage:
     """The stage of the ants: what they walked, and how good their best layouts are."""
     walked = [step for step in heard if step.kind == "ants"]
     ants, moved = sum(s.facts["ants"] for s in walked), sum(s.facts["moved"] > 0 for s in walked)
-    line = (
-        f"{ants:,} ants in {len(walked)} iterations, trails moved in {moved}; F {found.value:.3f}"
-    )
+    work = f"{quantity(ants, 'ant')} in {quantity(len(walked), 'iteration')}"
+    line = f"{work}, trails moved in {moved}; F {found.value:.3f}"
     best = [genes.tolist() for genes in found.few[:8]]
     facts = {"ants": ants, "iterations": len(walked), "fitness": found.value, "layouts": best}
     return BreedingStage("ants", (line,), facts)

@@ -41,6 +41,7 @@ from scenewright.engine.rows import preset_named
 from scenewright.engine.solve import Budget, Report
 from scenewright.engine.trace import Hear, hear_in
 from scenewright.engine.watched import add_watch, show
+from scenewright.text import quantity
 
 Progress = Callable[[float, str], None]
 Cancel = Callable[[], bool]
@@ -205,7 +206,7 @@ def _left_out(
     found = []
     missing = layout.asked - len(layout.houses)
     if missing > 0:
-        what = f"{missing} of {layout.asked} houses"
+        what = f"{missing} of {quantity(layout.asked, 'house')}"
         full = f"no place left on {plan.area:.0f} m² that a way from the street leads to"
         reason = "stopped before they were placed" if stopped else full
         found.append(LeftOut(plan.id, what, reason, stopped or block.count is not None))

@@ -15,6 +15,7 @@ from scenewright.core.brief.source_file import SourceFile
 from scenewright.core.errors import InputError
 from scenewright.formats.ifc.extract import EARLIER, GREATEST_FILE
 from scenewright.formats.ifc.rooms import DrawnRoom, Row
+from scenewright.text import quantity
 
 ANEW = "furniture is planned anew (--keep keeps it)"
 """Why furniture of a model is left out."""
@@ -58,7 +59,7 @@ def open_source_file(source: SourceFile) -> bytes:
     if _digest(data) != source.sha256:
         raise InputError(f"{fault} has changed since", "arrange that file again")
     if source.unkept:
-        many = f"{source.unkept} piece{'s' * (source.unkept > 1)} of furniture"
+        many = f"{quantity(source.unkept, 'piece')} of furniture"
         fault = f"{fault} holds {many} that the new would stand among"
         raise InputError(fault, "read it again with --keep")
     return data

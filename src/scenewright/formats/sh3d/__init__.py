@@ -25,6 +25,7 @@ from scenewright.formats.sh3d.level import read_level
 from scenewright.formats.sh3d.report import list_fates
 from scenewright.formats.sh3d.units import to_centimetres
 from scenewright.formats.sh3d.xml import Home, HomeLevel, middle_line, parse
+from scenewright.text import quantity
 
 
 def read(path: Path, keep: bool = False, hidden_levels: bool = False, scale: float = 1.0) -> Brief:
@@ -84,7 +85,7 @@ def _hidden_notes(home: Home, hidden: list[HomeLevel]) -> list[str]:
         there = floors(home, level.id)
         if there:
             name, area = level.name[:80] or level.id[:80], sum(f.polygon.area for f in there)
-            rooms = f"{len(there)} room{'s' * (len(there) != 1)}, {area:.0f} m²"
+            rooms = f"{quantity(len(there), 'room')}, {area:.0f} m²"
             notes.append(
                 f"the level '{name}' ({rooms}) is hidden in Sweet Home 3D and was not "
                 "read; add --hidden-levels to include it"

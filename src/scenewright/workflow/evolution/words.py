@@ -21,6 +21,7 @@ from scenewright.engine.preference.events import (
     Stars,
     Worst,
 )
+from scenewright.text import quantity
 
 if TYPE_CHECKING:
     from scenewright.workflow.evolve import Evolution
@@ -177,7 +178,7 @@ def describe_event(event: Event, shown: list[int]) -> str:
         case said.Prefer(one, other):
             return f"{place(one)} is better than {place(other)}"
         case said.Stars(candidate, stars, _):
-            return f"{place(candidate)}: {stars} star{'s' * (stars != 1)}"
+            return f"{place(candidate)}: {quantity(stars, 'star')}"
         case said.Reason(candidate, reason):
             return f"{place(candidate)}: {reason}"
         case said.Lock(name):

@@ -31,6 +31,7 @@ from scenewright.geometry.folding import fold, show
 from scenewright.ground.buildings.built import BuiltFrames
 from scenewright.ground.buildings.rows import find_rows, string_of
 from scenewright.ground.streetside.plots import Plot
+from scenewright.text import quantity
 
 MARGIN, LARGE, LISTED, ROWS = 6.0, 1000, 20, 4
 """Millimetres around the drawing; the scale from which papers above A3 are used; most kinds
@@ -166,6 +167,6 @@ def _summary(plan: ExtendPlan, houses: Sequence[Piece], report: Report) -> str:
     area = sum(one.outline.area for one in plan.areas)
     old = sum(piece.space == OLD for piece in houses)
     faults = sum(found.is_blamed for found in report.findings)
-    parts = [f"{area / 1e4:.2f} ha", f"{len(houses) - old} new buildings", f"{old} old"]
-    parts += [f"{faults} violation{'s' * (faults != 1)}"] if faults else []
+    parts = [f"{area / 1e4:.2f} ha", quantity(len(houses) - old, "new building"), f"{old} old"]
+    parts += [quantity(faults, "violation")] if faults else []
     return " · ".join(["Extension plan", *parts])

@@ -16,6 +16,7 @@ from scenewright.domains.hall.hall_layout import PlacedGroup, Zone
 from scenewright.drawing.labels import polygon_of
 from scenewright.drawing.legend import LegendRow
 from scenewright.drawing.wordings import area_words
+from scenewright.text import plural, quantity
 
 MANY = 60
 """Rows of a section; the rest is counted in one."""
@@ -87,19 +88,6 @@ def _group_row(
     )
 
 
-def plural(word: str) -> str:
-    """The plural of the name of a kind.
-
-    >>> [plural(word) for word in ("showcase", "fridge shelf", "box", "bench", "lockers")]
-    ['showcases', 'fridge shelves', 'boxes', 'benches', 'lockers']
-    """
-    if word.endswith("shelf"):
-        return word[:-1] + "ves"
-    if word.endswith(("ss", "x", "ch", "sh")):
-        return word + "es"
-    return word if word.endswith(("s", "ing")) else word + "s"
-
-
 def _route_rows(
     halls: Halls, places: Sequence[Sequence[Narrow]], spaces: dict[str, Space]
 ) -> list[LegendRow]:
@@ -107,7 +95,7 @@ def _route_rows(
     for tour, narrow in list(zip(halls.tours, places, strict=True))[:MANY]:
         lead = f"{spaces[tour.space].name}: " if tour.space in spaces else ""
         count = len(tour.stops)
-        stops = f", {count} stop{'s' * (count != 1)}" if count else ""
+        stops = f", {quantity(count, 'stop')}" if count else ""
         wanted = f"{halls.passage:.2f} m"
         width = f"{narrow[0].width:.2f} m (required {wanted})" if narrow else f"{wanted} or more"
         rows.append(LegendRow("route", f"{lead}{length(tour):.0f} m{stops}"))

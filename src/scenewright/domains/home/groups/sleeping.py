@@ -8,6 +8,7 @@ from math import pi
 from scenewright.core.catalog import Group, Member
 from scenewright.core.scene import Size
 from scenewright.domains.home.least_sizes import BED, DOUBLE_BED, WARDROBE
+from scenewright.text import quantity
 
 BED_LENGTH = 2.05
 SHORT_BED = DOUBLE_BED.depth
@@ -101,11 +102,7 @@ def _bed(
         members = [m._replace(x=-m.x, heading=-m.heading) for m in members]
     stands = (left > 0) + (right > 0)
     return Group(
-        function,
-        f"{bed:.1f} m bed, {stands} nightstand{'s' * (stands != 1)}",
-        width,
-        depth,
-        tuple(members),
+        function, f"{bed:.1f} m bed, {quantity(stands, 'nightstand')}", width, depth, tuple(members)
     )
 
 

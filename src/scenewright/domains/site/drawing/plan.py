@@ -34,6 +34,7 @@ from scenewright.ground.plan import SitePlan
 from scenewright.ground.streetside.border import cover_beside
 from scenewright.ground.ways.surfaces import kerb, surfaces
 from scenewright.ground.works import GroundWorks
+from scenewright.text import quantity
 
 MARGIN, CAPTION = 6.0, 7.0
 """Millimetres around a site, and below it for its name."""
@@ -300,7 +301,7 @@ def _summary(drawings: Sequence[SiteSheet], views: Views) -> str:
     buildings = sum(d.figures["buildings"] for d in drawings)
     area = sum(d.plan.area for d in drawings)
     faults = sum(f.is_blamed for d in drawings for f in d.findings)
-    parts = [f"{area / 1e4:.2f} ha", f"{buildings} buildings"]
+    parts = [f"{area / 1e4:.2f} ha", quantity(buildings, "building")]
     hours = [d.figures["sun_mean"] for d in drawings if d.figures["sun_mean"] is not None]
     parts += [f"{float(np.mean(hours)):.1f} h of winter sun"] if hours else []
     parts += (
@@ -308,6 +309,4 @@ def _summary(drawings: Sequence[SiteSheet], views: Views) -> str:
         if views
         else []
     )
-    return " · ".join(
-        ["Site plan", *parts, *([f"{faults} violation{'s' * (faults != 1)}"] if faults else [])]
-    )
+    return " · ".join(["Site plan", *parts, *([quantity(faults, "violation")] if faults else [])])

@@ -28,6 +28,7 @@ from scenewright.drawing.layers import PlanDrawing, PlanLayer, merge_layers
 from scenewright.drawing.legend import LegendRow, arrange, legend_mark
 from scenewright.drawing.marks import PaperView, clean
 from scenewright.drawing.plots import BORDER, plots_mark
+from scenewright.text import quantity
 
 MARGIN, LARGE, LISTED = 6.0, 1000, 30
 """Millimetres around the village; the scale from which papers above A3 are used; most houses
@@ -166,7 +167,7 @@ def _metres(value: float | None) -> str:
 def _summary(village: VillagePlan, houses: Sequence[Piece], report: Report) -> str:
     area = sum(block.area for block in village.blocks)
     faults = sum(found.is_blamed for found in report.findings)
-    parts = [f"{area / 1e4:.2f} ha", f"{len(houses)} houses"]
+    parts = [f"{area / 1e4:.2f} ha", quantity(len(houses), "house")]
     parts += [f"{len(village.blocks)} blocks"] if len(village.blocks) > 1 else []
-    parts += [f"{faults} violation{'s' * (faults != 1)}"] if faults else []
+    parts += [quantity(faults, "violation")] if faults else []
     return " · ".join(["Village plan", *parts])
