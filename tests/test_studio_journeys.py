@@ -120,10 +120,47 @@ def test_a_site_is_drawn_and_its_length_typed(browser: Any, tmp_path: Path) -> N
         page.screenshot(path=tmp_path / "site.png")
 
 
+def test_an_extension_is_drawn_and_a_building_moved_in_3d(browser: Any, tmp_path: Path) -> None:
+    with started(tmp_path) as studio, visiting(browser, studio.link) as page:
+        begin_drawing(page, "extend")
+        drag(page, (150, 300), (200, 360))
+        page.locator("#draft .building").wait_for()
+        page.locator("#of-building").wait_for()
+        for count in (1, 2, 3):
+            page.keyboard.press("Control+d")
+            page.locator("#draft .building").nth(count).wait_for()
+        page.keyboard.press("t")
+        for at in ((120, 390), (420, 390)):
+            page.mouse.move(*at)
+            page.mouse.click(*at)
+        page.keyboard.press("Enter")
+        name_it(page, "Row", "#street-name")
+        page.keyboard.press("r")
+        drag(page, (420, 220), (800, 600))
+        name_it(page, "East")
+        page.screenshot(path=tmp_path / "extend-draft.png")
+        furnish_drawing(page)
+        page.screenshot(path=tmp_path / "extend.png")
+        page.click("#solid")
+        page.locator("#space").wait_for()
+        page.locator("#note:empty").wait_for(state="attached")
+        spots = [(x, y) for y in range(300, 600, 40) for x in range(300, 700, 40)]
+        found = page.locator("#selected:visible #lock", has_text=re.compile("^Lock"))
+        at = next(at for at in spots if not page.mouse.click(*at) and found.count())
+        before = page.input_value("#at-x"), page.input_value("#at-y")
+        page.mouse.move(*at)
+        page.mouse.down()
+        page.mouse.move(at[0] + 25, at[1] + 12)
+        assert (page.input_value("#at-x"), page.input_value("#at-y")) != before
+        page.mouse.up()
+        page.locator("#history li", has_text=re.compile("^moved")).last.wait_for()
+        page.screenshot(path=tmp_path / "extend-3d.png")
+
+
 def test_a_home_is_brought_moved_undone_and_taken_away(browser: Any, tmp_path: Path) -> None:
     with started(tmp_path) as studio, visiting(browser, studio.link) as page:
         page.set_input_files("#file", DATA / "f07_wall_gaps_for_doors.sh3d")
-        page.locator("#plan .space").first.wait_for()
+        page.locator("#read-rows li", has_text="wall").wait_for(state="attached")
         furnish(page)
         piece = page.locator("#plan .piece").last
         before = piece.get_attribute("transform")

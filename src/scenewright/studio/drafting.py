@@ -225,13 +225,14 @@ def _shift(draft: Json, asked: Mapping[str, Any]) -> str:
     groups = [group for group in (*OUTLINED, "streets") if row in draft[group]]
     if not groups:
         raise InputError("this is not moved as a whole", "choose an outline or a street")
+    named = row["name"] or row["id"]
     if asked.get("copy"):
         noun = groups[0].removesuffix("s")
         row = _put(draft, {"level": row["level"]}, groups[0], noun, {**row})
         row["name"] = _usual_name(row, noun) if "outline" in row else row["name"]
     key = "line" if "line" in row else "outline"
     row[key] = [rounded((x + dx, y + dy)) for x, y in row[key]]
-    return f"{'doubled' if asked.get('copy') else 'moved'} {row['name'] or row['id']}"
+    return f"{'doubled' if asked.get('copy') else 'moved'} {named}"
 
 
 def _length(draft: Json, asked: Mapping[str, Any]) -> str:

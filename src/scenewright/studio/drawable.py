@@ -13,6 +13,7 @@ import shapely
 from numpy.typing import ArrayLike
 
 from scenewright.catalog.loading import catalog_of
+from scenewright.core.brief import Brief
 from scenewright.core.catalog import Catalog
 from scenewright.core.plan import Plan
 from scenewright.core.report import Finding, Report
@@ -208,3 +209,12 @@ def _rise(piece: Piece, catalog: Catalog) -> float:
     """How far above its underside a piece counts as drawn, below the cut."""
     low = replace(piece, pose=piece.pose._replace(z=0.0))
     return round(drawing_height(low, catalog.kinds), 3)
+
+
+def tell_reading(brief: Brief) -> list[Json]:
+    """What became of the features of the file that a brief was read from, a row each; ``lost`` is
+    what stands there and is missing now. Nothing where no reader said."""
+    report = brief.input_report
+    rows = report.rows if report else []
+    lost = report.lost if report else ()
+    return [{"text": f"{row.kind}: {row.describe()}", "lost": row in lost} for row in rows]

@@ -19,7 +19,7 @@ from scenewright.studio.breeding import Breeding, keep_locked
 from scenewright.studio.delta import States
 from scenewright.studio.draft_taken import draft_of
 from scenewright.studio.drafting import draw_act, keep_asked, new_draft
-from scenewright.studio.drawable import describe_finding, draw, tell_by_key
+from scenewright.studio.drawable import describe_finding, draw, tell_by_key, tell_reading
 from scenewright.studio.people import AUTHOR, RATE, People, Person
 from scenewright.studio.photos import Photos, View
 from scenewright.studio.raters import RaterDesk, Raters
@@ -80,6 +80,7 @@ class Session:
             return {"running": self.running, **where}
         scene: Json = self._draw(shown) if shown else {"name": "", "levels": [], "pieces": []}
         scene["wishes"] = list_wishes(shown.solution.brief) if shown else {}
+        scene["read"] = tell_reading(shown.solution.brief) if shown else []
         form = FORMS.get(self.kind())
         scene |= {"walls": bool(form and form.walls), "storeys": bool(form and form.storeys)}
         if drawn:

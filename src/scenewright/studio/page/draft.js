@@ -19,7 +19,7 @@ const KINDS = {
   hall: { tools: ["room", "zone", "door", "passage", "window", "column"], noun: t("Hall"), grid: 0.1, view: [-3, -20, 36, 24] },
   site: { tools: ["room", "street", "path"], noun: t("Site"), grid: 1, view: [-20, -120, 190, 140] },
   village: { tools: ["room", "street", "path"], noun: t("Block"), grid: 1, view: [-20, -90, 150, 110] },
-  extend: { tools: ["building", "street", "path", "room"], noun: t("Area to grow into"), grid: 0.5, view: [-20, -90, 150, 110] },
+  extend: { tools: ["building", "street", "path", "room"], noun: t("Area"), grid: 0.5, view: [-20, -90, 150, 110] },
 };
 const at = { draft: null, faults: [], walls: true, storeys: true, level: "", tool: "room", picked: "", view: KINDS.home.view, px: 0.01, under: null, poly: [], press: null, here: null, digits: "", guides: [], shift: null };
 let act = null, snapping = 0, after = null, known = "";
@@ -328,4 +328,4 @@ set("stairs-heading", "heading", row, (degrees) => Number(degrees) * Math.PI / 1
 for (const [id, key] of [["plan-name", "name"], ["village-style", "style"]]) set(id, key, plan);
 for (const [id, key] of [["wall", "wall_thickness"], ["outer-wall", "outer_wall_thickness"]]) set(id, key, plan, Number);
 set("storey-name", "name", storey); set("storey-height", "height", storey, Number);
-for (const id of ["room-name", "street-name"]) $(id).onkeydown = (event) => { if (event.key === "Enter") { $(id).blur(); $("draft").focus(); } };
+for (const id of ["room-name", "street-name"]) $(id).onkeydown = (event) => { if (["Enter", "Escape"].includes(event.key)) { $(id).blur(); $("draft").focus(); } };

@@ -82,7 +82,7 @@ function drawWords(row, { draft, shift, px, picked, faults, walls }, told, svg) 
   const ring = shifted(row, shift), size = 13 * px, zoned = draft.zones.length > 0 && !draft.zones.includes(row);
   if (row.outline) {
     const { area, at: [x, centre] } = middle(ring), y = zoned ? Math.max(...ring.map((p) => p[1])) + 2.4 * size : centre;
-    element("text", { class: "title", x, y: -y, "font-size": size * 1.1 }, svg, row.name);
+    if (!draft.buildings.includes(row)) element("text", { class: "title", x, y: -y, "font-size": size * 1.1 }, svg, row.name);
     element("text", { class: "area", x, y: -y + size * 1.3, "font-size": size }, svg, `${area.toFixed(area < 1000 ? 1 : 0)} m²`);
     const lacks = faults.some((fault) => fault.warns && fault.ids.includes(row.id));
     if (lacks) element("text", { class: "area bad-text", x, y: -y + size * 2.6, "font-size": size * 0.9 }, svg, t("no door yet"));

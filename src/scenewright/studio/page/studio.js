@@ -3,7 +3,7 @@
 import { drawFloor, drawShell, element, extent, line, outline, placed } from "/draw.js";
 import { openShelf } from "/shelf.js";
 import { followChange, unfold } from "/state.js";
-import { $, fill, read, say, send } from "/wire.js";
+import { $, fill, make, read, say, send } from "/wire.js";
 import { hideBreeding, showBreeding, refreshBreeding, noteShare } from "/breed.js";
 import { showWishes } from "/wishes.js";
 import { notePhoto, offerPhoto, openLooks, takePhoto } from "/looks.js";
@@ -52,6 +52,7 @@ function show() {
   $("adding").hidden = !(doc.levels ?? []).length; $("dress").hidden = doc.domain !== "home";
   $("arrange").disabled = $("breed").disabled = !(doc.levels ?? []).length || doc.running;
   for (const id of ["solid", "walk", "picture"]) $(id).disabled = !(doc.levels ?? []).length;
+  $("export").inert = !(doc.levels ?? []).length;
   $("redraw").hidden = !doc.version || Boolean(doc.draft) || !doc.walls;
   for (const id of ["stop", "share", "stage"]) $(id).hidden = !doc.running;
   if (!doc.running) $("stage").textContent = "";
@@ -61,7 +62,7 @@ function show() {
     tab.onclick = () => { level = one.id; view = null; show(); };
     return tab;
   }));
-  drawPlan(); showSelected(); showLists(); refreshDrawing(doc);
+  drawPlan(); showSelected(); showLists(); refreshDrawing(doc); mark3d();
   if (!$("space").hidden && spaceOf !== doc.version && !doc.running) showSpace($("walk").ariaPressed === "true");
 }
 
@@ -242,6 +243,8 @@ function showLists() {
   fill("findings", toShow(), listFinding);
   fill("left-out", doc.left_out ?? [], (out) => item(`${out.what.replaceAll("_", " ")}: ${out.reason}`, [], out.required));
   fill("changes", gather(changes), (one) => one.count ? item(t("{n} pieces {change}: {reason}", one)) : item(inWords(`${one.piece} ${one.change}: ${one.reason}`).replaceAll("_", " "), [one.piece]));
+  $("reading").hidden = !doc.read?.length;
+  fill("read-rows", doc.read ?? [], (row) => make("li", { textContent: row.text, className: row.lost ? "bad" : "" }));
   fill("history", doc.history ?? [], (step) => {
     const row = item(step.what);
     row.ariaCurrent = step.id === doc.version;
@@ -291,9 +294,13 @@ $("plan").addEventListener("pointermove", (event) => {
     $("plan").setAttribute("viewBox", view.join(" "));
     return;
   }
-  const [x, y] = planPoint(event), step = event.altKey ? 0.001 : 0.05;
-  const snap = (value) => Math.round(value / step) * step;
-  const dx = snap(x - drag.from[0]), dy = snap(y - drag.from[1]);
+  const [x, y] = planPoint(event);
+  moveBy(x - drag.from[0], y - drag.from[1], event.altKey);
+});
+
+// What is dragged stands elsewhere, and the referee is asked.
+function moveBy(right, up, fine) {
+  const step = fine ? 0.001 : 0.05, snap = (value) => Math.round(value / step) * step, dx = snap(right), dy = snap(up);
   if (!dx && !dy && !drag.moved) return;
   drag.moved = true;
   for (const { one, start } of drag.all) {
@@ -301,7 +308,7 @@ $("plan").addEventListener("pointermove", (event) => {
     document.querySelector(`[data-id="${CSS.escape(one.id)}"]`)?.setAttribute("transform", placed(one.pose));
   }
   showSelected(); ask();
-});
+}
 
 let asking = false, latest = null;
 async function ask() {
@@ -313,15 +320,16 @@ async function ask() {
     const said = await send("judge", { poses: posesOf(selection()) });
     const found = said.findings ?? [];
     document.querySelector(`[data-id="${CSS.escape(piece.id)}"]`)?.classList.toggle("bad", found.length > 0);
-    if (drag) { fill("findings", found, listFinding); drawFindings(found); }
+    if (drag) { fill("findings", found, listFinding); drawFindings(found); mark3d(found.length > 0); }
   }
   asking = false;
 }
 
-$("plan").addEventListener("pointerup", async () => {
+async function drop() {
   const done = drag; drag = null;
   if (done?.moved) await place(done.piece);
-});
+}
+$("plan").addEventListener("pointerup", drop);
 
 const posesOf = (pieces) => Object.fromEntries(pieces.map(({ id, pose: [x, y, , heading] }) => [id, [x, y, heading]]));
 
@@ -435,8 +443,8 @@ async function showSpace(walking) {
   if (!space || spaceOf !== doc.version) {
     say(t("building the scene …"));
     const stood = space?.walking ? space.where() : null, version = doc.version;
-    if (!space) { const { open3d } = await import("/walk.js"); space = open3d($("space")); }
-    await space.show(await read("/solid"));
+    if (!space) { const { open3d } = await import("/walk.js"); space = open3d($("space"), hands); }
+    await space.show(await read("/solid")); mark3d();
     spaceOf = version; space.stood = stood;
     say("");
   }
@@ -447,6 +455,30 @@ async function showSpace(walking) {
   drawMinimap();
   $("space").focus();
 }
+
+// Pieces in the 3D view: meshes there are of whole rooms, so what is meant is found by its box.
+const floorOf = (piece) => doc.levels.find((one) => one.id === piece.level)?.elevation ?? 0;
+function holds({ pose: [x, y, z, heading], size: [width, depth, height], ...piece }, [px, py, pz]) {
+  const [c, s] = [Math.sin(heading), -Math.cos(heading)], [dx, dy] = [px - x, py - y], up = pz - z - floorOf(piece), near = 0.02;
+  return Math.abs(c * dx + s * dy) < width / 2 + near && Math.abs(c * dy - s * dx) < depth / 2 + near && up > -near && up < height + near;
+}
+const bulk = ({ size: [w, d, h] }) => w * d * Math.max(h, 0.01);
+const pieceAt = (at) => (doc.pieces ?? []).filter((one) => holds(one, at)).sort((a, b) => bulk(a) - bulk(b))[0];
+function mark3d(bad = false) {
+  if ($("space").hidden) return;
+  space?.mark(selection().map((one) => [one.pose[0], one.pose[1], one.pose[2] + floorOf(one), one.pose[3], ...one.size]), bad);
+}
+const hands = {
+  point(at) { pick(pieceAt(at)?.id ?? ""); level = chosen()?.level ?? level; show(); },
+  grab(at) {
+    const piece = document.body.dataset.right === "view" || doc.running ? null : pieceAt(at);
+    if (!piece || !ids().includes(piece.id)) return false;
+    drag = { piece, moved: false, all: selection().map((one) => ({ one, start: [...one.pose] })) };
+    return true;
+  },
+  drag(dx, dy, event) { moveBy(dx, dy, event.altKey); mark3d(); },
+  drop,
+};
 
 // Towards the middle of the level.
 function facing([x, y]) {
@@ -555,6 +587,9 @@ async function bring(file) {
   const said = await reply.json().catch(() => ({ fault: t("the studio answered {status}", { status: reply.status }) }));
   if (said.fault) say(said.fault);
   await refresh();
+  const lost = said.fault ? 0 : (doc.read ?? []).filter((row) => row.lost).length;
+  $("reading").querySelector("details").open = lost > 0;
+  if (lost) say(t("not all of the file could be read: see below Read from the file"));
 }
 
 // What is made ready meanwhile: the first search need not wait for it, but will.

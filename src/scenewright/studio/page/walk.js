@@ -1,13 +1,15 @@
 // The scene in 3D: seen from above by turning it, or walked through at eye height. Metres; glTF's
 // y points up.
-import { AmbientLight, Box3, Color, DirectionalLight, Group, HemisphereLight, OrbitControls,
-  PerspectiveCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer, ACESFilmicToneMapping } from "/three.js";
+import { AmbientLight, Box3, BufferAttribute, BufferGeometry, Color, DirectionalLight, Group, HemisphereLight, Mesh, MeshBasicMaterial,
+  OrbitControls, PerspectiveCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer, ACESFilmicToneMapping } from "/three.js";
 import { buildWorld, forget } from "/solid.js";
 
 const NEAR = 0.05, EYE = 1.6, PACE = 1.8, BODY = 0.3, OPENS = 1.9;
 const farEnd = ({ lower, upper }) => Math.abs(upper) > Math.abs(lower) ? upper : lower;
 
-export function open3d(canvas) {
+// ``hands`` is what a pointer does with pieces: ``point`` at a place (x, y, z of the plan), ``grab`` it if it is
+// the selected piece, ``drag`` by metres, ``drop``.
+export function open3d(canvas, hands) {
   const renderer = new WebGLRenderer({ canvas, antialias: true });
   renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
   renderer.toneMapping = ACESFilmicToneMapping;
@@ -19,6 +21,7 @@ export function open3d(canvas) {
   const turning = new OrbitControls(camera, canvas);
   turning.maxPolarAngle = 1.5;
   const spot = new Vector3(), ray = new Raycaster();
+  let marks = new Group();
   const state = { keys: new Set(), walking: false, heading: 0, tilt: 0, alive: true, at: performance.now() };
 
   function resize() {
@@ -78,11 +81,25 @@ export function open3d(canvas) {
     }
   }
 
-  // A click opens or shuts a door, a drawer, a sash.
-  function touch(event) {
+  function aim(event) {
     const box = canvas.getBoundingClientRect();
     ray.setFromCamera(new Vector2(2 * (event.clientX - box.left) / box.width - 1, 1 - 2 * (event.clientY - box.top) / box.height), camera);
-    let node = ray.intersectObjects(held.world.children, true).find((hit) => hit.object.visible)?.object;
+  }
+  const met = (event) => { aim(event); return ray.intersectObjects(held.world.children, true).find((hit) => hit.object.visible); };
+  const onPlan = ({ x, y, z }) => [x, -z, y];
+
+  // Where the pointer is at a height.
+  function atHeight(event, height) {
+    aim(event);
+    const { origin, direction } = ray.ray, far = (height - origin.y) / direction.y;
+    return far > 0 ? onPlan(origin.clone().addScaledVector(direction, far)) : null;
+  }
+
+  // A click opens or shuts a door, a drawer, a sash, and selects what it is of.
+  function touch(event) {
+    const hit = met(event);
+    let node = hit?.object;
+    if (hit && !state.walking) hands.point(onPlan(hit.point));
     while (node && !held.movable.includes(node)) node = node.parent;
     if (!node) return;
     const { joint, aim } = node.userData, far = farEnd(joint);
@@ -101,14 +118,23 @@ export function open3d(canvas) {
   }
 
   let grasped = null, started = null;
-  const down = (event) => { grasped = started = [event.clientX, event.clientY]; };
+  let carried = null;
+  const down = (event) => {
+    grasped = started = [event.clientX, event.clientY];
+    const hit = state.walking || event.button ? null : met(event);
+    if (!hit || !hands.grab(onPlan(hit.point))) return;
+    carried = { from: onPlan(hit.point), height: hit.point.y }; turning.enabled = false;
+    canvas.setPointerCapture(event.pointerId);
+  };
   const move = (event) => {
+    const spot = carried && atHeight(event, carried.height);
+    if (spot) hands.drag(spot[0] - carried.from[0], spot[1] - carried.from[1], event);
     if (!grasped || !state.walking) return;
     state.heading -= (event.clientX - grasped[0]) * 0.005;
     state.tilt = Math.max(-1.2, Math.min(1.2, state.tilt + (event.clientY - grasped[1]) * 0.005));
     grasped = [event.clientX, event.clientY];
   };
-  const up = (event) => { if (started && Math.hypot(event.clientX - started[0], event.clientY - started[1]) < 4) touch(event); grasped = started = null; };
+  const up = (event) => { if (carried) { carried = null; turning.enabled = !state.walking; hands.drop(); } if (started && Math.hypot(event.clientX - started[0], event.clientY - started[1]) < 4) touch(event); grasped = started = null; };
   const key = (event) => {
     if (!state.walking || event.key === "Escape") return;
     state.keys[event.type === "keydown" ? "add" : "delete"](event.key.toLowerCase());
@@ -143,6 +169,13 @@ export function open3d(canvas) {
     },
     turn() { state.walking = false; turning.enabled = true; camera.fov = 60; },
     // What is seen now, as a picture.
+    // Boxes about what is selected (x, y, z, heading, width, depth, height), red where it may not stand.
+    mark(boxes, bad) {
+      scene.remove(marks); forget(marks); marks = new Group();
+      const material = new MeshBasicMaterial({ color: bad ? 0xd0342c : 0x14b8a6, transparent: true, opacity: 0.32, depthWrite: false, side: 2 });
+      for (const box of boxes) marks.add(new Mesh(boxAt(box), material));
+      scene.add(marks);
+    },
     shot: () => { renderer.render(scene, camera); return new Promise((done) => { canvas.toBlob(done, "image/png"); }); },
     where: () => [camera.position.x, -camera.position.z, Math.PI / 2 - state.heading],
     press: (name, held_) => state.keys[held_ ? "add" : "delete"](name),
@@ -153,6 +186,18 @@ export function open3d(canvas) {
       canvas.removeEventListener("pointerup", up);
     },
   };
+}
+
+const FACES = [0, 1, 3, 0, 3, 2, 4, 6, 7, 4, 7, 5, 0, 4, 5, 0, 5, 1, 2, 3, 7, 2, 7, 6, 0, 2, 6, 0, 6, 4, 1, 5, 7, 1, 7, 3];
+function boxAt([x, y, z, heading, width, depth, height]) {
+  const [c, s] = [Math.sin(heading), -Math.cos(heading)], made = new BufferGeometry(), corners = [];
+  for (const a of [-1, 1]) for (const b of [-1, 1]) for (const up of [0, 1]) {
+    const [dx, dy] = [a * (width / 2 + 0.01), b * (depth / 2 + 0.01)];
+    corners.push(x + c * dx - s * dy, z + up * (height + 0.01), -(y + s * dx + c * dy));
+  }
+  made.setAttribute("position", new BufferAttribute(new Float32Array(corners), 3));
+  made.setIndex(FACES);
+  return made;
 }
 
 function sun(box, middle, size) {
