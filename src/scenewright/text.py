@@ -51,8 +51,8 @@ def plural(word: str) -> str:
 
     >>> [plural(word) for word in ("showcase", "fridge shelf", "box", "bench", "lockers")]
     ['showcases', 'fridge shelves', 'boxes', 'benches', 'lockers']
-    >>> plural("category"), plural("free bay")
-    ('categories', 'free bays')
+    >>> plural("category"), plural("free bay"), plural("building"), plural("shelving")
+    ('categories', 'free bays', 'buildings', 'shelving')
     """
     if word.endswith("shelf"):
         return word[:-1] + "ves"
@@ -60,7 +60,8 @@ def plural(word: str) -> str:
         return word[:-1] + "ies"
     if word.endswith(("ss", "x", "ch", "sh")):
         return word + "es"
-    return word if word.endswith(("s", "ing")) else word + "s"
+    alike = word.endswith(("s", "ing")) and not word.endswith("building")
+    return word if alike else word + "s"
 
 
 def quantity(count: int, word: str) -> str:
