@@ -118,7 +118,7 @@ def grown_figures(place: CutPlace, problem: ExtendProblem, method: str, seed: in
     begun = time.process_time()
     layout = EXTEND_SOLVERS[method].run(problem, Budget(threads=1), seed).layouts[0]
     took = time.process_time() - begun
-    shapes = shapes_at(problem.pattern, layout.poses, layout.origin)
+    shapes = shapes_at(problem.pattern, layout.poses, layout.origin, layout.form)
     share = float(np.asarray(shapely.area(shapes)).sum() / problem.outline.area)
     if len(shapes) < 2:
         return GrownFigures(share / problem.coverage, 1.0, 1.0, 1.0, 0, took)
@@ -139,12 +139,13 @@ def measure_layout(problem: ExtendProblem, layout: GrownLayout) -> dict[str, np.
     """The features of grown buildings among what stands."""
     pattern, count = problem.pattern, len(layout.poses)
     height = np.array([kind.size[2] for kind in pattern.kinds])[pattern.kind]
+    told = pattern, layout.poses, layout.origin, layout.form
     frames = BuiltFrames(
-        np.concatenate([boxes_at(pattern, layout.poses, layout.origin), problem.standing.boxes]),
-        np.concatenate([shapes_at(pattern, layout.poses, layout.origin), problem.standing.shapes]),
+        np.concatenate([boxes_at(*told), problem.standing.boxes]),
+        np.concatenate([shapes_at(*told), problem.standing.shapes]),
         np.concatenate([height[layout.origin], height[problem.standing.origin]]),
     )
-    return {name: values[:count] for name, values in measure_buildings(frames).items()}
+    return measure_buildings(frames, (), count)
 
 
 def count_faults(problem: ExtendProblem, shapes: np.ndarray) -> int:

@@ -17,6 +17,7 @@ import numpy as np
 import shapely
 
 import scenewright as sw
+from benchmarks.extend_seams import SeamFigures, add_figures, seam_figures
 from benchmarks.facades import BLANK, COUNT, count_blank_models, count_faults
 from benchmarks.ground_faults import fault_counts
 from benchmarks.ground_measures import Ground, counts_of, read_ground
@@ -68,6 +69,7 @@ def _facades(quick: bool, heard: Progress) -> Iterator[Record]:
 def _records(group: str, places: Iterable[Place], heard: Progress) -> Iterator[Record]:
     """The measures of a group, and of every place whose real coverage is known."""
     sums: dict[str, np.ndarray] = {}
+    halves: list[tuple[SeamFigures, SeamFigures]] = []
     took, faults, like, told, number = 0.0, 0, 0, 0, 0
     for place in places:
         number += 1
@@ -84,6 +86,8 @@ def _records(group: str, places: Iterable[Place], heard: Progress) -> Iterator[R
         counts = measure(solution)
         for name, row in counts.items():
             sums[name] = sums.get(name, np.zeros(2)) + row
+        if solution.brief.domain == "extend":
+            halves.append(seam_figures(solution))
         if place.coverage is not None:
             share = counts["coverage"][0] / counts["coverage"][1]
             told += 1
@@ -91,6 +95,10 @@ def _records(group: str, places: Iterable[Place], heard: Progress) -> Iterator[R
             yield _record(f"{group}, {place.name}", "coverage", share, place.coverage, 1)
     for name, (part, whole) in sums.items():
         yield _record(group, name, part / whole if whole else float("nan"), None, int(whole))
+    if halves:
+        old, new = (add_figures(side) for side in zip(*halves, strict=True))
+        for name, real in old.items():
+            yield _record(group, name, new[name], real, len(halves))
     if told:
         yield _record(group, "places of like coverage", like / told, None, told)
     yield _record(group, "scenes with faults", float(faults), None, number)

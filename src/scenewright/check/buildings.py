@@ -88,13 +88,13 @@ def measure_shared(shared: Shape) -> tuple[float, float]:
     return float(np.hypot(*np.diff(frame[:3], axis=0).T).min()), area
 
 
-def is_like(piece: Piece, area: float, height: float) -> bool:
-    """Whether a building covers an ``area`` in square metres, within :data:`ALIKE`, and is as high
-    as ``height`` in metres; what is malformed is not judged here."""
+def is_like(piece: Piece, area: float, height: float, within: float = ALIKE) -> bool:
+    """Whether a building covers an ``area`` in square metres, ``within`` a share, and is as high as
+    ``height`` in metres; what is malformed is not judged here."""
     if _find_fault(piece, (piece.space,), ""):
         return True
     covered = float(shapely.Polygon(outline_of(piece)).area)
-    return abs(covered - area) <= ALIKE * area and abs(piece.size.height - height) <= TOLERANCE
+    return abs(covered - area) <= within * area and abs(piece.size.height - height) <= TOLERANCE
 
 
 def find_off_ground(piece: Piece) -> list[Finding]:

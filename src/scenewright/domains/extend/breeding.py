@@ -14,9 +14,8 @@ from scenewright.core.solution import Solution
 from scenewright.domains.extend.pattern import GapRules, SourcePattern
 from scenewright.domains.extend.presets import PRESETS
 from scenewright.domains.extend.problem import ExtendProblem, GrownLayout
-from scenewright.domains.extend.rating import rate_layout
 from scenewright.domains.extend.solvers.canvas import size_classes
-from scenewright.domains.extend.solvers.growing import STARTS, grow_once, read_order
+from scenewright.domains.extend.solvers.growing import STARTS, finish, grow_once, read_order
 from scenewright.domains.extend.solving import assemble_solution, furnish_area
 from scenewright.domains.extend.staging import stage_extension
 
@@ -64,7 +63,8 @@ def make_breeder(brief: Brief, plan: Plan, seed: int = 0) -> Breeder:
     def grown(place: int, wish: AreaWish) -> GrownLayout:
         problem = vary_problem(posed[place], wish)
         rng = np.random.default_rng([seed, wish.chance, place])
-        return rate_layout(posed[place], grow_once(problem, orders[place], rng, wish.start))
+        layout = grow_once(problem, orders[place], rng, wish.start)
+        return finish(posed[place], orders[place], layout, rng)
 
     def layouts(genome: Genome) -> list[GrownLayout]:
         wishes = read_genome(genome)

@@ -7,6 +7,8 @@ from dataclasses import replace
 from functools import cache
 from typing import NamedTuple
 
+import numpy as np
+
 from scenewright.core.catalog import Catalog
 from scenewright.core.footprint import Footprint
 from scenewright.core.piece_outlines import polygons_of
@@ -30,39 +32,45 @@ class CopyLook(NamedTuple):
     footprint: Footprint
 
 
-def look_of_copies(
-    area: AreaPlan, pattern: SourcePattern, style: str, catalog: Catalog
-) -> Callable[[int], CopyLook]:
-    """What tells by its number how the copies of a building of the sources look in an area; each
-    kind is drawn once."""
+Look = Callable[[int, tuple[float, float]], CopyLook]
+"""Tells how the copies of a building of the sources look, by its number and their form."""
+
+
+def look_of_copies(area: AreaPlan, pattern: SourcePattern, style: str, catalog: Catalog) -> Look:
+    """How copies look in an area; each kind is drawn once in each form."""
 
     @cache
-    def draw(kind: int, told: tuple[str, str]) -> CopyLook:
+    def draw(kind: int, told: tuple[str, str], form: tuple[float, float]) -> CopyLook:
         one = pattern.kinds[kind]
-        size = grow_upwards(Size(*one.size), area.row.storeys)
-        asset = model_of(one._replace(size=(*size,)), style, catalog, told)
-        return CopyLook(asset, size, footprint_within(one.local, size, catalog.assets.get(asset)))
+        width, depth, high = one.size
+        wide, deep = form
+        size = grow_upwards(Size(abs(wide) * width, deep * depth, high), area.row.storeys)
+        local = one.local * form
+        asset = model_of(one._replace(size=(*size,), local=local), style, catalog, told)
+        return CopyLook(asset, size, footprint_within(local, size, catalog.assets.get(asset)))
 
-    def look(origin: int) -> CopyLook:
+    def look(origin: int, form: tuple[float, float]) -> CopyLook:
         told = pattern.told[origin] if pattern.told else ("", "")
-        return draw(int(pattern.kind[origin]), told)
+        return draw(int(pattern.kind[origin]), told, form)
 
     return look
 
 
 def new_pieces(
-    area: AreaPlan, pattern: SourcePattern, layout: GrownLayout, look: Callable[[int], CopyLook]
+    area: AreaPlan, pattern: SourcePattern, layout: GrownLayout, look: Look
 ) -> tuple[Piece, ...]:
     """One piece a building, its front ahead; ids count by kind, past those that stay."""
     taken = {row.id for row in area.fixed}
     counts: dict[str, int] = {}
     found = []
-    for pose, origin in zip(layout.poses.tolist(), layout.origin.tolist(), strict=True):
+    forms = np.ones((len(layout.poses), 2)) if layout.form is None else layout.form
+    rows = zip(layout.poses.tolist(), layout.origin.tolist(), forms.tolist(), strict=True)
+    for pose, origin, form in rows:
         kind = pattern.kinds[int(pattern.kind[origin])]
         counts[kind.name] = counts.get(kind.name, 0) + 1
         while f"{area.id}/{kind.name}_{counts[kind.name]}" in taken:
             counts[kind.name] += 1
-        asset, size, footprint = look(origin)
+        asset, size, footprint = look(origin, (form[0], form[1]))
         found.append(
             Piece(
                 id=f"{area.id}/{kind.name}_{counts[kind.name]}",

@@ -64,28 +64,38 @@ class ExtendProblem(NamedTuple):
 class GrownLayout(NamedTuple):
     """A filled area: poses (n, 3) x, y, heading, the building of the sources that each is a copy
     of ``origin`` (n,), how each came there ``how`` (n,), how many were ``asked`` for (0: by
-    coverage), and what each measure says."""
+    coverage), what each measure says, and the ``form`` (n, 2) of each (left out: as in the
+    sources): how many times as wide and as deep as its original it is; negative: mirrored."""
 
     poses: Floats
     origin: Indices
     how: tuple[str, ...]
     asked: int
     score: dict[str, float]
+    form: Floats | None = None
 
 
 ExtendFound = Found[GrownLayout]
 
 
-def boxes_at(pattern: SourcePattern, poses: Floats, origin: Indices) -> Floats:
-    """The boxes (n, 5) of copies of buildings of the sources at poses (n, 3)."""
-    return np.concatenate([poses, pattern.boxes[origin, 3:]], 1)
+def boxes_at(
+    pattern: SourcePattern, poses: Floats, origin: Indices, form: Floats | None = None
+) -> Floats:
+    """The boxes (n, 5) of copies of buildings of the sources at poses (n, 3), in their forms."""
+    sides = pattern.boxes[origin, 3:]
+    if form is not None:
+        sides = np.abs(sides * form)
+    return np.concatenate([poses, sides], 1)
 
 
-def shapes_at(pattern: SourcePattern, poses: Floats, origin: Indices) -> NDArray[np.object_]:
-    """The footprints (n,) of copies of buildings of the sources at poses (n, 3)."""
+def shapes_at(
+    pattern: SourcePattern, poses: Floats, origin: Indices, form: Floats | None = None
+) -> NDArray[np.object_]:
+    """The footprints (n,) of copies of buildings of the sources at poses (n, 3), in their forms."""
     if not len(poses):
         return np.empty(0, object)
     locals_ = [pattern.kinds[kind].local for kind in pattern.kind[origin].tolist()]
     of = np.repeat(np.arange(len(poses)), [len(local) for local in locals_])
-    corners = from_frames(np.concatenate(locals_), poses[of])
+    local = np.concatenate(locals_)
+    corners = from_frames(local if form is None else local * form[of], poses[of])
     return np.asarray(shapely.polygons(shapely.linearrings(corners, indices=of)))

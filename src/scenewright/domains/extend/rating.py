@@ -40,7 +40,7 @@ def rate_layout(problem: ExtendProblem, layout: GrownLayout) -> GrownLayout:
 def measure_layout(problem: ExtendProblem, layout: GrownLayout) -> dict[str, float]:
     """The value of each of :data:`MEANINGS`."""
     missing = float(max(layout.asked - len(layout.poses), 0))
-    shapes = shapes_at(problem.pattern, layout.poses, layout.origin)
+    shapes = shapes_at(problem.pattern, layout.poses, layout.origin, layout.form)
     inside = problem.standing.shapes[problem.standing.inside]
     built = float(np.asarray(shapely.area(shapes)).sum() + np.asarray(shapely.area(inside)).sum())
     wanted = problem.coverage * problem.outline.area
@@ -57,8 +57,9 @@ def measure_layout(problem: ExtendProblem, layout: GrownLayout) -> dict[str, flo
 def measure_grown(problem: ExtendProblem, layout: GrownLayout) -> dict[str, Floats]:
     """The features of the added buildings among all that stands."""
     pattern, standing, count = problem.pattern, problem.standing, len(layout.poses)
-    boxes = np.concatenate([boxes_at(pattern, layout.poses, layout.origin), standing.boxes])
-    shapes = np.concatenate([shapes_at(pattern, layout.poses, layout.origin), standing.shapes])
+    told = pattern, layout.poses, layout.origin, layout.form
+    boxes = np.concatenate([boxes_at(*told), standing.boxes])
+    shapes = np.concatenate([shapes_at(*told), standing.shapes])
     heights = np.array([kind.size[2] for kind in pattern.kinds])[pattern.kind]
     grown = BuiltFrames(
         boxes, shapes, np.concatenate([heights[layout.origin], heights[standing.origin]])

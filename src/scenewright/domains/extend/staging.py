@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -16,7 +15,7 @@ from scenewright.core.plan import Plan
 from scenewright.core.scene import Piece
 from scenewright.domains.extend.areas import AreaPlan, ExtendPlan
 from scenewright.domains.extend.build_problem import build_problem
-from scenewright.domains.extend.furnish import CopyLook, look_of_copies, old_pieces
+from scenewright.domains.extend.furnish import Look, look_of_copies, old_pieces
 from scenewright.domains.extend.models import (
     as_drawn,
     check_models,
@@ -35,7 +34,7 @@ class StagedArea(NamedTuple):
 
     area: AreaPlan
     problem: ExtendProblem
-    look: Callable[[int], CopyLook]
+    look: Look
 
 
 class StagedExtension(NamedTuple):

@@ -34,6 +34,8 @@ from scenewright.domains.extend.areas import OLD, AreaPlan, ExtendPlan
 
 STOREY = 3.0
 """Metres of a storey that is added to what is grown."""
+VARIED = 0.25
+"""The share of its floor by which a variant may differ from its original."""
 
 
 def check(solution: Solution, plan: Plan, kinds: Catalog) -> Report:
@@ -64,7 +66,7 @@ def list_owed(plan: ExtendPlan, pieces: Sequence[Piece]) -> Iterator[Owed]:
         yield Owed(area.id, "buildings", len(here), least, ALL if count is None else least)
         yield from list_owed_uses(area.id, area.row.uses, here)
         strange = sum(
-            not any(size is None or is_like(p, *size) for size in known.get(p.function, ()))
+            not any(size is None or is_like(p, *size, VARIED) for size in known.get(p.function, ()))
             for p in here
             if p.id not in stay
         )

@@ -25,6 +25,7 @@ from scenewright.domains.extend.solvers.laid_rows import lay_rows
 from scenewright.domains.extend.solvers.neighbours import grow_neighbours
 from scenewright.domains.extend.solvers.patches import lay_patch
 from scenewright.domains.extend.solvers.repair import repair_coverage, take_away
+from scenewright.domains.extend.solvers.settling import SettlingRules, read_settling, settle
 from scenewright.engine.growing import OnGrowth, tell_growth
 from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Found, Progress, Report
 
@@ -81,7 +82,15 @@ def grow_area(
                 for k, layout in enumerate(found[: 1 if each == 1 else POLISHED])
             ]
             best.sort(key=lambda layout: layout.score["energy"])
-            return Found((*best[:1], *found), len(found))
+            settled = finish(problem, order, best[0], np.random.default_rng([seed, 2]))
+            return Found((settled, *found), len(found))
+
+
+def finish(
+    problem: ExtendProblem, order: SourceOrder, layout: GrownLayout, rng: np.random.Generator
+) -> GrownLayout:
+    """The layout with its buildings settled, rated."""
+    return rate_layout(problem, settle(problem, order.settling, layout, rng))
 
 
 def layouts_of_step(problem: ExtendProblem) -> int:
@@ -109,16 +118,18 @@ def _first(found: list[GrownLayout]) -> GrownLayout:
 
 
 class SourceOrder(NamedTuple):
-    """What growing goes on with in every layout of an area: rows, and buildings along edges."""
+    """What growing goes on with in every layout of an area: rows, buildings along edges, and how
+    the buildings are settled at the end."""
 
     rows: RowsToContinue
     edges: tuple[EdgeGround, ...]
+    settling: SettlingRules
 
 
 def read_order(problem: ExtendProblem) -> SourceOrder:
     """The order of the sources of a problem. It stays right for another weight or coverage."""
     edges = read_edges(problem) if problem.settings.edges else ()
-    return SourceOrder(read_rows(problem), edges)
+    return SourceOrder(read_rows(problem), edges, read_settling(problem))
 
 
 def grow_once(
