@@ -6,15 +6,21 @@ from __future__ import annotations
 import asyncio
 import base64
 import sys
+from contextlib import closing, suppress
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from scenewright.studio.agents import list_all
+from hostile_verbs import list_hostile
+from scenewright.core.errors import CancelledError, InputError
+from scenewright.studio.agents import call, list_all
 from scenewright.studio.people import OWN, RIGHTS
+from scenewright.studio.session import Session
 from scenewright.studio.verbs import VERBS
+from scenewright.workflow.project import open_project
+from thoroughness import spread
 
 pytestmark = pytest.mark.skipif(find_spec("mcp") is None, reason="needs mcp")
 
@@ -76,6 +82,29 @@ def test_an_agent_arranges_looks_and_is_told_what_is_wrong(tmp_path: Path) -> No
     assert sorted(one.name for one in tmp_path.iterdir() if "studio" not in one.name) == [
         "room.json"
     ]
+
+
+def test_whatever_a_tool_is_asked_with_is_an_answer_or_a_line(tmp_path: Path) -> None:
+    with closing(open_project(tmp_path / "a.studio")) as db:
+        session = Session(db, lambda _event: None)
+        session.open("sample:home-room")
+        rows = [
+            (name, asked)
+            for name, _, schema in list_all()
+            if name not in VERBS or not VERBS[name].goes_on
+            for _, asked in list_hostile(name, schema["properties"])
+        ]
+        for name, asked in spread(rows, 40):
+            given = {key: value for key, value in asked.items() if key != "verb"}
+            with suppress(CancelledError):
+                try:
+                    answer = call(session, tmp_path, name, given)
+                except InputError as error:
+                    assert len(str(error).splitlines()) == 1, asked  # noqa: PT017
+                else:
+                    assert len(answer) < 20_000 or isinstance(answer, bytes), asked
+        session.close()
+    assert {one.name.partition(".")[0] for one in tmp_path.iterdir()} == {"a"}
 
 
 def test_every_tool_says_what_it_does_and_takes_only_what_it_knows() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import resource
 import socket
 import time
@@ -16,16 +17,21 @@ import pytest
 pytest.importorskip("uvicorn")
 
 import scenewright as sw
+from hostile_verbs import list_hostile, write
 from scenewright.core.solution import unfurnished
 from scenewright.formats import solution_json
-from scenewright.studio import limits
+from scenewright.studio import guard, limits
 from scenewright.studio.guard import Keys, guarded
 from scenewright.studio.running import make_server
 from scenewright.studio.server import Listeners, studio_app
 from scenewright.studio.session import Session
+from scenewright.studio.verbs import VERBS
 from scenewright.workflow import project
+from thoroughness import spread
 
 MANY = 10_000
+MOST_MEMORY = 250_000
+"""Kilobytes that a hostile client may make this process take, on top of what it had at most."""
 
 
 class Served(NamedTuple):
@@ -97,11 +103,50 @@ def test_hostile_requests_are_refused(
     assert b"Traceback" not in answer
 
 
-@pytest.mark.parametrize("body", [b"", b"[" * 200_000, b'{"verb": 1e999}', b"\xff\xfe", b"null"])
+HUGE = b'{"verb": "fit", "piece": "desk", "pose": [1' + b"0" * 400 + b", 0, 0]}"
+NO_NUMBER = b'{"verb": "move", "piece": "desk", "pose": [NaN, 0, 0]}'
+NOTHINGS = [b"", b"[" * 200_000, b'{"verb": 1e999}', b"\xff\xfe", b"null", HUGE, NO_NUMBER]
+
+
+@pytest.mark.parametrize("body", NOTHINGS)
 def test_bodies_that_mean_nothing_are_one_line(served: Served, body: bytes) -> None:
     status, answer = served.ask("POST", "/do", body)
     assert status == 200, "refused is an answer: no error of the page"
     assert b"fault" in answer
+
+
+def test_whatever_a_verb_is_asked_with_is_an_answer_in_a_line(served: Served) -> None:
+    rows = [one for verb, row in VERBS.items() for one in list_hostile(verb, row.keys)]
+    for name, asked in spread(rows, 80):
+        status, answer = served.ask("POST", "/do", write(asked))
+        assert status == 200, name
+        fault = json.loads(answer).get("fault", "")
+        assert len(fault.splitlines()) <= 1, name
+        assert len(fault) < 2000, name
+        served.ask("POST", "/do", b'{"verb": "stop"}')
+        served.session.wait()
+    assert served.ask("GET", "/state")[0] == 200
+
+
+def test_who_sends_letter_by_letter_is_left(
+    served: Served, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(limits, "SILENT_SECONDS", 0.5)
+    monkeypatch.setattr(guard, "BODY_SECONDS", 0.5)
+    head = f"POST /do HTTP/1.1\r\nHost: 127.0.0.1:{served.port}\r\n"
+    own = f"Origin: http://127.0.0.1:{served.port}\r\nCookie: {served.cookie}\r\n"
+    links = [socket.create_connection(("127.0.0.1", served.port), timeout=60) for _ in range(40)]
+    for number, link in enumerate(links):
+        started = own + "Content-Length: 90\r\n\r\n{" if number % 2 else ""
+        link.sendall((head + started).encode())
+    assert served.ask("GET", "/samples")[0] == 200
+    answers = []
+    for link in links:
+        with suppress(ConnectionResetError):
+            answers.append(link.recv(100))
+        link.close()
+    assert sum(b" 408 " in answer for answer in answers) == len(links) // 2
+    assert served.ask("GET", "/samples")[0] == 200
 
 
 def test_a_gigabyte_that_is_streamed_is_cut_off(served: Served) -> None:
@@ -110,6 +155,7 @@ def test_a_gigabyte_that_is_streamed_is_cut_off(served: Served) -> None:
         f"Origin: http://127.0.0.1:{served.port}\r\nCookie: {served.cookie}\r\n"
         "Transfer-Encoding: chunked\r\n\r\n"
     )
+    before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     part = b"%x\r\n" % (1 << 20) + b"x" * (1 << 20) + b"\r\n"
     sent = 0
     with socket.create_connection(("127.0.0.1", served.port), timeout=60) as link:
@@ -121,6 +167,7 @@ def test_a_gigabyte_that_is_streamed_is_cut_off(served: Served) -> None:
         with suppress(OSError):
             assert b"413" in link.recv(100)
     assert sent < 200
+    assert resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before < MOST_MEMORY
     assert served.ask("GET", "/samples")[0] == 200
 
 
@@ -131,6 +178,7 @@ def test_ten_thousand_connections_leave_room_for_who_asks(served: Served) -> Non
         pytest.skip("this machine opens fewer files")
     resource.setrlimit(resource.RLIMIT_NOFILE, (max(soft, MANY + 2000), hard))
     held: list[socket.socket] = []
+    before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     try:
         for k in range(MANY):
             with suppress(OSError):
@@ -144,4 +192,5 @@ def test_ten_thousand_connections_leave_room_for_who_asks(served: Served) -> Non
             one.close()
         resource.setrlimit(resource.RLIMIT_NOFILE, (soft, hard))
     assert served.ask("GET", "/samples")[0] == 200
+    assert resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before < MOST_MEMORY
     assert soft > limits.MOST_CONNECTIONS

@@ -7,14 +7,35 @@ import shutil
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 import scenewright as sw
 from scenewright.core.errors import InputError
 
-ROOM = {"rooms": [{"function": "study", "outline": [[0, 0], [4, 0], [4, 3], [0, 3]]}]}
-AREA = {"outline": [[0, 0], [60, 0], [60, 40], [0, 40]]}
+AGENT = """
+import sys
+from pathlib import Path
+import scenewright as sw
+from scenewright.studio.agents import call
+from scenewright.studio.session import Session
+from scenewright.workflow.project import open_project
+root = Path(sys.argv[1])
+session = Session(open_project(Path(":memory:")), lambda event: None)
+names = ["../secret/there.json", str(root.parent / "secret" / "there"), "link", "down/there"]
+for name in [*names, *sorted(file.name for file in root.glob("*.json"))]:
+    for tool, asked in (("open", {"source": name}), ("export", {"name": "../secret/" + name})):
+        try:
+            call(session, root, tool, asked)
+            print("done")
+        except sw.InputError:
+            print("refused")
+"""
+ROOM: dict[str, Any] = {
+    "rooms": [{"function": "study", "outline": [[0, 0], [4, 0], [4, 3], [0, 3]]}]
+}
+AREA: dict[str, Any] = {"outline": [[0, 0], [60, 0], [60, 40], [0, 40]]}
 CUBE = "v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 1 0\nf 1 2 3\nf 1 2 4\nf 1 3 4\nf 2 3 4\n"
 PROGRAM = """
 import os, sys
@@ -34,10 +55,16 @@ print("OPENED", [name for name in real if "/secret/" in name])
 """
 
 
-def name_outside(outside: str) -> dict[str, dict[str, object]]:
+def name_outside(outside: str) -> dict[str, dict[str, Any]]:
     """Briefs that name a file, one for each key that can."""
-    village = {"domain": "village", "blocks": [AREA]}
+    village: dict[str, Any] = {"domain": "village", "blocks": [AREA]}
+    hall: dict[str, Any] = ROOM["rooms"][0] | {"function": "hall"}
+    site: dict[str, Any] = {"domain": "site", "sites": [AREA]}
     return {
+        "hall": {"domain": "hall", "rooms": [hall], "catalogs": [outside]},
+        "site": site | {"catalogs": [outside]},
+        "raster": site | {"terrain": {"raster": outside}},
+        "contours": site | {"terrain": {"contours": outside}},
         "catalog": ROOM | {"catalogs": [outside]},
         "entry": ROOM | {"catalogs": [{"path": outside, "fill": False}]},
         "groups": ROOM | {"groups": [outside]},
@@ -92,6 +119,46 @@ def test_the_system_sees_no_read_outside(root: Path, tmp_path: Path) -> None:
     assert any("plans/" in call for call in calls)
     outside = ("/secret/", "plans/link", "plans/down")
     assert not [call for call in calls if any(name in call for name in outside)]
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "a\0.json",
+        "x" * 300 + ".json",
+        "a/" * 2000,
+        "\ud800.json",
+        "\\\\host\\share\\a.json",
+        "",
+        ".",
+    ],
+)
+def test_names_that_no_file_can_have_are_refused_in_a_line(root: Path, name: str) -> None:
+    space, before = sw.Workspace(root), sorted(root.iterdir())
+    for use in (space.read, space.read_solution):
+        with pytest.raises(InputError) as told:
+            use(name)
+        assert len(str(told.value).splitlines()) <= 1
+    (root / "odd.json").write_text(json.dumps(ROOM | {"catalogs": [name]}))
+    with pytest.raises(InputError):
+        sw.solve(space.read("odd.json"), steps=20)
+    (root / "odd.json").unlink()
+    assert sorted(root.iterdir()) == before
+
+
+@pytest.mark.skipif(shutil.which("strace") is None, reason="strace is not there")
+def test_what_agents_ask_for_is_read_nowhere_else(root: Path, tmp_path: Path) -> None:
+    pytest.importorskip("starlette")
+    log = tmp_path / "calls.txt"
+    trace = ["strace", "-f", "-e", "trace=%file", "-o", str(log)]
+    asked = [sys.executable, "-c", AGENT, str(root)]
+    done = subprocess.run([*trace, *asked], capture_output=True, text=True, timeout=300, check=True)
+    assert done.stdout.split() == ["refused"] * len(done.stdout.split())
+    assert len(done.stdout.split()) > 20
+    calls = [call for call in log.read_text().splitlines() if "open" in call.partition("(")[0]]
+    assert any("plans/" in call for call in calls)
+    assert not [call for call in calls if "/secret/" in call]
+    assert sorted(one.name for one in tmp_path.iterdir()) == ["calls.txt", "plans", "secret"]
 
 
 def test_a_workspace_reads_and_writes_below_its_root(tmp_path: Path) -> None:

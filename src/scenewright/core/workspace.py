@@ -17,6 +17,8 @@ from pathlib import Path
 from scenewright.core.errors import InputError
 
 _ROOT: ContextVar[Path | None] = ContextVar("workspace_root", default=None)
+LONGEST_NAME, MOST_NAMES = 255, 1000
+"""Bytes of a name and names of a path, at most."""
 PACKAGE = Path(os.path.realpath(__file__)).parent.parent
 """Where samples and tables of the package lie."""
 
@@ -37,13 +39,15 @@ def is_confined() -> bool:
 
 
 def check_inside(path: str | os.PathLike[str]) -> None:
-    """InputError for a path that leads out of the folder files must lie in; nothing is opened.
+    """InputError for a path that leads out of the folder files must lie in, or that no file can
+    have; nothing is opened.
 
     >>> with confined(Path("/srv/plans")):
     ...     check_inside("/srv/plans/../secret/flat.json")
     Traceback (most recent call last):
     scenewright.core.errors.InputError: lies outside the workspace; use names below its folder
     """
+    _check_names(path)
     root = _ROOT.get()
     if root is None:
         return
@@ -53,3 +57,13 @@ def check_inside(path: str | os.PathLike[str]) -> None:
         real = Path("/")
     if not (real.is_relative_to(root) or real.is_relative_to(PACKAGE)):
         raise InputError("lies outside the workspace", "use names below its folder")
+
+
+def _check_names(path: str | os.PathLike[str]) -> None:
+    """InputError for a path with a name that is too long, or that no system takes."""
+    try:
+        names = os.fsencode(path).split(os.sep.encode())
+    except UnicodeEncodeError:
+        names = [b"\0"]
+    if any(len(name) > LONGEST_NAME or b"\0" in name for name in names) or len(names) > MOST_NAMES:
+        raise InputError("is no name of a file", f"give one of at most {LONGEST_NAME} letters")

@@ -13,6 +13,8 @@ from scenewright.studio.shapes import Json
 
 MOST = 500
 """Pieces that one verb may name."""
+FARTHEST = 1e9
+"""Metres that a place is away from the origin, at most; what is no number is not within it."""
 
 
 def read_request(body: bytes) -> Json:
@@ -42,7 +44,7 @@ def read_text(asked: Json, key: str) -> str:
 def read_pose(value: Any) -> tuple[float, float, float]:
     """x, y and a heading."""
     listed = value if isinstance(value, list) and len(value) == 3 else [None]
-    if not all(isinstance(number, int | float) and math.isfinite(number) for number in listed):
+    if not all(isinstance(number, int | float) and abs(number) <= FARTHEST for number in listed):
         raise InputError("pose: is no place", "give [x, y, heading] in metres and radians")
     x, y, heading = map(float, listed)
     return x, y, math.remainder(heading, math.tau)
