@@ -18,8 +18,7 @@ from scenewright.core.layout import corners
 from scenewright.core.solution import Solution
 from scenewright.domains import scene_of
 from scenewright.domains.site.plan import plans_of
-from scenewright.domains.site.writing import street_picture as street
-from scenewright.formats import suffix_of, writer
+from scenewright.formats import street_png, suffix_of, writer
 from scenewright.geometry.box_grid import box_grid
 from scenewright.geometry.walker import sights_of_boxes
 from scenewright.geometry.walker_meshes import best_spots
@@ -67,7 +66,7 @@ def test_one_stands_on_the_site_clear_of_everything(roads: list[dict[str, object
 
 @pytest.mark.parametrize("roads", [ROADS, []], ids=["street", "open ground"])
 def test_there_is_sky_above_and_ground_below(roads: list[dict[str, object]]) -> None:
-    made = street.picture(solved(roads), 200).astype(int)
+    made = street_png.picture(solved(roads), 200).astype(int)
     assert made.shape == (125, 200, 3)
     top, bottom = made[0], made[-1]
     assert np.median(top[:, 2] - top[:, 0]) > 20
@@ -95,14 +94,8 @@ def test_the_best_spot_comes_first() -> None:
 
 
 def test_the_longest_suffix_wins(tmp_path: Path) -> None:
-    assert (
-        writer(tmp_path / "a.street.png").__module__
-        == "scenewright.domains.site.writing.street_picture"
-    )
-    assert (
-        writer(tmp_path / "a.STREET.PNG").__module__
-        == "scenewright.domains.site.writing.street_picture"
-    )
+    for name in ("a.street.png", "a.STREET.PNG"):
+        assert writer(tmp_path / name).__module__ == "scenewright.formats.street_png"
     assert writer(tmp_path / "street.png").__module__ == "scenewright.formats.png"
     assert suffix_of("A.Street.png") == ".Street.png"
     sw.write(solved(ROADS, 2), tmp_path / "a.street.png")

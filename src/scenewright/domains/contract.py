@@ -72,22 +72,22 @@ Verb = Literal[
     "generate",
     "plots",
     "ways",
+    "grounds",
 ]
 """What can be asked of a domain. :data:`NEEDED` are those without which nothing can be arranged; of
 the others ``given`` (what a brief says stands, as pieces), ``validate``, ``refuse_style`` (a style
 named on the command line that it does not know), ``alternatives``, ``compare``, ``describe``,
-``schemes`` (figures by space, of a solution and its plan), ``locked``,
-``groups``, ``styles`` (rows to list), ``editing`` (its
-:class:`~scenewright.arranging.hand_rules.HandRules`, of a solution and its plan), ``plots`` (the
-ground of each building, of a solution and its plan), ``ways`` (middle lines of streets, of
-both), ``floors`` (the least the energy of each space
-could be), ``drawn_scale`` (how much too small or too large the plan is drawn, of a brief and its
-spaces), ``programme`` (what was decided for the whole, in words), ``ledger`` (what is owed to those
-who use it, and what of it stands), ``faults`` (remarks on broken rows), ``appearance`` (its style,
-and what chose it), ``draw_levels`` (a sheet a level; else the plan is one sheet), ``sources``
-(author, licence and name of what a layout is learned from, of a brief), ``features``, ``breeder``,
-``matrix_breeder`` and the two of the detail are passed over where a domain has none, the rest
-refused by name."""
+``schemes`` (figures by space, of a solution and its plan), ``locked``, ``groups``, ``styles`` (rows
+to list), ``editing`` (its :class:`~scenewright.arranging.hand_rules.HandRules`, of a solution and
+its plan), ``plots`` (the ground of each building, of a solution and its plan), ``ways`` (middle
+lines of streets, of both), ``grounds`` (what is built on, with its streets, of both), ``floors``
+(the least the energy of each space could be), ``drawn_scale`` (how much too small or too large the
+plan is drawn, of a brief and its spaces), ``programme`` (what was decided for the whole, in words),
+``ledger`` (what is owed to those who use it, and what of it stands), ``faults`` (remarks on broken
+rows), ``appearance`` (its style, and what chose it), ``draw_levels`` (a sheet a level; else the
+plan is one sheet), ``sources`` (author, licence and name of what a layout is learned from, of a
+brief), ``features``, ``breeder``, ``matrix_breeder`` and the two of the detail are passed over
+where a domain has none, the rest refused by name."""
 Table = Literal[
     "presets",
     "solvers",

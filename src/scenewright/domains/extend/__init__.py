@@ -26,6 +26,7 @@ DOMAIN = Domain(
         "solution": ".solution:solution_of",
         "given": ".given:given_pieces",
         "check": ".check.judge:check",
+        "grounds": ".streets:list_grounds",
         "ways": ".streets:list_ways",
         "scene": ".furnish:scene_of_extension",
         "draw": ".drawing.plan:draw",
@@ -75,7 +76,7 @@ DOMAIN = Domain(
         Format(
             ".street.png",
             "picture across the seam, at eye height",
-            writer=f"{__name__}.writing.street_picture",
+            writer="scenewright.formats.street_png",
             domain="extend",
             lacks=SEEN,
         ),

@@ -166,8 +166,8 @@ def assemble_solution(
         fronted = front_pieces(plan.ground, pieces, counted)
         show_changes(watch, plan, pieces, fronted, ROUTES, "fronts look at ways that lead to them")
         dressed, lacking = dress_extension(plan, fronted)
-        reason = "buildings are drawn by their uses and their neighbours"
-        show_changes(watch, plan, fronted, dressed, FIT, reason)
+        told = "buildings are drawn by their uses and their neighbours"
+        show_changes(watch, plan, fronted, dressed, FIT, told)
         pieces = (*dressed, *plant_extension(plan, dressed, stage.catalog, seed))
     show_changes(watch, plan, (), pieces, SETTLED)
     return Solution(

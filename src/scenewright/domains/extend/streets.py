@@ -11,6 +11,7 @@ from scenewright.core.plan import Plan
 from scenewright.core.solution import Solution
 from scenewright.core.space import Points
 from scenewright.ground.buildings.built import BuiltRoad
+from scenewright.ground.plan import SitePlan
 
 NEAR = 25.0
 """Metres from an area within which a street that ends counts as ending at its border."""
@@ -72,6 +73,11 @@ def _run_on(end: Points, inner: Points, outline: shapely.Polygon) -> shapely.Lin
     points = shapely.get_coordinates(first)
     away = np.hypot(*(points - end).T)
     return shapely.LineString([end, points[int(np.argmax(away))]])
+
+
+def list_grounds(_solution: Solution, plan: Plan) -> tuple[SitePlan, ...]:
+    """The ground of an extension, old and new."""
+    return (plan.detail.ground,)
 
 
 def list_ways(solution: Solution, plan: Plan) -> list[BuiltRoad]:

@@ -24,6 +24,7 @@ DOMAIN = Domain(
         "solution": ".solution:solution_of",
         "given": ".given:given_pieces",
         "check": ".check.judge:check",
+        "grounds": ".works:list_grounds",
         "ways": ".works:list_ways",
         "findings": ".check.judge:check_rules",
         "scene": ".furnish:scene_of_sites",
@@ -93,7 +94,7 @@ DOMAIN = Domain(
         Format(
             ".street.png",
             "picture of a site at eye height",
-            writer=f"{__name__}.writing.street_picture",
+            writer="scenewright.formats.street_png",
             domain="site",
             lacks=SEEN,
         ),

@@ -229,8 +229,8 @@ def _run_served(
     if dark:
         picture(found.layouts[0], REPAIR, f"without {len(dark)} that lack sun")
     if lost or served.lost:
-        reason = f"without {len(lost) + len(served.lost)} that no way leads to"
-        picture(served.layout, ROUTES, reason)
+        told = f"without {len(lost) + len(served.lost)} that no way leads to"
+        picture(served.layout, ROUTES, told)
     elif not np.array_equal(layout.boxes, served.layout.boxes):
         picture(served.layout, ROUTES, "fronts look at the ways to them")
     return found, served, dark | lost | served.lost

@@ -62,6 +62,11 @@ def network_of(site: Site, plan: SitePlan, buildings: Sequence[Piece]) -> Networ
     return lay_pathways(plan, outlines, headings, site.fire_access, site.fire_reach)
 
 
+def list_grounds(_solution: Solution, plan: Plan) -> tuple[SitePlan, ...]:
+    """The grounds of all sites."""
+    return tuple(plan.detail)
+
+
 def list_ways(solution: Solution, plan: Plan) -> list[BuiltRoad]:
     """The middle lines of streets, paths, lanes and drives of all sites, and strips of what is
     paved beside them."""

@@ -26,6 +26,7 @@ DOMAIN = Domain(
         "solution": ".solution:solution_of",
         "given": ".given:given_pieces",
         "check": ".check.judge:check",
+        "grounds": ".lanes:list_grounds",
         "ways": ".lanes:list_ways",
         "scene": ".furnish:scene_of_village",
         "draw": ".drawing.plan:draw",
@@ -77,7 +78,7 @@ DOMAIN = Domain(
         Format(
             ".street.png",
             "picture of a village from its lane",
-            writer=f"{__name__}.writing.street_picture",
+            writer="scenewright.formats.street_png",
             domain="village",
             lacks=SEEN,
         ),

@@ -16,7 +16,7 @@ from scenewright.core.space import Points
 from scenewright.domains.village.blocks import BlockPlan, VillagePlan
 from scenewright.ground import outlines as shapes
 from scenewright.ground.buildings.built import BuiltRoad
-from scenewright.ground.plan import Area, Way
+from scenewright.ground.plan import Area, SitePlan, Way
 from scenewright.ground.ways.inner_lanes import LaidLane, area_of, edges_of, lay_inner_lanes
 
 LAID = "/lane-"
@@ -104,6 +104,11 @@ def opened(plan: Plan, solution: Solution) -> Plan:
     """The plan of a solution with the lanes that were laid for it."""
     lanes = solution.detail or ()
     return plan._replace(detail=with_lanes(plan.detail, lanes)) if lanes else plan
+
+
+def list_grounds(solution: Solution, plan: Plan) -> tuple[SitePlan, ...]:
+    """The grounds of the blocks of a village, with the lanes laid in them."""
+    return tuple(block.ground for block in opened(plan, solution).detail.blocks)
 
 
 def list_ways(solution: Solution, plan: Plan) -> list[BuiltRoad]:

@@ -21,10 +21,10 @@ from scenewright.core.solution import Solution
 from scenewright.domains.extend.areas import OLD, ExtendPlan
 from scenewright.domains.extend.drawing import marks
 from scenewright.domains.extend.works import plots_of_extension
-from scenewright.drawing import sheet as sheets
+from scenewright.drawing.ground_sheet import draw_ground_sheet, figure_rows, is_drawable
 from scenewright.drawing.houses import FAULT, LEAF, faults_mark, houses_mark, trees_mark, words_mark
-from scenewright.drawing.layers import PlanDrawing, PlanLayer, merge_layers
-from scenewright.drawing.legend import LegendRow, arrange, legend_mark
+from scenewright.drawing.layers import PlanDrawing, PlanLayer
+from scenewright.drawing.legend import LegendRow
 from scenewright.drawing.marks import PaperView, clean
 from scenewright.drawing.plots import plots_mark
 from scenewright.geometry.folding import fold, show
@@ -33,41 +33,23 @@ from scenewright.ground.buildings.rows import find_rows, string_of
 from scenewright.ground.streetside.plots import Plot
 from scenewright.text import quantity
 
-MARGIN, LARGE, LISTED, ROWS = 6.0, 1000, 20, 4
-"""Millimetres around the drawing; the scale from which papers above A3 are used; most kinds
-and rows listed."""
+LISTED, ROWS = 20, 4
+"""Most kinds and rows listed."""
 
 
 def draw(solution: Solution, made: Plan, judge: Callable[[], Report]) -> PlanDrawing:
     """The plan of a solution's areas and sources; ``judge`` gives the referee's report."""
     plan: ExtendPlan = made.detail
     report, trees = judge(), [p for p in solution.pieces if p.category == "tree"]
-    houses = [p for p in solution.pieces if _is_sound(p)]
-    west, south, east, north = _bounds(plan, houses)
-    arranged = arrange(
-        (east - west, north - south),
-        (2 * MARGIN, 2 * MARGIN),
+    houses = [p for p in solution.pieces if is_drawable(p)]
+    plots = plots_of_extension(solution, made)
+    return draw_ground_sheet(
+        solution,
+        _bounds(plan, houses),
+        _summary(plan, houses, report),
         _legend(plan, houses, report, bool(trees)),
-        LARGE,
+        lambda view: _layers(view, plan, houses, report, plots, trees),
     )
-    sheet, (wide, high) = arranged.sheet, arranged.room
-    scale = 1000 / sheet.scale
-    left = sheets.EDGE + (wide - (east - west) * scale) / 2
-    bottom = sheets.EDGE + (high + (north - south) * scale) / 2
-    view = sheets.view_at(sheet, west, south, left, bottom)
-    summary, title = _summary(plan, houses, report), sheets.title_of(solution.brief)
-    strip = sheets.sheet_mark(sheet, solution.brief.name, summary, title)
-    layers = [
-        [PlanLayer("Sheet", strip)],
-        _layers(view, plan, houses, report, plots_of_extension(solution, made), trees),
-        [PlanLayer("Legend", legend_mark(arranged))],
-    ]
-    return PlanDrawing(solution.brief.name, sheet, (), merge_layers(layers), view)
-
-
-def _is_sound(piece: Piece) -> bool:
-    whole = np.isfinite([*piece.pose, *piece.size]).all()
-    return piece.category == "building" and bool(whole) and max(map(abs, piece.pose[:2])) < 1e5
 
 
 def _bounds(plan: ExtendPlan, houses: Sequence[Piece]) -> tuple[float, float, float, float]:
@@ -160,7 +142,7 @@ def _figures(heading: str, found: dict[str, Any]) -> list[LegendRow]:
         ("Distance to the nearest, median", "–" if gap is None else f"{gap:.1f} m"),
         ("Streets continued", f"{found['streets_continued']}"),
     ]
-    return [LegendRow("heading", heading), *(LegendRow("", w, right) for w, right in figures)]
+    return figure_rows(heading, figures)
 
 
 def _summary(plan: ExtendPlan, houses: Sequence[Piece], report: Report) -> str:

@@ -22,46 +22,31 @@ from scenewright.domains.village.drawing import marks as marks
 from scenewright.domains.village.gardens import lay_ground
 from scenewright.domains.village.lanes import opened
 from scenewright.domains.village.plots import lay_block_plots
-from scenewright.drawing import sheet as sheets
+from scenewright.drawing.ground_sheet import draw_ground_sheet, figure_rows, is_drawable
 from scenewright.drawing.houses import FAULT, faults_mark, houses_mark, trees_mark, words_mark
-from scenewright.drawing.layers import PlanDrawing, PlanLayer, merge_layers
-from scenewright.drawing.legend import LegendRow, arrange, legend_mark
+from scenewright.drawing.layers import PlanDrawing, PlanLayer
+from scenewright.drawing.legend import LegendRow
 from scenewright.drawing.marks import PaperView, clean
 from scenewright.drawing.plots import BORDER, plots_mark
 from scenewright.text import quantity
 
-MARGIN, LARGE, LISTED = 6.0, 1000, 30
-"""Millimetres around the village; the scale from which papers above A3 are used; most houses
-listed."""
+LISTED = 30
+"""Most houses listed."""
 
 
 def draw(solution: Solution, made: Plan, judge: Callable[[], Report]) -> PlanDrawing:
     """The plan of a solution's blocks; ``judge`` gives the referee's report."""
     village: VillagePlan = opened(made, solution).detail
     report = judge()
-    houses = [p for p in solution.pieces if _is_house(p)]
-    west, south, east, north = _bounds(village, houses)
+    houses = [p for p in solution.pieces if is_drawable(p)]
     numbers = number_houses(houses)
-    rows = legend(village, houses, numbers, report)
-    arranged = arrange((east - west, north - south), (2 * MARGIN, 2 * MARGIN), rows, LARGE)
-    sheet, (wide, high) = arranged.sheet, arranged.room
-    scale = 1000 / sheet.scale
-    left = sheets.EDGE + (wide - (east - west) * scale) / 2
-    bottom = sheets.EDGE + (high + (north - south) * scale) / 2
-    view = sheets.view_at(sheet, west, south, left, bottom)
-    summary, title = _summary(village, houses, report), sheets.title_of(solution.brief)
-    strip = sheets.sheet_mark(sheet, solution.brief.name, summary, title)
-    layers = [
-        [PlanLayer("Sheet", strip)],
-        _layers(view, solution, village, houses, numbers, report),
-        [PlanLayer("Legend", legend_mark(arranged))],
-    ]
-    return PlanDrawing(solution.brief.name, sheet, (), merge_layers(layers), view)
-
-
-def _is_house(piece: Piece) -> bool:
-    whole = np.isfinite([*piece.pose, *piece.size]).all()
-    return piece.category == "building" and bool(whole) and max(map(abs, piece.pose[:2])) < 1e5
+    return draw_ground_sheet(
+        solution,
+        _bounds(village, houses),
+        _summary(village, houses, report),
+        legend(village, houses, numbers, report),
+        lambda view: _layers(view, solution, village, houses, numbers, report),
+    )
 
 
 def number_houses(houses: Sequence[Piece]) -> dict[str, int]:
@@ -157,7 +142,7 @@ def _figures(heading: str, found: dict[str, Any]) -> list[LegendRow]:
         ("Distance to the street, median", _metres(found["median_setback"])),
         ("Reached from a street", f"{found['reached_share']:.0%}"),
     ]
-    return [LegendRow("heading", heading), *(LegendRow("", w, right) for w, right in figures)]
+    return figure_rows(heading, figures)
 
 
 def _metres(value: float | None) -> str:

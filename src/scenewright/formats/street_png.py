@@ -1,4 +1,5 @@
-"""A picture of a site as one sees it standing in its street, at eye height."""
+"""A picture of open ground as one sees it standing in its street, at eye height: of a site, of a
+village in its lane, of an extension across the seam of old and new."""
 
 from __future__ import annotations
 
@@ -7,6 +8,7 @@ import os
 from scenewright.catalog.loading import catalog_of
 from scenewright.core.atomic_file import atomic_write
 from scenewright.core.plan import Plan
+from scenewright.core.registry import domain_of
 from scenewright.core.solution import Solution
 from scenewright.domains import plan_of, scene_of
 from scenewright.render.picture import Pixels
@@ -24,4 +26,5 @@ def write(solution: Solution, path: str | os.PathLike[str], plan: Plan | None = 
 def picture(solution: Solution, width: int = WIDTH, plan: Plan | None = None) -> Pixels:
     """The street from its best spot as pixels ``(height, width, 3)``."""
     catalog, made = catalog_of(solution.brief.catalogs), plan or plan_of(solution.brief)
-    return render_street(scene_of(solution, made), made.detail, catalog, width)
+    grounds = domain_of(solution.brief.domain).verb("grounds")(solution, made)
+    return render_street(scene_of(solution, made), grounds, catalog, width)
