@@ -18,6 +18,7 @@ from scenewright.core.errors import CancelledError, InputError
 from scenewright.studio.agents import call, list_all
 from scenewright.studio.people import OWN, RIGHTS
 from scenewright.studio.session import Session
+from scenewright.studio.spoken import tell_pieces
 from scenewright.studio.verbs import VERBS
 from scenewright.workflow.project import open_project
 from thoroughness import spread
@@ -105,6 +106,21 @@ def test_whatever_a_tool_is_asked_with_is_an_answer_or_a_line(tmp_path: Path) ->
                     assert len(answer) < 20_000 or isinstance(answer, bytes), asked
         session.close()
     assert {one.name.partition(".")[0] for one in tmp_path.iterdir()} == {"a"}
+
+
+def test_many_pieces_are_told_a_hundred_at_a_time() -> None:
+    pose, size = [1, 2, 0, 0], [1, 1, 1]
+    pieces = [
+        {"id": f"p{k}", "name": "tree", "space": "s", "pose": pose, "size": size, "locked": False}
+        for k in range(250)
+    ]
+    told, first = list[str](), 0
+    while first < 250:
+        *lines, last = tell_pieces({"pieces": pieces}, "s", first).splitlines()
+        told += lines if last.startswith("and ") else [*lines, last]
+        assert len(lines) <= 100
+        first += 100
+    assert [line.split(" · ")[0] for line in told] == [f"p{k}" for k in range(250)]
 
 
 def test_every_tool_says_what_it_does_and_takes_only_what_it_knows() -> None:

@@ -23,7 +23,13 @@ from scenewright.workflow import project
 from scenewright.workflow.scene_project import Project
 from thoroughness import few_or_many
 
-SCENES = {"home-room": 200, "hall-shop": 1500, "village-hamlet": 1, "extend-village": 1}
+SCENES = {
+    "home-room": 200,
+    "hall-shop": 1500,
+    "site-30": 100,
+    "village-hamlet": 1,
+    "extend-village": 1,
+}
 
 
 def scene_of(name: str) -> Solution:

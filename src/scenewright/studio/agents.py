@@ -24,6 +24,7 @@ from scenewright.domains import scene_of
 from scenewright.formats import samples
 from scenewright.render.picture import Pixels
 from scenewright.render.plan_picture import draw_scene_plan
+from scenewright.studio.asked import read_text, read_whole
 from scenewright.studio.people import EDIT, OWN
 from scenewright.studio.session import Session
 from scenewright.studio.shapes import Json
@@ -116,8 +117,10 @@ LOOKING: Mapping[str, Tool] = {
     ),
     "pieces": Tool(
         "ids, places and sizes of the pieces, of one space or all",
-        {"space": TEXT},
-        lambda session, _, asked: tell_pieces(session.state(), str(asked.get("space", ""))),
+        {"space": TEXT, "first": {"type": "integer", "minimum": 0}},
+        lambda session, _, asked: tell_pieces(
+            session.state(), read_text(asked, "space"), read_whole(asked, "first")
+        ),
     ),
     "find": Tool("models that can be put in, by words", {"words": TEXT}, _find),
     "sheet": Tool(

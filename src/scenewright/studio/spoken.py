@@ -10,6 +10,8 @@ from scenewright.studio.shapes import Json
 
 MOST = 20
 """Lines of one kind that are told before the rest is counted."""
+MOST_PIECES = 100
+"""Pieces that are told at once."""
 
 
 def tell_scene(state: Json) -> str:
@@ -39,8 +41,9 @@ def tell_verdict(state: Json) -> list[str]:
     return [*([verdict] if verdict else []), *shorten(findings), *shorten(left)]
 
 
-def tell_pieces(state: Json, space: str = "") -> str:
-    """Pieces of a room or of all: id, what it is, where it stands, its size.
+def tell_pieces(state: Json, space: str = "", first: int = 0) -> str:
+    """Pieces of a room or of all, :data:`MOST_PIECES` from the ``first`` on: id, what it is, where
+    it stands, its size.
 
     >>> one = {"id": "bed", "name": "double bed", "space": "r", "pose": [1, 2, 0, 3.14159265],
     ...        "size": [1.6, 2, 0.5], "locked": True, "level": ""}
@@ -62,7 +65,9 @@ def tell_pieces(state: Json, space: str = "") -> str:
         for one in state.get("pieces", ())
         if space in ("", one["space"])
     ]
-    return "\n".join(told) or "no pieces"
+    rest = len(told) - first - MOST_PIECES
+    more = [f"and {rest} more, first: {first + MOST_PIECES}"] if rest > 0 else []
+    return "\n".join([*told[first : first + MOST_PIECES], *more]) or "no pieces"
 
 
 def tell_changes(changes: Sequence[Json]) -> list[str]:
