@@ -20,7 +20,8 @@ from scenewright.workflow.evolution.nursery import WORKERS
 from scenewright.workflow.evolution.population import BreedingPlan
 
 pytest.importorskip("starlette")
-from scenewright.studio.breeding import name_log
+from scenewright.studio.breeding import name_log, share
+from scenewright.studio.drawable import draw_card
 from scenewright.studio.session import Session
 from scenewright.studio.shapes import Json
 from scenewright.studio.verbs import do_verb
@@ -106,6 +107,28 @@ def test_differences_are_told_from_either_side(bred: Session) -> None:
     nearer = [text for text in here if "nearer" in text]
     assert all(text.replace("nearer", "further from") in there for text in nearer)
     assert ask(bred, verb="compare", one=one, other=one)["differences"] == []
+
+
+def test_what_is_bred_is_drawn_before_it_is_asked_for(bred: Session) -> None:
+    breeding, evolution = bred.breeding, bred.breeding.evolution
+    assert evolution is not None
+    sheet = breeding.state()["sheet"]
+    ask(bred, verb="say", line="2", sheet=sheet)
+    while evolution.busy() or breeding.drawing is None or breeding.drawing.is_alive():
+        time.sleep(0.05)
+    coming = {one.number: one.solution for one in evolution.coming()}
+    assert len(coming) == FEW.each
+    assert coming.keys() <= breeding.cards.keys()
+    ask(bred, verb="next")
+    wait(bred)
+    shown = [one["number"] for one in breeding.state()["shown"]]
+    assert set(shown) & coming.keys()
+    for number in shown:
+        one = evolution.candidate(number)
+        assert one is not None
+        assert breeding.draw([number]) == share(
+            {number: draw_card(one.solution, one.plan, breeding.shapes)}
+        )
 
 
 def test_cancelled_breeding_develops_no_more_and_shows_nothing() -> None:

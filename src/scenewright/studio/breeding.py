@@ -6,6 +6,7 @@ import hashlib
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from threading import Event, RLock, Thread
+from time import sleep
 
 from scenewright.catalog.loading import catalog_of
 from scenewright.core.brief import Brief
@@ -24,6 +25,8 @@ from scenewright.workflow.evolve import Evolution, evolve
 Tell = Callable[[Json], None]
 FIRST_LOOK = 4
 """Layouts that are shown as soon as they are bred, before a sheet is chosen."""
+PAUSE = 0.1
+"""Seconds between looks for layouts that can be drawn for the next sheet."""
 
 
 class Breeding:
@@ -36,7 +39,8 @@ class Breeding:
         self.running = False
         self.worker: Thread | None = None
         self.evolution: Evolution | None = None
-        self.cards: dict[int, Json] = {}
+        self.cards: dict[int, tuple[Solution, Json]] = {}
+        self.drawing: Thread | None = None
         self.early: list[Json] = []
 
     def begin(self, brief: Brief) -> None:
@@ -48,6 +52,9 @@ class Breeding:
                 self.evolution = evolve(brief, name_log(self.beside, brief))
             if self.evolution.screen is None:
                 self.next()
+            elif not self.running:
+                self.evolution.breed_ahead()
+                self._draw_on(self.evolution)
         self.tell({"bred": True})
 
     def next(self) -> None:
@@ -77,6 +84,32 @@ class Breeding:
         finally:
             self.running, self.early = False, []
             self.tell({"bred": True})
+        self._draw_on(evolution)
+
+    def _draw_on(self, evolution: Evolution) -> None:
+        """Draw what is bred for the next sheet while this one is looked at, in a thread."""
+        if self.drawing is None or not self.drawing.is_alive():
+            self.drawing = Thread(target=self._draw_ahead, args=(evolution,), daemon=True)
+            self.drawing.start()
+
+    def _draw_ahead(self, evolution: Evolution) -> None:
+        while self.evolution is evolution and not self.running:
+            busy = evolution.busy()
+            new = [one for one in evolution.coming() if one.number not in self.cards]
+            if new:
+                self._draw_card(new[0])
+            elif busy:
+                sleep(PAUSE)
+            else:
+                return
+
+    def _draw_card(self, one: ShownCandidate) -> Json:
+        """The card of a layout, drawn once."""
+        solution, card = self.cards.get(one.number, (None, {}))
+        if solution is not one.solution:
+            card = draw_card(one.solution, one.plan, self.shapes)
+            self.cards[one.number] = one.solution, card
+        return card
 
     def _look_early(self, evolution: Evolution) -> None:
         """Draw the first few layouts of the first sheet while the others are bred."""
@@ -130,17 +163,14 @@ class Breeding:
                 evolution.undo()
             else:
                 raise InputError(f"'{line[:60]}' says nothing of a layout", "use the buttons")
+        self._draw_on(evolution)
         self.tell({"bred": True})
 
     def draw(self, numbers: Sequence[int]) -> Json:
         """Layouts by number: poses, and the shells that they share."""
         with self.lock:
             evolution = self._must_breed()
-            for number in numbers:
-                if number not in self.cards:
-                    one = self._shown(evolution, number)
-                    self.cards[number] = draw_card(one.solution, one.plan, self.shapes)
-            return share({number: self.cards[number] for number in numbers})
+            return share({n: self._draw_card(self._shown(evolution, n)) for n in numbers})
 
     def compare(self, one: int, other: int) -> list[str]:
         """What one layout is or has against another."""

@@ -26,7 +26,7 @@ AMOUNTS = (1.0, 0.85, 1.15)
 FAVOURED, TIMES = 4, 3.0
 """Mixes: that of the sources, then :data:`TIMES` as many small, usual and large buildings."""
 CHANCES = 24
-EACH = 16
+EACH = 12
 """Candidates of a later sheet: growing one takes as long as all else of it."""
 MOST_AREAS = 8
 """Areas that have genes of their own; all further ones share the last."""

@@ -6,6 +6,7 @@ Roads are united before they are drawn, so that bends have no gaps and crossings
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from functools import lru_cache
 
 import numpy as np
 import shapely
@@ -46,6 +47,8 @@ DASH, GAP, STRIPE = 3.0, 5.0, 0.16
 """Length, distance and width of the dashes of a road's middle line, in metres."""
 SPECK = 0.02
 """Areas smaller than this, in square metres, are left out."""
+REMEMBERED = 8192
+"""Areas whose rings are remembered."""
 
 
 def surfaces(
@@ -102,11 +105,17 @@ def _of_plan(
         "park": _lie_on(parks, floor),
     }
     for kind, shape in found.items():
-        areas = tuple(rings(part) for part in _polygons(shape))
+        areas = tuple(_ring_again(part.wkb) for part in _polygons(shape))
         if areas:
             top = HEIGHTS[kind]
             base, fall = top if kind == "marking" else -0.01, edged.fall if kind == "kerb" else None
             yield GroundSurface(f"{kind} of {plan.id}", plan.id, kind, areas, base, top, fall)
+
+
+@lru_cache(REMEMBERED)
+def _ring_again(area: bytes) -> tuple[Points, tuple[Points, ...]]:
+    """The rings of an area: most dashes, kerbs and streets of one layout are those of another."""
+    return rings(shapely.from_wkb(area))
 
 
 def _areal(shape: shapely.Geometry) -> shapely.Geometry:

@@ -171,9 +171,26 @@ class Evolution:
         """Whether the next screen can be shown at once."""
         return bool(self._nursery.batches) and self._nursery.ready()
 
+    def breed_ahead(self) -> None:
+        """Begin to breed for the next screen, as is done once one is shown; for resumed ones."""
+        if self._run is None:
+            self._begin(name_epoch(self.events), len(self._history.screens))
+
+    def busy(self) -> bool:
+        """Whether candidates are being bred now."""
+        return not self._nursery.ready()
+
     def bred_so_far(self) -> list[Solution]:
         """The valid candidates bred so far for the next screen. Looking changes nothing."""
         return [solution for _, (bred, solution) in self._nursery.peek() if bred.valid]
+
+    def coming(self) -> list[ShownCandidate]:
+        """The valid candidates bred so far for the next screen, under the numbers they will have
+        unless one is changed by hand before. Looking changes nothing."""
+        before, batches = len(self._archive.bred), self._nursery.batches
+        plan = self._nursery.ground(batches[0].epoch if batches else "").plan
+        found = [(before + place, one[1]) for place, one in self._nursery.peek() if one[0].valid]
+        return [ShownCandidate(number, solution, plan) for number, solution in found]
 
     def size(self) -> int:
         """How many candidates there are."""
@@ -303,12 +320,16 @@ class Evolution:
         self, epoch: str, screen: int, progress: OnProgress | None, cancel: OnCancel | None = None
     ) -> None:
         """Take in what was bred for a screen, breeding it now if nobody has."""
+        self._begin(epoch, screen)
+        self._breed_on_mark(epoch)
+        self._archive.add(self._nursery.collect(progress, cancel), epoch)
+
+    def _begin(self, epoch: str, screen: int) -> None:
+        """Begin to breed for a screen, unless that was begun."""
         if not self._nursery.count(epoch, screen):
             before = self._history.before_screen(screen - 1)
             known = self._archive.of_epoch(epoch)
             self._breed(epoch, screen, self._learn(counting(before)) if known else None)
-        self._breed_on_mark(epoch)
-        self._archive.add(self._nursery.collect(progress, cancel), epoch)
 
     def _breed(self, epoch: str, screen: int, taste: PersonTaste | None) -> None:
         """Begin to breed for a screen, on what was known when the one before was chosen."""
