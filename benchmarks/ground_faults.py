@@ -23,9 +23,9 @@ MEET, TOUCH, ASKEW = 1.0, 0.05, np.radians(3.0)
 """Metres between roofs that nobody passes through, within which they touch, and the angle from
 which they are askew to each other."""
 WALLS = ("hedge", "fence", "stone_wall", "white_wall")
-END, HELD, GATE = 1.0, 0.6, 2.0
-"""Metres of the longest edge that is the end of a wall, within which it is held by a house or
-another wall, and by a gate: a walk, a square or a way."""
+END, SQUARE, HELD, GATE = 1.0, 0.85, 0.6, 2.0
+"""Metres of the longest edge that is the end of a wall, sine of its corners, metres within which it
+is held by a house or another wall, and by a gate: a walk, a square or a way."""
 BEFORE, WIDE = 1.5, 1.2
 """Metres before a door, and across it, that no wall may stand in."""
 GARDEN, THIN, HOUSE = 20.0, 0.4, 2.0
@@ -123,8 +123,8 @@ def _ends(wall: shapely.Polygon) -> Iterator[shapely.Point]:
     step = np.roll(ring, -1, axis=0) - ring
     long = np.hypot(*step.T)
     before, after = np.roll(step, 1, axis=0), np.roll(step, -1, axis=0)
-    left = (np.cross(before, step) > 0.5 * long * np.hypot(*before.T)) & (
-        np.cross(step, after) > 0.5 * long * np.hypot(*after.T)
+    left = (np.cross(before, step) > SQUARE * long * np.hypot(*before.T)) & (
+        np.cross(step, after) > SQUARE * long * np.hypot(*after.T)
     )
     thin = (long <= END) & (np.hypot(*before.T) > long) & (np.hypot(*after.T) > long)
     for k in np.flatnonzero(left & thin).tolist():

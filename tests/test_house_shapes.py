@@ -14,6 +14,7 @@ from scenewright.catalog.assets.buildings.house_shapes import (
     saddle,
     split_wings,
 )
+from scenewright.catalog.assets.buildings.rural_houses import build_house
 from scenewright.core.footprint import Footprint, read_footprint
 from scenewright.core.scene import Size
 from scenewright.geometry.mesh import Mesh, volume
@@ -136,3 +137,13 @@ def test_hips_rise_as_far_as_the_nearest_side_is(outline: Footprint) -> None:
 
 def test_a_footprint_neither_straight_nor_convex_has_no_hips() -> None:
     assert hips(((0.0, 0.0), (12.0, 1.0), (13.0, 9.0), (6.0, 5.0), (-1.0, 8.0)), 3.0, 0.5) == []
+
+
+def test_no_gable_of_a_narrower_wing_stands_within_the_roof_of_the_main_one() -> None:
+    ring = [(-9, -6.5), (9, -6.5), (9, 0.5), (-3, 0.5), (-3, 6.5), (-9, 6.5)]
+    corners = read_footprint([(float(x), float(y)) for x, y in ring], 18.0, 13.0)
+    size = Size(18.0, 13.0, 8.0)
+    points = np.concatenate([p.vertices for p in build_house(size, corners, "hui", "gabled")])
+    within = (np.abs(points[:, 0]) < 8.0) & (np.abs(points[:, 1] + 3.0) < 3.0)
+    assert points[:, 2].max() == pytest.approx(8.0)
+    assert points[within][:, 2].max(initial=0.0) < 7.6

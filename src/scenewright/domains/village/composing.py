@@ -17,7 +17,7 @@ from scenewright.domains.village.problem import VillageProblem
 from scenewright.domains.village.relations import fold
 from scenewright.domains.village.standing import Flags, Floats, Shapes
 
-FRONT, FAR_BACK, DEEPER = 10.0, 2.5, 0.06
+FRONT, FAR_BACK, DEEPER = 10.0, 5.0, 0.12
 """Metres from a way within which a dwelling stands; what it costs to stand farther, and each metre
 more."""
 STRAIGHT, ASLANT = 0.12, 6.0

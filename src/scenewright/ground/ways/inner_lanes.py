@@ -20,7 +20,7 @@ from scenewright.ground.ways.lanes import round_bends
 Floats = NDArray[np.float64]
 Shapes = NDArray[np.object_]
 
-REACH, WORTH = 26.0, 900.0
+REACH, WORTH = 21.0, 900.0
 """Metres from a way within which ground is served; square metres of deep ground worth a lane."""
 STEP, CELL, MOST_CELLS, MOST_PLACES = 9.0, 3.0, 600, 160
 """Metres between the places on streets tried and between the points of ground looked at, and how

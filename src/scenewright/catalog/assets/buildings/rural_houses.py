@@ -194,14 +194,14 @@ def walls_of(body: HouseBody) -> Footprint:
 
 
 def _gable_ends(wing: Wing, main: Wing, eave: float, top: float) -> list[tuple[Mesh, list[Mesh]]]:
-    """The stepped gables of a wing; none at an end that is in the gable of the ``main`` one."""
+    """The stepped gables of a wing; none at an end that is within the ``main`` one."""
     across, length = (wing.y, wing.x) if wing.along == "x" else (wing.x, wing.y)
     ends: tuple[Interval, ...] = (
         (length[0], length[0] + PARAPET),
         (length[1] - PARAPET, length[1]),
     )
     theirs = main.x if wing.along == "x" else main.y
-    if wing is not main and wing.along == main.along:
+    if wing is not main:
         ends = tuple(e for e in ends if e[1] < theirs[0] or e[0] > theirs[1])
     return [stepped_gable(across, end, eave, top - 0.14, wing.along) for end in ends]
 
