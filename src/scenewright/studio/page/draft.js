@@ -7,7 +7,7 @@ import { t } from "/words.js";
 import { $, fill, make, say } from "/wire.js";
 import { showWishes } from "/wishes.js";
 
-const NEAR = 9, SNAP_WORDS = [t("grid and lines"), t("lines"), t("angles"), t("off")];
+const NEAR = 9, SNAP_WORDS = [t("grid"), t("lines"), t("angles"), t("off")];
 const TOOLS = { v: "select", r: "room", z: "zone", t: "street", f: "path", d: "door", p: "passage", w: "window", c: "column", u: "stairs", b: "building" };
 const OUTLINES = t("Drag a rectangle, or click corner after corner and the first again; digits type a length (4.2 or 4.2x3.6), Enter");
 const LINES = t("Click along its middle; digits type a length; Enter, or a click on the last point, ends it");
@@ -301,6 +301,7 @@ document.addEventListener("keydown", (event) => {
   else if (key === "enter" && at.poly.length > (isLine() ? 1 : 2)) finish(at.poly);
   else if (key === "escape") { at.picked = ""; choose(begun ? at.tool : "select"); }
   else if (key === "s") nextSnap();
+  else if (key === "home") { frame(); show(); }
   else if (["delete", "backspace"].includes(key) && at.picked) $("erase").click();
   else if (TOOLS[key] && ["select", ...kind().tools].includes(TOOLS[key])) choose(TOOLS[key]);
   else return;

@@ -90,7 +90,7 @@ function drawWords(row, { draft, shift, px, picked, faults, walls }, told, svg) 
   const wall = walls ? draft.wall_thickness / 2 : row.line ? row.width / 2 : 0;
   for (const [a, b, k] of sides({ ...row, [row.line ? "line" : "outline"]: ring })) {
     const long = far(a, b), u = [(b[0] - a[0]) / long, (b[1] - a[1]) / long], off = 14 * px + wall, both = [a, b].map(String).sort().join(" ");
-    if (long < 60 * px || draft.zones.length && told.has(both) || row.outline && row.id !== picked && depthOf(ring, a, u) < 75 * px) continue;
+    if (long < 60 * px || draft.zones.length && told.has(both) || row.outline && row.id !== picked && depthOf(ring, a, u) < (Math.abs(u[1]) > Math.abs(u[0]) ? 50 + 8 * row.name.length : 75) * px) continue;
     told.add(both);
     const mx = (a[0] + b[0]) / 2 - u[1] * off, my = (a[1] + b[1]) / 2 + u[0] * off;
     let turn = -Math.atan2(u[1], u[0]) * 180 / Math.PI;

@@ -369,6 +369,7 @@ document.addEventListener("keydown", (event) => {
   else if (command && (key === "y" || key === "z")) change("redo");
   else if (!$("drawing").hidden) return;
   else if (!command && key === "m" && !$("plan").hasAttribute("hidden")) measure(!measuring);
+  else if (key === "home") { view = null; show(); }
   else if (key === "escape") { measure(false); placing = ""; $("plan").classList.remove("placing"); pick(""); show(); }
   else if (piece && command && key === "d") $("double").click();
   else if (command) return;
