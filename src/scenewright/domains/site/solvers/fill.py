@@ -29,7 +29,7 @@ from scenewright.domains.site.solvers.block import (
 )
 from scenewright.domains.site.solvers.closed_court import close_court
 from scenewright.domains.site.solvers.distances import list_reserved_edges
-from scenewright.domains.site.solvers.front import list_square_lines, set_back
+from scenewright.domains.site.solvers.front import inside, list_square_lines, on_square, set_back
 from scenewright.domains.site.solvers.improve import improve_layout
 from scenewright.domains.site.solvers.interlock import interlock
 from scenewright.domains.site.solvers.loosen import loosen_buildings
@@ -47,6 +47,8 @@ from scenewright.domains.site.solvers.schemes import (
 )
 from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Found, Progress
 
+ALIKE = 1e-6
+"""Square metres of floor that rounding may be off."""
 FALLBACK, MISSING, KNOWN = 4, 40.0, 12
 """Every how many layouts of a block one is in a usual form instead of the scheme's; what a block
 costs that holds nothing of its share; layouts after which orders and shares are drawn."""
@@ -138,7 +140,50 @@ def _fill_blocks(
         form = list_forms(problem, left, b)[0]
         found = lay_out_block(problem, ground, left, problem.facing, form, 1.0)
         left = _record_block(found, left, boxes, present, forms)
+    if left and loosest > 1.0:
+        done += _refill_blocks(problem, tried, scheme, rng, filling, (boxes, present, forms))
     return SiteLayout(boxes, present, {}, tuple(forms)), done
+
+
+def _refill_blocks(
+    problem: SiteProblem,
+    tried: int,
+    scheme: Scheme,
+    rng: np.random.Generator,
+    filling: Filling,
+    standing: tuple[Floats, Flags, list[str]],
+) -> int:
+    """Fill blocks anew with what they hold and what is left over, those with most free ground
+    first, until nothing is; the rest stays as the scheme has it. How many layouts were tried."""
+    boxes, present, forms = standing
+    floor, done = problem.buildings.sizes[:, :2].prod(1), 0
+    spans = range(len(problem.ground.block_areas))
+    lots = [inside(list_edges(problem, b), boxes[:, :2]) & present for b in spans]
+    if len(problem.ground.squares):
+        lots = [lot & ~on_square(problem, boxes) for lot in lots]
+    free = [problem.ground.block_areas[b] - floor[lots[b]].sum() for b in spans]
+    for b in sorted(spans, key=lambda b: -free[b]):
+        left = [i for i in _low_first(problem) if not present[i]]
+        if not left or filling.watch.cancelled():
+            break
+        if problem.court_gap > 0.0 and problem.block_forms[b] == "peripheral":
+            continue
+        others = present & ~lots[b]
+        share = [i for i in _low_first(problem) if not others[i]]
+        ground = list_ground(problem, b, boxes, others, share)
+        about = around(problem, list_edges(problem, b), boxes, others)
+        effort = Effort(tried, 1.0, scheme)
+        found = _best(problem, about, b, ground, share, effort, rng, _never)
+        done += tried
+        if floor[list(found.numbers)].sum() > floor[lots[b]].sum() + ALIKE:
+            present[lots[b]] = False
+            _record_block(found, left, boxes, present, forms)
+    return done
+
+
+def _never(share: float) -> bool:
+    """Whether to end after a ``share`` of the layouts of a block."""
+    return share > 1.0
 
 
 def _line_squares(
