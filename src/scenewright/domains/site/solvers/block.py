@@ -32,6 +32,8 @@ USUAL = FORMS[:4]
 """Forms tried where none is asked for."""
 COURTS = {"peripheral": 1.0, "half-closed": 1.0, "mixed": 0.65}
 """Forms with buildings along the rim, and what share of the buildings."""
+ALIKE = math.radians(15.0)
+"""Radians within which headings are about the same."""
 TURNED = math.pi / 6
 """How far each building of the form ``rotated`` is turned in its row, in radians."""
 
@@ -70,6 +72,17 @@ def headings(problem: SiteProblem, edges: Floats) -> list[float]:
         turns = [along + q * math.pi / 2 for q in range(4)]
         found.append(min(turns, key=lambda a: abs(wrap_angle(a - problem.facing))))
     return found
+
+
+def choose_heading(ways: list[float], axis: int) -> float:
+    """The heading of :func:`headings` along an ``axis`` of a block; square to the others where
+    all are about the same, as in blocks with right angles.
+
+    >>> choose_heading([0.0, 0.1, 0.1], 2) - choose_heading([0.0, 0.1, 0.1], 1) == math.pi / 2
+    True
+    """
+    square = axis == len(ways) - 1 and abs(wrap_angle(ways[axis] - ways[axis - 1])) < ALIKE
+    return ways[axis] + (math.pi / 2 if square else 0.0)
 
 
 class BlockBorder(NamedTuple):

@@ -22,6 +22,7 @@ from scenewright.domains.site.solvers.block import (
     USUAL,
     BlockBorder,
     BlockLayout,
+    choose_heading,
     headings,
     lay_out_block,
     list_forms,
@@ -126,7 +127,7 @@ def _fill_blocks(
         share = left if loosest == 1.0 else share_out(problem, left, order[count:])
         ground = list_ground(problem, b, boxes, present, share)
         about = around(problem, list_edges(problem, b), boxes, present)
-        effort = Effort(tried if loosest > 1.0 else 4 * tried, loosest, scheme)
+        effort = Effort(tried if loosest > 1.0 else 4 * tried, loosest, scheme, loosest > 1.0)
         over = partial(_over_in_block, filling, count, len(order), boxes, present, forms)
         found = _best(problem, about, b, ground, share, effort, rng, over)
         done += tried
@@ -172,7 +173,7 @@ def _refill_blocks(
         share = [i for i in _low_first(problem) if not others[i]]
         ground = list_ground(problem, b, boxes, others, share)
         about = around(problem, list_edges(problem, b), boxes, others)
-        effort = Effort(tried, 1.0, scheme)
+        effort = Effort(tried, 1.0, scheme, True)
         found = _best(problem, about, b, ground, share, effort, rng, _never)
         done += tried
         if floor[list(found.numbers)].sum() > floor[lots[b]].sum() + ALIKE:
@@ -316,12 +317,13 @@ def list_ground(
 
 
 class Effort(NamedTuple):
-    """How a block is looked at: layouts ``tried``, how many times the least gaps may be, and the
-    scheme of the site."""
+    """How a block is looked at: layouts ``tried``, how many times the least gaps may be, the scheme
+    of the site, and whether most layouts are ``composed`` as it says."""
 
     tried: int
     loosest: float
     scheme: Scheme
+    composed: bool
 
 
 def _best(
@@ -340,7 +342,8 @@ def _best(
     ways, allowed = headings(problem, lines), list_forms(problem, share, block)
     points, rule = spread_points(lines), problem.settings.fill
     scheme, free = effort.scheme, allowed == list(USUAL)
-    park = list_open_edges(lines, problem.ground.block_areas[block], ways[scheme.axis], scheme)
+    along = choose_heading(ways, scheme.axis) if free else ways[scheme.axis]
+    park = list_open_edges(lines, problem.ground.block_areas[block], along, scheme)
     aside = rule.aside if len(problem.ground.roads) else 0.0
     lines = np.roll(list_front_lines(lines), scheme.order, axis=0)
     best, least = BlockLayout((), np.zeros((0, 5)), "parallel"), math.inf
@@ -348,9 +351,9 @@ def _best(
     for k in range(effort.tried if share else 0):
         if k and over(k / effort.tried):
             break
-        composed = free and effort.loosest > 1.0 and k % FALLBACK < FALLBACK - 1
+        composed = free and effort.composed and k % FALLBACK < FALLBACK - 1
         form = scheme.form if composed else allowed[(k + scheme.order) % len(allowed)]
-        heading = ways[scheme.axis] if composed else ways[k // len(allowed) % len(ways)]
+        heading = along if composed else ways[k // len(allowed) % len(ways)]
         queue = order_queue(problem, share, QUEUES[(k + scheme.order) % len(QUEUES)])
         opened = effort.loosest > 1.0 and k % 3 < 2
         part = rule.parts[k % len(rule.parts)]

@@ -51,7 +51,7 @@ def choose_scheme(seed: int) -> Scheme:
     >>> [choose_scheme(seed).form for seed in range(3)]
     ['mixed', 'peripheral', 'mixed']
     """
-    form, axis = FORMS[seed % len(FORMS)], 1 + seed // 2 % AXES
+    form, axis = FORMS[seed % len(FORMS)], 1 + (seed + 1) // 2 % AXES
     open_to = seed * GOLDEN % (2.0 * math.pi) if seed % 3 else None
     return Scheme(form, axis, open_to, seed)
 
