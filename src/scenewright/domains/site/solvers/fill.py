@@ -174,17 +174,12 @@ def _refill_blocks(
         ground = list_ground(problem, b, boxes, others, share)
         about = around(problem, list_edges(problem, b), boxes, others)
         effort = Effort(tried, 1.0, scheme, True)
-        found = _best(problem, about, b, ground, share, effort, rng, _never)
+        found = _best(problem, about, b, ground, share, effort, rng)
         done += tried
         if floor[list(found.numbers)].sum() > floor[lots[b]].sum() + ALIKE:
             present[lots[b]] = False
             _record_block(found, left, boxes, present, forms)
     return done
-
-
-def _never(share: float) -> bool:
-    """Whether to end after a ``share`` of the layouts of a block."""
-    return share > 1.0
 
 
 def _line_squares(
@@ -334,7 +329,7 @@ def _best(
     share: list[int],
     effort: Effort,
     rng: np.random.Generator,
-    over: Callable[[float], bool],
+    over: Callable[[float], bool] | None = None,
 ) -> BlockLayout:
     """The best of several layouts of one block: most floor placed, then what it lacks in the aims
     and how far fronts are turned away. Aims are looked at only where they may decide."""
@@ -349,7 +344,7 @@ def _best(
     best, least = BlockLayout((), np.zeros((0, 5)), "parallel"), math.inf
     deep = _find_building_line(problem, share)
     for k in range(effort.tried if share else 0):
-        if k and over(k / effort.tried):
+        if k and over and over(k / effort.tried):
             break
         composed = free and effort.composed and k % FALLBACK < FALLBACK - 1
         form = scheme.form if composed else allowed[(k + scheme.order) % len(allowed)]
