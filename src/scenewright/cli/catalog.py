@@ -173,7 +173,8 @@ def _write(models: Sequence[Listed], output: Path, console: Console, quiet: bool
     from scenewright.catalog.models.as_asset import lighter
     from scenewright.catalog.models.listing import csv_text, rows
     from scenewright.catalog.models.model import ImportOptions
-    from scenewright.cli.view import Sitter, ViewRequest, draw_portraits, list_skipped
+    from scenewright.cli.view import draw_watched
+    from scenewright.workflow.portraits import Sitter, ViewRequest, list_skipped
 
     if output.suffix.lower() == ".csv":
         try:
@@ -193,7 +194,7 @@ def _write(models: Sequence[Listed], output: Path, console: Console, quiet: bool
             for one in order
         ]
         request = ViewRequest((), output, "picture", ImportOptions())
-        viewed = draw_portraits(sitters, request, terminal.console(stderr=True, quiet=quiet))
+        viewed = draw_watched(sitters, request, terminal.console(stderr=True, quiet=quiet))
         for line in [] if quiet else list_skipped(viewed):
             tables.print_line(console, line, "dim")
     if not quiet:

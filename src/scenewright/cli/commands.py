@@ -390,8 +390,9 @@ def view(
     """Draw models from their best views, plain and coloured by saliency, on one sheet."""
     from scenewright.catalog.models.model import ImportOptions
     from scenewright.cli import view as cli_view
+    from scenewright.workflow.portraits import ViewRequest
 
-    request = cli_view.ViewRequest(tuple(models), output, measure, ImportOptions(up, front))
+    request = ViewRequest(tuple(models), output, measure, ImportOptions(up, front))
     viewed = cli_view.view(request, terminal.console(stderr=True, quiet=quiet))
     cli_view.tell_viewed(request, viewed, as_json, quiet)
     return 1 if viewed.skipped else 0

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import select
 import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -21,6 +23,8 @@ if TYPE_CHECKING:
 
 LOG, SHEET = ".evolution", "-sheet.png"
 """What the log and the sheet are called after the first output."""
+LOOKED = 0.5
+"""Seconds between looks while the person thinks."""
 
 
 class EvolveRequest(NamedTuple):
@@ -102,9 +106,9 @@ def _read_request(
 
 def _run(request: EvolveRequest, as_json: bool, quiet: bool) -> int:
     from scenewright.cli import tables, terminal
-    from scenewright.cli.evolve_best import name_picture
     from scenewright.core.atomic_file import check_distinct, check_targets
     from scenewright.formats import check_outputs
+    from scenewright.workflow.evolution.best_picture import name_picture
     from scenewright.workflow.evolve import evolve as begin
     from scenewright.workflow.evolve import resume_evolution
 
@@ -160,8 +164,8 @@ def name_stages(sheet: Path) -> Path:
 def _converse(evolution: Evolution, request: EvolveRequest, console: Console) -> str:
     """Show sheets and hear lines until ``done`` or ``quit``; which of them. A line that cannot be
     meant gets a line that says so, and ends a run that was given its lines beforehand."""
-    from scenewright.cli.evolve_best import name_picture, watch_best
     from scenewright.cli.tables import print_line
+    from scenewright.workflow.evolution.best_picture import name_picture, watch_best
 
     screen = evolution.screen or _ask(evolution, console)
     show_screen(screen, evolution, request, console)
@@ -182,8 +186,6 @@ def _converse(evolution: Evolution, request: EvolveRequest, console: Console) ->
 def _lines(request: EvolveRequest, look: Callable[[], None]) -> Iterator[str]:
     """What is said: the lines given, else those typed or piped in; ``look`` is taken now and then
     while the person thinks."""
-    from scenewright.cli.evolve_best import wait_for_line
-
     if request.say is not None:
         yield from (part.strip() for part in request.say.split(";"))
         return
@@ -196,6 +198,15 @@ def _lines(request: EvolveRequest, look: Callable[[], None]) -> Iterator[str]:
         if not line:
             return
         yield line
+
+
+def wait_for_line(look: Callable[[], None]) -> None:
+    """Return when a line was typed at a terminal, looking every :data:`LOOKED` seconds; at once
+    where nobody types."""
+    if os.name != "posix" or not sys.stdin.isatty():
+        return
+    while not select.select([sys.stdin], [], [], LOOKED)[0]:
+        look()
 
 
 def _obey(line: str, evolution: Evolution, request: EvolveRequest, console: Console) -> str:
@@ -245,11 +256,14 @@ def _do(
             for line in words.HELP.splitlines():
                 print_line(console, line)
         case words.Command("best"):
-            from scenewright.cli import evolve_best
+            from scenewright.workflow.evolution.best_picture import (
+                draw_best,
+                name_picture,
+                tell_best,
+            )
 
-            picture = evolve_best.name_picture(request.sheet)
-            drawn = evolve_best.draw_best(evolution, picture, request.views)
-            best = evolve_best.tell_best(evolution)
+            picture = name_picture(request.sheet)
+            drawn, best = draw_best(evolution, picture, request.views), tell_best(evolution)
             print_line(console, best if drawn is None else f"{picture}: {best}", whole=True)
         case words.Command("names"):
             for line in words.list_names(evolution, shown[0]):
@@ -296,7 +310,7 @@ def show_screen(
     for note in evolution.notes:
         print_line(console, note, "dim")
     if request.say is None and sys.stdin.isatty():
-        from scenewright.cli.evolve_best import name_picture
+        from scenewright.workflow.evolution.best_picture import name_picture
 
         note = f"best bred so far for the next: {name_picture(request.sheet)}"
         print_line(console, note, "dim", whole=True)

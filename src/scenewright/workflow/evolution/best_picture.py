@@ -3,9 +3,6 @@ next one."""
 
 from __future__ import annotations
 
-import os
-import select
-import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -16,8 +13,6 @@ if TYPE_CHECKING:
 
 BEST = "-best.png"
 """What the picture is called after the first output."""
-LOOKED = 0.5
-"""Seconds between looks while the person thinks."""
 
 
 def name_picture(sheet: Path) -> Path:
@@ -77,12 +72,3 @@ def watch_best(evolution: Evolution, picture: Path, views: bool) -> Callable[[],
             drawn[0] = draw_best(evolution, picture, views)
 
     return look
-
-
-def wait_for_line(look: Callable[[], None]) -> None:
-    """Return when a line was typed at a terminal, looking every :data:`LOOKED` seconds; at once
-    where nobody types."""
-    if os.name != "posix" or not sys.stdin.isatty():
-        return
-    while not select.select([sys.stdin], [], [], LOOKED)[0]:
-        look()
