@@ -3,17 +3,17 @@ beside or below it; and which buildings can be drawn."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
-from scenewright.core.scene import Piece
+from scenewright.core.scene import GroundSurface, Piece
 from scenewright.core.solution import Solution
 from scenewright.drawing import sheet as sheets
 from scenewright.drawing.layers import PlanDrawing, PlanLayer, merge_layers
 from scenewright.drawing.legend import LegendRow, arrange, legend_mark
-from scenewright.drawing.marks import PaperView
+from scenewright.drawing.marks import Mark, PaperView, group, shape, to_paper
 
 MARGIN, LARGE = 6.0, 1000
 """Millimetres around the drawing; the scale from which papers above A3 are used."""
@@ -45,6 +45,22 @@ def draw_ground_sheet(
         [PlanLayer("Legend", legend_mark(arranged))],
     ]
     return PlanDrawing(name, sheet, (), merge_layers(layers), view)
+
+
+def paving_mark(
+    view: PaperView, rows: Sequence[GroundSurface], fills: Mapping[str, str], *kinds: str
+) -> Mark:
+    """What lies on the ground, of some ``kinds``, one over the other, each in its colour."""
+    return group(
+        [
+            shape([to_paper(view, ring) for ring in (outline, *holes)], fill=fills[kind])
+            for kind in kinds
+            for row in rows
+            if row.kind == kind
+            for outline, holes in row.areas
+        ],
+        fill_rule="evenodd",
+    )
 
 
 def is_drawable(piece: Piece) -> bool:

@@ -103,8 +103,7 @@ def shape_ground(
     finished = _join(grid, fixed.reshape(grid.values.shape))
     deck = np.where((wet & on_way).reshape(grid.values.shape), over.reshape(grid.values.shape), 0)
     deck = np.where(deck != 0, deck, finished)
-    inside = shapely.contains_xy(floor, points[:, 0], points[:, 1]) & ~wet
-    moved = (finished - grid.values).reshape(-1)[inside] * grid.step**2
+    moved = (finished - grid.values).reshape(-1)[~wet] * grid.step**2
     return ShapedGround(
         natural,
         grid._replace(values=finished),

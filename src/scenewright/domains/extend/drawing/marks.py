@@ -15,6 +15,7 @@ from scenewright.drawing.marks import LINE, Mark, PaperView, group, line, shape,
 from scenewright.ground.plan import Way
 
 STREET, NEW_STREET, BORDER = "#dcdcd8", "#ece4d4", "#b35c1e"
+KERBS = {"kerb": "#b5b2ac"}
 STOOD, KEPT, NEW = "#b9b4ae", "#d9b48a", "#eb9f55"
 FILLS = (("Stood before", STOOD), ("New", NEW), ("New, locked", KEPT))
 LABEL = 2.2

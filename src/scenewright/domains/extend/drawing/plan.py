@@ -13,15 +13,20 @@ from typing import Any
 
 import numpy as np
 
-from scenewright.core.piece_outlines import outline_of
+from scenewright.core.piece_outlines import outline_of, polygons_of
 from scenewright.core.plan import Plan
 from scenewright.core.report import Report
-from scenewright.core.scene import Piece
+from scenewright.core.scene import GroundSurface, Piece
 from scenewright.core.solution import Solution
 from scenewright.domains.extend.areas import OLD, ExtendPlan
 from scenewright.domains.extend.drawing import marks
-from scenewright.domains.extend.works import plots_of_extension
-from scenewright.drawing.ground_sheet import draw_ground_sheet, figure_rows, is_drawable
+from scenewright.domains.extend.works import lay_walks, plots_of_extension
+from scenewright.drawing.ground_sheet import (
+    draw_ground_sheet,
+    figure_rows,
+    is_drawable,
+    paving_mark,
+)
 from scenewright.drawing.houses import FAULT, LEAF, faults_mark, houses_mark, trees_mark, words_mark
 from scenewright.drawing.layers import PlanDrawing, PlanLayer
 from scenewright.drawing.legend import LegendRow
@@ -31,6 +36,7 @@ from scenewright.geometry.folding import fold, show
 from scenewright.ground.buildings.built import BuiltFrames
 from scenewright.ground.buildings.rows import find_rows, string_of
 from scenewright.ground.streetside.plots import Plot
+from scenewright.ground.ways.surfaces import surfaces
 from scenewright.text import quantity
 
 LISTED, ROWS = 20, 4
@@ -42,13 +48,14 @@ def draw(solution: Solution, made: Plan, judge: Callable[[], Report]) -> PlanDra
     plan: ExtendPlan = made.detail
     report, trees = judge(), [p for p in solution.pieces if p.category == "tree"]
     houses = [p for p in solution.pieces if is_drawable(p)]
-    plots = plots_of_extension(solution, made)
+    plots, works = plots_of_extension(solution, made), lay_walks(plan, solution.pieces)
+    laid = surfaces((plan.ground,), (works,), polygons_of(houses))
     return draw_ground_sheet(
         solution,
         _bounds(plan, houses),
         _summary(plan, houses, report),
         _legend(plan, houses, report, bool(trees)),
-        lambda view: _layers(view, plan, houses, report, plots, trees),
+        lambda view: _layers(view, plan, laid, houses, report, plots, trees),
     )
 
 
@@ -63,6 +70,7 @@ def _bounds(plan: ExtendPlan, houses: Sequence[Piece]) -> tuple[float, float, fl
 def _layers(
     view: PaperView,
     plan: ExtendPlan,
+    laid: Sequence[GroundSurface],
     houses: Sequence[Piece],
     report: Report,
     plots: Sequence[Plot],
@@ -74,6 +82,7 @@ def _layers(
     return [
         *(PlanLayer("Ground", marks.ground_mark(view, area)) for area in plan.areas),
         PlanLayer("Streets", marks.streets_mark(view, plan.ground.roads)),
+        PlanLayer("Kerbs", paving_mark(view, laid, marks.KERBS, "kerb")),
         PlanLayer("Plots", plots_mark(view, plots)),
         PlanLayer("Old buildings", houses_mark(view, old, marks.fill_of)),
         PlanLayer("New buildings", houses_mark(view, new, marks.fill_of)),

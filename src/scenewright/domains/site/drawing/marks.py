@@ -9,7 +9,6 @@ import numpy as np
 import shapely
 
 from scenewright.core.report import Finding
-from scenewright.core.scene import GroundSurface
 from scenewright.core.space import Points
 from scenewright.domains.site.shapes import StandingBuilding
 from scenewright.drawing.houses import FAULT, GROUND
@@ -107,20 +106,6 @@ def setback_mark(view: PaperView, plan: SitePlan, setback: float) -> Mark:
         else []
     )
     return group(rings, fill="none", stroke=GREY, stroke_width=LINE, stroke_dasharray="1.6 1")
-
-
-def surfaces_mark(view: PaperView, surfaces: Sequence[GroundSurface], *kinds: str) -> Mark:
-    """What lies on the ground, of some kinds, one over the other."""
-    return group(
-        [
-            shape([to_paper(view, ring) for ring in (outline, *holes)], fill=FILLS[kind])
-            for kind in kinds
-            for row in surfaces
-            if row.kind == kind
-            for outline, holes in row.areas
-        ],
-        fill_rule="evenodd",
-    )
 
 
 def beside_mark(view: PaperView, ways: Sequence[Way]) -> Mark:

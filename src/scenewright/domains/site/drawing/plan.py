@@ -26,6 +26,7 @@ from scenewright.domains.site.drawing.views import Views, views_of
 from scenewright.domains.site.shapes import StandingBuilding, standing
 from scenewright.domains.site.works import works_of
 from scenewright.drawing import sheet as sheets
+from scenewright.drawing.ground_sheet import paving_mark
 from scenewright.drawing.houses import FAULT, LEAF, trees_mark
 from scenewright.drawing.layers import PlanDrawing, PlanLayer, merge_layers
 from scenewright.drawing.legend import LegendRow, arrange, legend_mark
@@ -168,13 +169,13 @@ def _site_layers(
     return [
         PlanLayer("Ground", marks.ground_mark(view, plan)),
         PlanLayer("Squares, parking and courts", marks.areas_mark(view, drawing.works)),
-        PlanLayer("Lanes and walks", marks.surfaces_mark(view, laid, "walk", "lane")),
+        PlanLayer("Lanes and walks", paving_mark(view, laid, marks.FILLS, "walk", "lane")),
         PlanLayer(
             "Roads and paths",
             group(
                 [
                     marks.beside_mark(view, plan.roads),
-                    marks.surfaces_mark(view, laid, *marks.STREETS),
+                    paving_mark(view, laid, marks.FILLS, *marks.STREETS),
                 ]
             ),
         ),

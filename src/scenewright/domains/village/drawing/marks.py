@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 import shapely
 
 from scenewright.core.piece_outlines import outline_of
-from scenewright.core.scene import GroundSurface, Piece
+from scenewright.core.scene import Piece
 from scenewright.domains.village.blocks import BlockPlan
 from scenewright.domains.village.house import class_of_area
 from scenewright.drawing.houses import GROUND
@@ -57,16 +57,6 @@ LABEL, SMALLEST = 2.0, 1.1
 def ground_mark(view: PaperView, block: BlockPlan) -> Mark:
     """The ground of a block."""
     return shape([to_paper(view, block.outline)], fill=GROUND, stroke=GREY, stroke_width=FINE)
-
-
-def paving_mark(view: PaperView, rows: Iterable[GroundSurface]) -> Mark:
-    """Surfaces of the ground, each kind in its colour."""
-    found = []
-    for row in rows:
-        for outline, holes in row.areas:
-            rings = [to_paper(view, ring) for ring in (outline, *holes)]
-            found.append(shape(rings, fill=PAVING[row.kind], fill_rule="evenodd"))
-    return group(found)
 
 
 def streets_mark(view: PaperView, block: BlockPlan) -> Mark:

@@ -22,7 +22,12 @@ from scenewright.domains.village.drawing import marks as marks
 from scenewright.domains.village.gardens import lay_ground
 from scenewright.domains.village.lanes import opened
 from scenewright.domains.village.plots import lay_block_plots
-from scenewright.drawing.ground_sheet import draw_ground_sheet, figure_rows, is_drawable
+from scenewright.drawing.ground_sheet import (
+    draw_ground_sheet,
+    figure_rows,
+    is_drawable,
+    paving_mark,
+)
 from scenewright.drawing.houses import FAULT, faults_mark, houses_mark, trees_mark, words_mark
 from scenewright.drawing.layers import PlanDrawing, PlanLayer
 from scenewright.drawing.legend import LegendRow
@@ -77,9 +82,7 @@ def _layers(
 ) -> list[PlanLayer]:
     """The village on paper, from the ground up."""
     surfaces = lay_ground(village, solution.pieces, solution.patches)
-    lanes = [row for row in surfaces if row.kind in ("asphalt", "path")]
-    paved = [row for row in surfaces if row.kind in ("yard", "walk", "square")]
-    grown = [row for row in surfaces if row.kind in marks.ENCLOSING]
+    fills = marks.PAVING
     trees = [p for p in solution.pieces if p.category == "tree"]
     plots = [
         plot
@@ -93,9 +96,9 @@ def _layers(
 
     found = [*(PlanLayer("Ground", marks.ground_mark(view, block)) for block in blocks)]
     found += [
-        PlanLayer("Yards and walks", marks.paving_mark(view, paved)),
-        PlanLayer("Lanes", marks.paving_mark(view, lanes)),
-        PlanLayer("Walls, hedges and beds", marks.paving_mark(view, grown)),
+        PlanLayer("Yards and walks", paving_mark(view, surfaces, fills, "yard", "square", "walk")),
+        PlanLayer("Lanes", paving_mark(view, surfaces, fills, "path", "asphalt")),
+        PlanLayer("Walls, hedges and beds", paving_mark(view, surfaces, fills, *marks.ENCLOSING)),
         PlanLayer("Plots", plots_mark(view, plots)),
         *(PlanLayer("Street sides", marks.streets_mark(view, block)) for block in blocks),
         PlanLayer("Names of lanes", marks.names_mark(view, village.lanes)),
