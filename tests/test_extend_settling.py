@@ -10,6 +10,8 @@ import shapely
 import scenewright as sw
 from scenewright.core.brief import Brief
 from scenewright.core.piece_outlines import polygons_of
+from scenewright.domains.extend.streets import continue_streets
+from scenewright.ground.buildings.built import BuiltRoad
 
 WIDTHS = (5.0, 6.2, 7.4, 5.6, 8.0, 6.8, 9.2, 7.0)
 
@@ -58,3 +60,19 @@ def test_no_slit_is_left_between_the_walls_of_a_terrace() -> None:
     gaps = away[len(old) :].min(1)
     assert ((gaps > 0.05) & (gaps < 1.5)).mean() <= 0.1
     assert sw.check(solution).valid
+
+
+def test_streets_bend_and_branch_as_those_of_the_source() -> None:
+    bent = [[-80.0, 0.0], [-60.0, 0.0], [-40.0, 4.0], [-20.0, 11.0], [-2.0, 21.0]]
+    side = [[-40.0, 4.0], [-47.0, 50.0]]
+    roads = [BuiltRoad(np.array(line), 6.0) for line in (bent, side)]
+    found = continue_streets(roads, shapely.box(0.0, -40.0, 70.0, 110.0), [], [])
+    main, *others = found
+    steps = np.diff(main.line, axis=0)
+    bearing = np.unwrap(np.arctan2(steps[:, 1], steps[:, 0]))
+    assert (np.diff(bearing) >= 0.0).all()
+    assert bearing[-1] - bearing[0] > np.radians(15.0)
+    assert others
+    for road in others:
+        start = shapely.Point(road.line[0])
+        assert shapely.LineString(main.line).distance(start) < 1.0

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import cycle
+from typing import NamedTuple
 
 import numpy as np
 import shapely
@@ -21,6 +23,23 @@ CLEAR = 1.0
 """Metres kept from buildings."""
 JOINED = 8.0
 """Metres from a drawn street within which a street counts as continued by it."""
+BEND, COARSE = float(np.deg2rad(35.0)), 0.5
+"""How far a street turns at most at one point of a bend, beyond which it is a corner, and metres
+by which its line is simplified."""
+ALONG, FAR, FIRST = 0.7, 3000.0, 0.5
+"""The share of its length that the ends of a new street are apart at least, metres that it is
+drawn before it is cut, and the share of the first straight part that it still runs."""
+MEETS, APART, SPACED = 1.0, 18.0, (30.0, 90.0)
+"""Metres within which one street begins at another, that new side streets keep from all others, and
+between two side streets at least and at most."""
+
+
+class Junction(NamedTuple):
+    """A side street of a source: the angle at which it leaves (0 to π, to the left of the street
+    it begins at), and the street itself."""
+
+    angle: float
+    road: BuiltRoad
 
 
 def continue_streets(
@@ -29,8 +48,9 @@ def continue_streets(
     buildings: Sequence[shapely.Polygon],
     drawn: Sequence[BuiltRoad],
 ) -> tuple[BuiltRoad, ...]:
-    """Streets that run on straight from the ends of ``roads`` that lie at an area's border, to
-    its other side; none through buildings, none beside another.
+    """Streets that run on from the ends of ``roads`` that lie at an area's border, to its other
+    side, with the bends they came with or else those of the others, and side streets at them as
+    often and at the angles as in the source; none through buildings, none beside another.
 
     >>> street = BuiltRoad(np.array([[-50.0, 5.0], [-2.0, 5.0]]), 6.0)
     >>> (found,) = continue_streets([street], shapely.box(0, 0, 40, 30), [], [])
@@ -39,31 +59,39 @@ def continue_streets(
     """
     found: list[BuiltRoad] = []
     taken = shapely.union_all([b.buffer(CLEAR) for b in buildings])
-    others = [shapely.LineString(road.line) for road in (*roads, *drawn)]
+    there = [shapely.LineString(road.line) for road in drawn]
+    every = [bend for road in roads if road.kind == "road" for bend in read_bends(road.line)]
+    pool = [bend for bend in every if bend[1]]
     for road in (one for one in roads if shapely.LineString(one.line).length >= LEAST):
-        for end, inner in ((road.line[-1], road.line[-2]), (road.line[0], road.line[1])):
-            line = _run_on(end, inner, outline)
-            if line is None or (line.distance(taken) < road.width / 2 and line.crosses(taken)):
+        for way in (road.line, road.line[::-1]):
+            if any(one.distance(shapely.Point(way[-1])) < JOINED for one in there):
                 continue
-            if any(one.distance(shapely.Point(end)) < JOINED for one in others[len(roads) :]):
-                continue
+            own, others = read_bends(way), pool[len(found) :] + pool[: len(found)]
+            bends = own if any(turn for _, turn in own) else others
             beside = [shapely.LineString(one.line) for one in found]
-            if line.length < LEAST or any(one.hausdorff_distance(line) < 10 for one in beside):
-                continue
-            found.append(BuiltRoad(shapely.get_coordinates(line), road.width, road.kind, road.name))
-    return tuple(found)
+            for line in (_run_on(way, outline, some) for some in (bends, [])):
+                if line is None or line.length < LEAST or _is_blocked(line, road, taken):
+                    continue
+                if not any(one.hausdorff_distance(line) < 10 for one in beside):
+                    found.append(road._replace(line=shapely.get_coordinates(line)))
+                break
+    return (*found, *_branch_off(roads, found, drawn, outline, taken))
 
 
-def _run_on(end: Points, inner: Points, outline: shapely.Polygon) -> shapely.LineString | None:
-    """The straight line from an end to where it leaves the area; ``None`` if it does not enter."""
-    if outline.distance(shapely.Point(end)) > NEAR:
+def _is_blocked(line: shapely.LineString, road: BuiltRoad, taken: shapely.Geometry) -> bool:
+    return bool(line.distance(taken) < road.width / 2 and line.crosses(taken))
+
+
+def _run_on(
+    way: Points, outline: shapely.Polygon, bends: Sequence[tuple[float, float]]
+) -> shapely.LineString | None:
+    """The line from the end of a street to where it leaves the area, with some bends or straight;
+    ``None`` if it does not enter, or turns back."""
+    end, inner = way[-1], way[-2]
+    if outline.distance(shapely.Point(end)) > NEAR or np.hypot(*(end - inner)) < 1e-6:
         return None
-    step = end - inner
-    length = float(np.hypot(*step))
-    if length < 1e-6:
-        return None
-    far = end + step / length * 3000.0
-    inside = shapely.intersection(shapely.LineString([end, far]), outline)
+    line = _draw_on(end, float(np.arctan2(*(end - inner)[::-1])), bends)
+    inside = shapely.intersection(line, outline)
     parts = [p for p in shapely.get_parts(inside) if p.geom_type == "LineString" and p.length > 0.0]
     if not parts:
         return None
@@ -71,8 +99,124 @@ def _run_on(end: Points, inner: Points, outline: shapely.Polygon) -> shapely.Lin
     if first.distance(shapely.Point(end)) > NEAR:
         return None
     points = shapely.get_coordinates(first)
-    away = np.hypot(*(points - end).T)
-    return shapely.LineString([end, points[int(np.argmax(away))]])
+    if first.distance(shapely.Point(end)) > 1e-6:
+        points = np.concatenate([end[None], points])
+    apart = float(np.hypot(*(points[-1] - points[0])))
+    found = shapely.simplify(shapely.LineString(points), 1e-6)
+    return None if apart < ALONG * found.length else found
+
+
+def read_bends(way: Points) -> list[tuple[float, float]]:
+    """The bends of a street towards its end, from there backwards: metres before each, and radians
+    by which the street turns, to the left positive. Corners count as none.
+
+    >>> bends = read_bends(np.array([[0.0, 0.0], [20.0, 0.0], [40.0, 4.0], [50.0, 6.0]]))
+    >>> [(round(long), round(turn, 2)) for long, turn in bends]
+    [(31, 0.2)]
+    """
+    points = shapely.get_coordinates(shapely.simplify(shapely.LineString(way), COARSE))
+    steps = np.diff(points, axis=0)
+    bearing = np.arctan2(steps[:, 1], steps[:, 0])
+    turns = (np.diff(bearing) + np.pi) % (2 * np.pi) - np.pi
+    turns = np.where(np.abs(turns) > BEND, 0.0, turns)
+    lengths = np.maximum(np.hypot(*steps[1:].T), 1.0)
+    return list(zip(lengths[::-1].tolist(), turns[::-1].tolist(), strict=True))
+
+
+def _draw_on(
+    start: Points, bearing: float, bends: Sequence[tuple[float, float]]
+) -> shapely.LineString:
+    """A line of :data:`FAR` metres from a point; bends turn it by a sixth of a turn at most."""
+    points, left, at, first = [start], FAR, start, bearing
+    for number, (long, turn) in enumerate(cycle(bends) if bends else ((FAR, 0.0),)):
+        length = long if number else long * FIRST
+        at = at + length * np.array([np.cos(bearing), np.sin(bearing)])
+        points.append(at)
+        left -= length
+        bearing += turn if abs(bearing + turn - first) < np.pi / 3 else 0.0
+        if left <= 0 or len(points) > 200:
+            break
+    return shapely.LineString(points)
+
+
+def read_junctions(roads: Sequence[BuiltRoad]) -> tuple[list[Junction], float]:
+    """The side streets of some streets, and the usual metres between them along a street."""
+    lines = [shapely.LineString(road.line) for road in roads]
+    found = list[Junction]()
+    for road in roads:
+        for way in (road.line, road.line[::-1]):
+            for other, line in zip(roads, lines, strict=True):
+                if other is not road and line.distance(shapely.Point(way[0])) < MEETS:
+                    angle = _angle_at(line, way)
+                    if min(angle, np.pi - angle) > BEND:
+                        found.append(Junction(angle, road))
+    length = sum(line.length for line in lines)
+    return found, float(np.clip(length / max(len(found), 1), *SPACED))
+
+
+def _angle_at(line: shapely.LineString, way: Points) -> float:
+    """The angle (0 to π) at which a way leaves the line it begins at."""
+    at = line.project(shapely.Point(way[0]))
+    ends = [line.interpolate(max(at - 1.0, 0.0)), line.interpolate(at + 1.0)]
+    along, out = np.diff(shapely.get_coordinates(ends), axis=0)[0], way[1] - way[0]
+    turn = np.arctan2(out[1], out[0]) - np.arctan2(along[1], along[0])
+    return float(abs((turn + np.pi) % (2 * np.pi) - np.pi))
+
+
+def _branch_off(
+    roads: Sequence[BuiltRoad],
+    hosts: Sequence[BuiltRoad],
+    drawn: Sequence[BuiltRoad],
+    outline: shapely.Polygon,
+    taken: shapely.Geometry,
+) -> tuple[BuiltRoad, ...]:
+    """Side streets of new streets, the source's own in turn, on either side in turn, each to the
+    next street or the border."""
+    junctions, spacing = read_junctions([road for road in roads if road.kind == "road"])
+    found, number = list[BuiltRoad](), 0
+    for host in (one for one in hosts if one.kind == "road" and junctions):
+        line = shapely.LineString(host.line)
+        for at in np.arange(spacing / 2, line.length - APART, spacing).tolist():
+            angle, side = junctions[number % len(junctions)]
+            spots = shapely.get_coordinates([line.interpolate(at), line.interpolate(at + 1.0)])
+            bearing = float(np.arctan2(*(spots[1] - spots[0])[::-1]))
+            bearing += angle if number % 2 else -angle
+            others = [shapely.LineString(r.line) for r in (*roads, *hosts, *drawn, *found)]
+            road = _side_street(spots[0], bearing, side, outline, others)
+            number += 1
+            if road is not None and not _is_blocked(shapely.LineString(road.line), road, taken):
+                found.append(road)
+    return tuple(found)
+
+
+def _side_street(
+    start: Points,
+    bearing: float,
+    like: BuiltRoad,
+    outline: shapely.Polygon,
+    others: Sequence[shapely.LineString],
+) -> BuiltRoad | None:
+    """A street like another from a point to the next street or the border; ``None`` if that is
+    near, or if it runs beside another."""
+    line = shapely.intersection(_draw_on(start, bearing, read_bends(like.line[::-1])), outline)
+    streets = shapely.union_all(others)
+    away = shapely.Point(start).buffer(MEETS)
+    met = shapely.difference(shapely.intersection(line, streets), away)
+    rest = shapely.difference(line, shapely.buffer(met, 0.01)) if not met.is_empty else line
+    parts = [p for p in shapely.get_parts(rest) if p.geom_type == "LineString"]
+    first = min(parts, key=lambda part: part.distance(shapely.Point(start)), default=None)
+    if first is None or first.length < 2 * LEAST or first.distance(shapely.Point(start)) > MEETS:
+        return None
+    beyond = shapely.difference(first, shapely.Point(start).buffer(1.5 * APART))
+    end = shapely.Point(first.coords[-1]).buffer(1.5 * APART)
+    middle = beyond if met.is_empty else shapely.difference(beyond, end)
+    if not middle.is_empty and middle.distance(streets) < APART:
+        return None
+    points = shapely.get_coordinates(first)
+    points = (
+        points if np.hypot(*(points[0] - start)) < np.hypot(*(points[-1] - start)) else points[::-1]
+    )
+    return BuiltRoad(points, like.width, like.kind, "")
 
 
 def list_grounds(_solution: Solution, plan: Plan) -> tuple[SitePlan, ...]:
