@@ -149,6 +149,26 @@ def test_who_sends_letter_by_letter_is_left(
     assert served.ask("GET", "/samples")[0] == 200
 
 
+def test_few_files_are_taken_at_a_time(served: Served) -> None:
+    head = (
+        f"POST /bring?name=a.json HTTP/1.1\r\nHost: 127.0.0.1:{served.port}\r\n"
+        f"Origin: http://127.0.0.1:{served.port}\r\nCookie: {served.cookie}\r\n"
+        "Content-Length: 2\r\n\r\n"
+    )
+    links = [socket.create_connection(("127.0.0.1", served.port)) for _ in range(limits.MOST_FILES)]
+    for link in links:
+        link.sendall(head.encode() + b"{")
+    assert served.ask("GET", "/samples")[0] == 200
+    with socket.create_connection(("127.0.0.1", served.port), timeout=0.3) as waiting:
+        waiting.sendall(head.encode() + b"{}")
+        with pytest.raises(TimeoutError):
+            waiting.recv(100)
+        for link in links:
+            link.close()
+        waiting.settimeout(60)
+        assert b" 200 " in waiting.recv(100)
+
+
 def test_a_gigabyte_that_is_streamed_is_cut_off(served: Served) -> None:
     head = (
         f"POST /bring?name=a.json HTTP/1.1\r\nHost: 127.0.0.1:{served.port}\r\n"

@@ -12,6 +12,8 @@ MEBIBYTE = 1 << 20
 LONGEST = {"/bring": 64 * MEBIBYTE}
 LONGEST_VERB = MEBIBYTE
 """Bytes that a request may bring, by address and elsewhere."""
+MOST_FILES = 4
+"""Files brought at a time; more wait."""
 BODY_SECONDS = 60.0
 """Seconds that a request's body may take to arrive."""
 SILENT_SECONDS = 10.0

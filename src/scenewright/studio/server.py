@@ -19,6 +19,7 @@ from scenewright.core.errors import CancelledError, InputError
 from scenewright.formats import samples
 from scenewright.formats.table import formats
 from scenewright.studio.breeding import Breeding
+from scenewright.studio.limits import MOST_FILES
 from scenewright.studio.people import EDIT, OWN, OWNER, Person, may
 from scenewright.studio.raters import RaterDesk
 from scenewright.studio.replies import reply
@@ -154,6 +155,7 @@ LASTING: Mapping[str, tuple[str, Callable[[Session, str], bytes]]] = {
 
 def studio_app(session: Session, listeners: Listeners, folder: Path) -> Starlette:
     """The application; what the page brings is kept in ``folder``, a folder of its own."""
+    bringing = asyncio.Semaphore(MOST_FILES)
 
     async def events(_request: Request) -> Response:
         return StreamingResponse(listeners.stream(), media_type="text/event-stream")
@@ -165,7 +167,8 @@ def studio_app(session: Session, listeners: Listeners, folder: Path) -> Starlett
         if not may(_person(request).right, EDIT):
             return JSONResponse({"fault": "your link does not let you bring files"}, 403)
         name = request.query_params.get("name", "")
-        return await _answer(request, _bring, session, await request.body(), folder, name)
+        async with bringing:
+            return await _answer(request, _bring, session, await request.body(), folder, name)
 
     return Starlette(
         routes=[
