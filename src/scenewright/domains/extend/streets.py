@@ -141,15 +141,15 @@ def _draw_on(
 
 def read_junctions(roads: Sequence[BuiltRoad]) -> tuple[list[Junction], float]:
     """The side streets of some streets, and the usual metres between them along a street."""
-    lines = [shapely.LineString(road.line) for road in roads]
+    lines = np.array([shapely.LineString(road.line) for road in roads], object)
+    ways = [way for road in roads for way in (road.line, road.line[::-1])]
+    ends = shapely.points(np.array([way[0] for way in ways]).reshape(-1, 2))
+    meeting = shapely.STRtree(lines).query(ends, predicate="dwithin", distance=MEETS)
     found = list[Junction]()
-    for road in roads:
-        for way in (road.line, road.line[::-1]):
-            for other, line in zip(roads, lines, strict=True):
-                if other is not road and line.distance(shapely.Point(way[0])) < MEETS:
-                    angle = _angle_at(line, way)
-                    if min(angle, np.pi - angle) > BEND:
-                        found.append(Junction(angle, road))
+    for end, other in sorted(meeting.T.tolist()):
+        angle = _angle_at(lines[other], ways[end])
+        if other != end // 2 and min(angle, np.pi - angle) > BEND:
+            found.append(Junction(angle, roads[end // 2]))
     length = sum(line.length for line in lines)
     return found, float(np.clip(length / max(len(found), 1), *SPACED))
 
@@ -173,6 +173,8 @@ def _branch_off(
     """Side streets of new streets, the source's own in turn, on either side in turn, each to the
     next street or the border."""
     junctions, spacing = read_junctions([road for road in roads if road.kind == "road"])
+    lines = [shapely.LineString(road.line) for road in (*roads, *hosts, *drawn)]
+    streets = shapely.union_all([one for one in lines if one.distance(outline) < APART])
     found, number = list[BuiltRoad](), 0
     for host in (one for one in hosts if one.kind == "road" and junctions):
         line = shapely.LineString(host.line)
@@ -181,11 +183,11 @@ def _branch_off(
             spots = shapely.get_coordinates([line.interpolate(at), line.interpolate(at + 1.0)])
             bearing = float(np.arctan2(*(spots[1] - spots[0])[::-1]))
             bearing += angle if number % 2 else -angle
-            others = [shapely.LineString(r.line) for r in (*roads, *hosts, *drawn, *found)]
-            road = _side_street(spots[0], bearing, side, outline, others)
+            road = _side_street(spots[0], bearing, side, outline, streets)
             number += 1
             if road is not None and not _is_blocked(shapely.LineString(road.line), road, taken):
                 found.append(road)
+                streets = shapely.union(streets, shapely.LineString(road.line))
     return tuple(found)
 
 
@@ -194,12 +196,11 @@ def _side_street(
     bearing: float,
     like: BuiltRoad,
     outline: shapely.Polygon,
-    others: Sequence[shapely.LineString],
+    streets: shapely.Geometry,
 ) -> BuiltRoad | None:
     """A street like another from a point to the next street or the border; ``None`` if that is
     near, or if it runs beside another."""
     line = shapely.intersection(_draw_on(start, bearing, read_bends(like.line[::-1])), outline)
-    streets = shapely.union_all(others)
     away = shapely.Point(start).buffer(MEETS)
     met = shapely.difference(shapely.intersection(line, streets), away)
     rest = shapely.difference(line, shapely.buffer(met, 0.01)) if not met.is_empty else line
@@ -213,9 +214,8 @@ def _side_street(
     if not middle.is_empty and middle.distance(streets) < APART:
         return None
     points = shapely.get_coordinates(first)
-    points = (
-        points if np.hypot(*(points[0] - start)) < np.hypot(*(points[-1] - start)) else points[::-1]
-    )
+    from_start = np.hypot(*(points[[0, -1]] - start).T)
+    points = points if from_start[0] < from_start[1] else points[::-1]
     return BuiltRoad(points, like.width, like.kind, "")
 
 
