@@ -2,7 +2,8 @@
 
 Ten villages: those held out by a split that have most blocks, the first blocks by a fixed order.
 Extensions: squares of 160 m cut out of city models and maps where most is built, the western half
-the source, the eastern one the area. Nothing was tuned to single places.
+the source, the eastern one the area. Nothing was tuned to single places. The subset of Zürich gives
+none: its 49 buildings lie one by one over 9 by 10 km.
 """
 
 from __future__ import annotations
