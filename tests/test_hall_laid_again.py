@@ -13,12 +13,12 @@ import pytest
 from scenewright.core.brief import Brief
 from scenewright.core.scene import Piece, Pose, Size
 from scenewright.core.space import Space
-from scenewright.domains.hall import solving
 from scenewright.domains.hall.desks.unserved import ROOM, WITHIN, count_unserved
 from scenewright.domains.hall.furnishing.assemble import Laid
 from scenewright.domains.hall.hall_layout import PlacedGroup
 from scenewright.domains.hall.presets import PRESETS
 from scenewright.domains.hall.shortfall.measures import measure_shortfall_and_staff
+from scenewright.domains.hall.solving import laying
 from scenewright.engine.solve import Budget
 
 HALL = Space("hall", "Hall", (), "ground", np.array([[0.0, 0], [8, 0], [8, 6], [0, 6]]))
@@ -69,7 +69,7 @@ FULL = put("b", "counter", 5.0, 3.0)
         ([lay(FREE, FULL)._replace(given_up=True), lay(FREE)], 2, 0),
         ([lay(FREE)._replace(given_up=True)] * 5, 2, 0),
         ([lay(FREE, CRAMPED), lay(FREE), lay(FREE, FULL)], 3, 2),
-        ([lay(FREE, CRAMPED)] * 5, 1 + solving.AFRESH, 0),
+        ([lay(FREE, CRAMPED)] * 5, 1 + laying.AFRESH, 0),
     ],
     ids=["fine", "given up", "no better", "once only", "served", "never"],
 )
@@ -77,21 +77,21 @@ def test_the_layout_with_most_in_it_is_kept(answers: list[Laid], tried: int, kep
     """Each from another seed, until nothing is wrong or it was tried often enough."""
     seen = list[int]()
 
-    def answer(task: solving.HallTask) -> Laid:
+    def answer(task: laying.HallTask) -> Laid:
         seen.append(task.seed)
         return answers[len(seen) - 1]
 
     preset = PRESETS["default"]
     hall: Any = SimpleNamespace(space=HALL)
-    task = solving.HallTask(hall, 0, preset, preset.solver, Budget(), 7, 0)
+    task = laying.HallTask(hall, 0, preset, preset.solver, Budget(), 7, 0)
     room = {"name": "Hall", "outline": [[0, 0], [8, 0], [8, 6], [0, 6]]}
     brief = Brief.model_validate({"domain": "hall", "rooms": [room]})
-    found = solving._lay_best(brief, task, answer, lambda: False)
+    found = laying.lay_best(brief, task, answer, lambda: False)
     assert found is answers[kept]
     assert len(seen) == len(set(seen)) == tried
     seen.clear()
-    assert solving._lay_best(brief, task, answer, lambda: True) is answers[0]
+    assert laying.lay_best(brief, task, answer, lambda: True) is answers[0]
     assert len(seen) == 1
     seen.clear()
     timed = task._replace(budget=Budget(seconds=1.0))
-    assert solving._lay_best(brief, timed, answer, lambda: False) is answers[0]
+    assert laying.lay_best(brief, timed, answer, lambda: False) is answers[0]

@@ -120,7 +120,7 @@ def test_compare_from_the_command_line(tmp_path: Path, capsys: pytest.CaptureFix
     sw.write(solution, tmp_path / "a.json")
     assert cli.run(["compare", str(tmp_path / "a.json"), "--json"]) == 0
     found = json.loads(capsys.readouterr().out)
-    assert found["copied"] > 0.99
+    assert found["copied"] > 0.95, "all but the variants of what stands once"
     assert found["whole"] < 0.3
     assert found["buildings"][0] == 66
     assert cli.run(["compare", str(tmp_path / "a.json"), str(tmp_path / "b.json")]) == 2

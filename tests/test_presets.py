@@ -59,7 +59,6 @@ CHANGED: list[tuple[str, str, str, Any, str, int]] = [
     ("site", "matrix", "eyes", 2, "vp", 300),
     ("site", "chain", "hot", 0.1, "sa", 4000),
     ("site", "chain", "cold", 1.0, "sa", 4000),
-    ("site", "exchange", "shade", 1.0, "fill", 8),
 ]
 """Domain, group of settings, name, another value, the solver and the steps that show it."""
 
@@ -107,7 +106,8 @@ def test_another_value_finds_another_layout(
 @pytest.mark.parametrize(
     ("group", "name", "value", "solver", "steps"),
     [
-        ("fill", "void", 0.0, "fill", 40),
+        ("fill", "void", 50.0, "fill", 40),
+        ("exchange", "shade", 0.0, "fill", 8),
         ("aims", "lit", 1, "fill", 8),
         ("fill", "steps", 0, "fill", 8),
         ("exchange", "rays", 1, "fill", 8),

@@ -111,7 +111,7 @@ def test_printed_mutations_often_change_nothing_and_repaired_ones_do():
 def test_what_walkers_see_explains_the_value_of_complete_layouts():
     rng, judge = np.random.default_rng(2), make_judge(PROBLEM, CELLS)
     parts = []
-    for _ in range(60):
+    for _ in range(80):
         genes = random_genes(CELLS, rng, PROBLEM.buildings.quality, 0.5)
         refill(CELLS, genes, AMOUNT, rng)
         if count_kinds(CELLS, genes).sum() == 30:

@@ -95,14 +95,15 @@ def test_kerbs_edge_carriageways_and_are_let_down_where_people_cross_and_cars_dr
     at = shapely.points(stones[:, :2])
     zebras = list_zebras(plans_of(street.brief)[0])
     crossed = [one._replace(wide=one.wide + 5.0).area() for one in zebras]
-    driven = [shapely.Point(r.line[-1]) for r in street.detail[0].pathways if r.kind == "lane"]
+    lanes = [row.line for row in street.detail[0].pathways if row.kind == "lane"]
+    driven = [shapely.Point(end) for line in lanes for end in (line[0], line[-1])]
     on_edge = shapely.distance(at, found["asphalt"]) < 0.01
     for places, near in ((crossed, 0.1), (driven, 2.5)):
         low = on_edge & (shapely.distance(at, shapely.union_all(places)) < near)
         assert low.any()
-        assert np.isclose(stones[low, 2].min(), LET_DOWN)
+        assert np.isclose(stones[low, 2].min(), LET_DOWN, atol=1e-3)
     far = shapely.distance(at, shapely.union_all([*crossed, *driven])) > 6.0
-    assert np.isclose(stones[far & on_edge, 2], row.top).all()
+    assert np.isclose(stones[far & on_edge, 2], row.top, atol=1e-3).all()
 
 
 def test_a_site_without_roads_has_only_lanes_and_walks_on_the_ground() -> None:

@@ -19,6 +19,8 @@ from scenewright.core.errors import InputError
 _ROOT: ContextVar[Path | None] = ContextVar("workspace_root", default=None)
 LONGEST_NAME, MOST_NAMES = 255, 1000
 """Bytes of a name and names of a path, at most."""
+SHOWN = 60
+"""Letters of a wrong path that are told."""
 PACKAGE = Path(os.path.realpath(__file__)).parent.parent
 """Where samples and tables of the package lie."""
 
@@ -66,4 +68,6 @@ def _check_names(path: str | os.PathLike[str]) -> None:
     except UnicodeEncodeError:
         names = [b"\0"]
     if any(len(name) > LONGEST_NAME or b"\0" in name for name in names) or len(names) > MOST_NAMES:
-        raise InputError("is no name of a file", f"give one of at most {LONGEST_NAME} letters")
+        shown = ascii(os.fspath(path))[1:-1]
+        told = shown if len(shown) <= SHOWN else f"{shown[:SHOWN]}..."
+        raise InputError(f"{told} is no name of a file", f"give at most {LONGEST_NAME} letters")

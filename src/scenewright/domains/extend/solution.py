@@ -16,6 +16,7 @@ from scenewright.domains.extend.pattern import SourcePattern
 from scenewright.domains.extend.plan import plan_extend
 from scenewright.domains.extend.presets import PRESETS
 from scenewright.domains.extend.problem import GrownLayout
+from scenewright.domains.extend.solvers.settling import is_variant
 from scenewright.domains.extend.solving import assemble_solution, furnish_area
 from scenewright.domains.extend.staging import stage_extension
 
@@ -45,20 +46,23 @@ def solution_of(
 def _layout(pattern: SourcePattern, given: Sequence[NamedBox], area: str) -> GrownLayout:
     """Poses and origins of boxes; InputError for a box that no building fits."""
     names = {kind.name: k for k, kind in enumerate(pattern.kinds)}
-    poses, origin = [], []
+    poses, origin, form = [], [], []
     for k, one in enumerate(given):
         place = f"{area}[{k}] '{one.name}'"
         if one.name not in names:
             known = ", ".join(list(names)[:20])
             raise InputError("is no kind of the source", f"use one of: {known}", place=place)
         kind = pattern.kinds[names[one.name]]
-        if max(abs(kind.size[0] - one.box[3]), abs(kind.size[1] - one.box[4])) > FITS:
+        sides, given_sides = np.array(kind.size[:2]), np.array(one.box[3:])
+        same = (np.abs(given_sides - sides) <= FITS).all()
+        if not same and not is_variant(given_sides / sides):
             raise InputError(
                 f"is {one.box[3]:g} x {one.box[4]:g} m, the building {kind.size[0]:g} x "
                 f"{kind.size[1]:g} m",
-                "give the box the building's size",
+                "give the box the building's size, or that of a variant",
                 place=place,
             )
+        form.append(np.ones(2) if same else given_sides / sides)
         poses.append(one.box[:3])
         origin.append(int(np.flatnonzero(pattern.kind == names[one.name])[0]))
     return GrownLayout(
@@ -67,4 +71,5 @@ def _layout(pattern: SourcePattern, given: Sequence[NamedBox], area: str) -> Gro
         ("given",) * len(poses),
         len(poses),
         {},
+        np.array(form, float).reshape(-1, 2),
     )

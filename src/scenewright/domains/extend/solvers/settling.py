@@ -218,9 +218,17 @@ def _keep_sides(rules: SettlingRules, sides: Floats, original: Floats) -> NDArra
     """Which widths and depths (n, 2) are among the sources', or as the ``original`` (n, 2), and no
     more than :data:`MOST` times it."""
     low, high = np.minimum(rules.sides[0], original), np.maximum(rules.sides[1], original)
-    ratio = sides / original
     within = (sides >= low - 1e-6) & (sides <= high + 1e-6)
-    return np.asarray((within & (ratio < MOST) & (ratio > 1 / MOST)).all(1))
+    return np.asarray(within.all(1) & is_variant(sides / original))
+
+
+def is_variant(times: Floats) -> NDArray[np.bool_]:
+    """Whether a building ``times`` (..., 2) as wide and as deep as another may be its variant.
+
+    >>> is_variant(np.array([[1.1, 0.9], [1.0, 1.2]])).tolist()
+    [True, False]
+    """
+    return np.asarray(((times < MOST) & (times > 1 / MOST)).all(-1))
 
 
 def _keep_apart(
