@@ -26,6 +26,10 @@ CONTRAST = """([back, front]) => {
   return (high + 0.05) / (low + 0.05);
 }"""
 """How much lighter one of two colours of the page is (WCAG 2.2, contrast ratio)."""
+NAMELESS = """() => [...document.querySelectorAll("button, input, select, a, [tabindex='0']")]
+  .filter((one) => one.getClientRects().length && !(one.ariaLabel || one.labels?.[0]?.textContent
+    || one.textContent || one.title).trim()).map((one) => one.outerHTML.slice(0, 80))"""
+"""Controls that are shown and have no name to be read out."""
 
 
 class Studio(NamedTuple):

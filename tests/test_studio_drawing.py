@@ -378,6 +378,53 @@ def test_a_sample_is_drawn_over_furnished_and_undone(session: Session) -> None:
 
 
 def test_what_is_no_plan_of_rooms_is_not_drawn_over(session: Session) -> None:
-    ask(session, verb="open", source="sample:site-courtyards")
-    with pytest.raises(InputError, match="site that was brought"):
+    ask(session, verb="open", source="sample:extend-court")
+    assert not session.state()["redraws"]
+    with pytest.raises(InputError, match="extend that was brought"):
         ask(session, verb="redraw")
+
+
+@pytest.mark.parametrize("sample", ["site-courtyards", "site-landmarks", "village-dense"])
+def test_ground_that_was_brought_means_the_same_when_it_is_taken_over(sample: str) -> None:
+    brief = sw.read(f"sample:{sample}")
+    draft = draft_of(brief)
+    read = read_draft(json.loads(json.dumps(draft)))
+    assert (draft["lost"], read.faults) == ([], [])
+    assert read.brief is not None
+    assert document_of(read.brief) == document_of(brief)
+
+
+def document_of(brief: sw.Brief) -> Json:
+    """All that a brief says; a place without a name is named by its id in a drawing."""
+    document: Json = json.loads(brief.model_dump_json())
+    for place in (*document.get("sites", ()), *document.get("blocks", ())):
+        place["name"] = place["name"] or place["id"]
+    return document
+
+
+def test_sides_of_a_block_are_streets_still_when_it_is_turned_round() -> None:
+    ring = [[0, 0], [0, 40], [60, 40], [60, 0]]
+    block = {"id": "b", "outline": ring, "streets": [1], "count": 3}
+    lane = {"line": [[0, 45], [60, 45]], "width": 4}
+    document = {"name": "V", "domain": "village", "blocks": [block], "lanes": [lane]}
+    draft = draft_of(sw.Brief.model_validate(document))
+    taken = draft["rooms"][0]
+    side = taken["streets"][0]
+    ends = {tuple(taken["outline"][side]), tuple(taken["outline"][(side + 1) % 4])}
+    assert ends == {(0, 40), (60, 40)}
+    assert taken["asked"] == {"count": 3}
+    assert draft["streets"][0]["width"] == 4
+
+
+def test_a_site_that_was_brought_is_drawn_over_and_undone(session: Session) -> None:
+    ask(session, verb="open", source="sample:site-courtyards")
+    assert session.state()["redraws"]
+    assert ask(session, verb="redraw") == {"lost": []}
+    corner = session.state()["draft"]["rooms"][0]["outline"][0]
+    ask(session, verb="draw", act="move", points=[corner], by=[2, 1])
+    state = session.state()
+    assert state["faults"] == []
+    assert state["draft"]["rooms"][0]["outline"][0] == [corner[0] + 2, corner[1] + 1]
+    for _ in range(2):
+        ask(session, verb="undo")
+    assert "draft" not in session.state()

@@ -15,6 +15,7 @@ import pytest
 
 from studio_driving import (
     CONTRAST,
+    NAMELESS,
     begin,
     begin_drawing,
     drag,
@@ -358,3 +359,42 @@ def test_a_flat_that_was_brought_is_drawn_over(browser: Any, tmp_path: Path) -> 
         page.screenshot(path=tmp_path / "stage.png")
         page.locator("#stop").wait_for(state="hidden")
         page.screenshot(path=tmp_path / "furnished.png")
+
+
+def test_a_site_that_was_brought_is_drawn_over(browser: Any, tmp_path: Path) -> None:
+    with started(tmp_path, "sample:site-square") as studio, visiting(browser, studio.link) as page:
+        page.click("#draw")
+        page.click("#redraw")
+        page.locator("#draft path.sketch").first.wait_for()
+        page.locator("#faults", has_text="nothing").wait_for()
+        page.screenshot(path=tmp_path / "site-over.png")
+        furnish_drawing(page)
+
+
+def test_keys_are_a_dialogs_and_reach_pictures(browser: Any, tmp_path: Path) -> None:
+    with started(tmp_path, "sample:home-room") as studio, visiting(browser, studio.link) as page:
+        furnish(page)
+        page.locator("#plan .piece").first.focus()
+        steps = page.locator("#history li").count()
+        page.click("#dress")
+        page.locator("#looks button").first.wait_for()
+        page.keyboard.press("Delete")
+        page.keyboard.press("Escape")
+        page.locator("#wardrobe").wait_for(state="hidden")
+        assert page.locator("#history li").count() == steps
+        page.click("#breed")
+        picture = page.get_by_role("button", name="layout 1, to see it large")
+        picture.focus()
+        page.keyboard.press("Enter")
+        page.get_by_role("dialog", name="Layouts to choose from").wait_for()
+        page.keyboard.press("Escape")
+        page.get_by_role("button", name="4 of 5 stars").nth(1).click()
+        page.locator("#cards .mark", has_text="★★★★").wait_for()
+        page.keyboard.press("1")
+        page.locator("#champion .card").wait_for()
+        page.locator("#keep").select_option(index=1)
+        told = page.locator("#said li", has_text="stays")
+        told.wait_for()
+        assert "/" not in told.inner_text()
+        assert page.evaluate(NAMELESS) == []
+        page.screenshot(path=tmp_path / "reached.png")

@@ -1,14 +1,14 @@
-"""A home or hall that was brought, taken over into a drawing: what :mod:`.draft_brief` means by it
+"""A plan that was brought, taken over into a drawing: what :mod:`.draft_brief` means by it
 is that brief again, except for what is listed as lost.
 
-Its outlines stay what they were in the file, inner faces of walls or their middles. Of a row of the
-brief the drawing changes the keys it knows; all others are kept as they are.
+Its outlines stay what they were in the file, of rooms inner faces of walls or their
+middles. Of a row of the brief the drawing changes the keys it knows; all others are kept.
 """
 
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 
 import numpy as np
 
@@ -16,7 +16,7 @@ from scenewright.building.plan import plan_rooms
 from scenewright.core.brief import Brief, Door, Window
 from scenewright.core.errors import InputError
 from scenewright.studio.draft_geometry import MOST, SAME, Point, close_edge, rounded
-from scenewright.studio.drafting import GROUPS, STOREY, new_draft
+from scenewright.studio.drafting import GROUPS, NOUNS, STOREY, new_draft
 from scenewright.studio.shapes import Json
 from scenewright.studio.wishing import FORMS
 
@@ -34,8 +34,8 @@ OPENINGS = {"door": LEAF, "passage": {"width": LEAF["width"]}, "window": PANE}
 
 
 def draft_of(brief: Brief) -> Json:
-    """The drawing of a brief of rooms, ``lost`` with what it cannot hold, by name. InputError for
-    another brief, and for a hall of several storeys.
+    """The drawing of a brief of :data:`TAKEN`, ``lost`` with what it cannot hold, by name.
+    InputError for another brief, and for a hall of several storeys.
 
     >>> from scenewright.formats import read
     >>> draft = draft_of(read("sample:home-room"))
@@ -43,28 +43,63 @@ def draft_of(brief: Brief) -> Json:
     (['Room'], ['door', 'window'])
     """
     document: Json = json.loads(brief.model_dump_json(exclude_unset=True))
-    form = FORMS.get(brief.domain)
-    if form is None or not form.walls:
+    take = TAKEN.get(brief.domain)
+    if take is None:
         raise InputError(f"a {brief.domain} that was brought cannot be drawn over", "begin a plan")
-    if len(brief.rooms) > MOST:
-        raise InputError(f"more than {MOST} rooms cannot be drawn over", "bring its file changed")
+    draft = new_draft(brief.domain, brief.name) | {"style": brief.style}
+    drawn = {*DRAWN, *LOST, FORMS[brief.domain].under, "lanes"}
+    draft["kept"] = {key: row for key, row in document.items() if key not in {*drawn, *draft}}
+    draft["lost"] = [text for key, text in LOST.items() if document.get(key)]
+    take(draft, document, brief)
+    noun = NOUNS[brief.domain]
+    for group, name in (("rooms", f"{noun}s"), ("streets", "streets")):
+        if len(draft[group]) > MOST:
+            raise InputError(f"more than {MOST} {name} cannot be drawn over", "change its file")
+    return draft
+
+
+def _take_rooms(draft: Json, document: Json, brief: Brief) -> None:
     levels = [*_levels(document.get("levels", []))]
-    if len(levels) > 1 and not form.storeys:
+    if len(levels) > 1 and not FORMS[brief.domain].storeys:
         fault = f"a {brief.domain} of several storeys cannot be drawn over"
         raise InputError(fault, "bring its file changed")
-    plan = plan_rooms(brief)
-    draft = new_draft(brief.domain, brief.name) | {"levels": levels, "style": brief.style}
     draft |= {key: getattr(brief, key) for key in ("wall_thickness", "outer_wall_thickness")}
-    draft["kept"] = {
-        key: value for key, value in document.items() if key not in {*DRAWN, *LOST, *draft}
-    }
-    draft["kept"]["outlines"] = brief.outlines
-    draft["lost"] = [text for key, text in LOST.items() if document.get(key)]
-    for room, space in zip(document["rooms"], plan.spaces, strict=True):
+    draft["levels"], draft["kept"]["outlines"] = levels, brief.outlines
+    for room, space in zip(document["rooms"], plan_rooms(brief).spaces, strict=True):
         _take_room(draft, {**room, "id": space.id, "level": room.get("level") or levels[0]["id"]})
     for row in document.get("stairs", []):
         _put(draft, "stairs", {"width": 0.9, "shape": "straight", "turn": "left", **row})
-    return draft
+
+
+def _take_ground(draft: Json, document: Json, brief: Brief) -> None:
+    """Sites and blocks with their streets, each once; what else is on a site stays where it is."""
+    form, whole = FORMS[brief.domain], json.loads(brief.model_dump_json())
+    streets = whole.get("lanes", [])
+    for number, (place, full) in enumerate(
+        zip(document[form.under], whole[form.under], strict=True), 1
+    ):
+        streets += [road for road in full.get("roads", ()) if road not in streets]
+        place = {key: row for key, row in place.items() if key != "roads"}
+        asked = {key: place.pop(key) for key in (form.rows, *form.keys) if place.get(key)}
+        outline = [rounded(point) for point in place["outline"]]
+        if _is_clockwise(outline):
+            _turn_edges(place, len(outline))
+            outline.reverse()
+        usual = f"{NOUNS[brief.domain]}-{number}"
+        known = {"id": place.get("id") or usual, "outline": outline}
+        row = _put(draft, "rooms", {**place, **known})
+        row |= {"name": place.get("name") or row["id"], **({"asked": asked} if asked else {})}
+    for street in streets:
+        _put(draft, "streets", street)
+
+
+TAKEN: Mapping[str, Callable[[Json, Json, Brief], None]] = {
+    "home": _take_rooms,
+    "hall": _take_rooms,
+    "site": _take_ground,
+    "village": _take_ground,
+}
+"""Kinds of scene that are drawn over when they were brought."""
 
 
 def _levels(rows: list[Json]) -> Iterator[Json]:
@@ -161,3 +196,5 @@ def _turn_edges(room: Json, sides: int) -> None:
         room["main_wall"] = (sides - 2 - room["main_wall"]) % sides
     for slope in room.get("slopes", []):
         slope["edge"] = (sides - 2 - slope["edge"]) % sides
+    if room.get("streets"):
+        room["streets"] = [(sides - 2 - side) % sides for side in room["streets"]]

@@ -17,7 +17,7 @@ from scenewright.core.errors import CancelledError, InputError
 from scenewright.core.solution import unfurnished
 from scenewright.studio.breeding import Breeding, keep_locked
 from scenewright.studio.delta import States
-from scenewright.studio.draft_taken import draft_of
+from scenewright.studio.draft_taken import TAKEN, draft_of
 from scenewright.studio.drafting import draw_act, keep_asked, new_draft
 from scenewright.studio.drawable import describe_finding, draw, tell_by_key, tell_reading
 from scenewright.studio.people import AUTHOR, RATE, People, Person
@@ -83,6 +83,7 @@ class Session:
         scene["read"] = tell_reading(shown.solution.brief) if shown else []
         form = FORMS.get(self.kind())
         scene |= {"walls": bool(form and form.walls), "storeys": bool(form and form.storeys)}
+        scene["redraws"] = self.kind() in TAKEN
         if drawn:
             scene["name"], scene["draft"] = drawn.draft["name"], drawn.draft
             scene["faults"] = [one._asdict() for one in drawn.faults]

@@ -61,7 +61,7 @@ function show() {
 function showEarly() {
   $("cards").replaceChildren(...early.map(([, card]) => {
     const made = make("article", { className: "card early" });
-    made.append(picture(card), make("p", { className: "guess", textContent: t("one of those bred; twelve that differ are chosen when all are") }));
+    made.append(picture(card, t("Layouts to choose from")), make("p", { className: "guess", textContent: t("one of those bred; twelve that differ are chosen when all are") }));
     return made;
   }));
 }
@@ -71,10 +71,18 @@ function showAll() {
     make("h3", { textContent: t("Sheet {n}", { n: sheet + 1 }) }), ...numbers.map((number) => smallCard(number))]));
 }
 
-function picture(card, number = null) {
-  const svg = element("svg", { role: "img" });
+// A picture of a layout; one with a number is a button to see it large.
+function picture(card, name, number = null) {
+  const svg = element("svg", { role: number === null ? "img" : "button", "aria-label": name });
   if (card) drawCard(card, svg);
-  if (number !== null) svg.addEventListener("click", () => enlarge([number]));
+  if (number === null) return svg;
+  const large = () => enlarge([number]);
+  svg.setAttribute("tabindex", 0);
+  svg.addEventListener("click", large);
+  svg.addEventListener("keydown", (event) => {
+    if (![" ", "Enter"].includes(event.key)) return;
+    event.preventDefault(); event.stopPropagation(); large();
+  });
   return svg;
 }
 
@@ -96,7 +104,7 @@ function frame(number, kind = "") {
 function smallCard(number) {
   const made = frame(number);
   made.title = marks(number);
-  made.append(picture(known.get(number), number));
+  made.append(picture(known.get(number), [t("{name}, to see it large", { name: t("layout {n}", { n: number + 1 }) }), made.title].filter(Boolean).join(", "), number));
   return made;
 }
 
@@ -108,7 +116,7 @@ function sheetCard(one, place) {
     make("span", { className: "mark", textContent: marks(one.number) }));
   if (one.faults) top.append(make("span", { className: "bad", textContent: one.faults }));
   const rating = make("span", { className: "stars" }, ...[1, 2, 3, 4, 5].map((count) =>
-    button(count <= stars ? "★" : "☆", t("{n} stars", { n: count }), () => tell(`${name}=${count}`))));
+    starButton(count, stars, () => tell(`${name}=${count}`))));
   const why = make("select", { title: t("What it lacks"), onchange: (event) => tell(`why ${name} ${event.target.value}`) },
     new Option(t("why…"), ""), ...bred.reasons.map((reason) => new Option(reason, reason)));
   const row = make("div", { className: "row" },
@@ -116,11 +124,16 @@ function sheetCard(one, place) {
     rating, why, compareButton(one.number), useButton(() => choose(one.number)));
   if (!bred.reasons.length) why.remove();
   made.ariaLabel = [t("layout {n}, key {key}", { n: name, key: KEYS[place] }), marks(one.number), one.faults].filter(Boolean).join(", ");
-  made.append(top, picture(known.get(one.number), one.number));
+  made.append(top, picture(known.get(one.number), t("{name}, to see it large", { name: t("layout {n}", { n: name }) }), one.number));
   if (one.predicted !== null) made.append(make("div", { className: "guess", title: t("what the model expects from what you said; no more"),
     textContent: t("predicted: {percent} % to be your pick", { percent: Math.round(100 * one.predicted) }) }));
   made.append(row);
   return made;
+}
+
+function starButton(count, stars, act) {
+  const told = t("{n} of 5 stars", { n: count });
+  return Object.assign(button(count <= stars ? "★" : "☆", told, act), { ariaLabel: told, ariaPressed: count === stars });
 }
 
 function useButton(act) {
@@ -153,7 +166,7 @@ async function enlarge(numbers) {
     }
     caption.append(useButton(() => { $("large").close(); choose(number); }));
     if (numbers.length === 1) caption.append(button(t("Compare with …"), t("then choose the other one"), () => { $("large").close(); pair = [number]; show(); }));
-    return make("figure", {}, picture(known.get(number)), caption);
+    return make("figure", {}, picture(known.get(number), nameOf(number)), caption);
   });
   if (numbers.length === 1 && pair.length === 1 && pair[0] !== numbers[0]) { const two = [pair[0], numbers[0]]; pair = []; show(); return enlarge(two); }
   $("pair").className = numbers.length === 1 ? "one" : "";
@@ -166,6 +179,11 @@ async function enlarge(numbers) {
   fill("differences", told, (text) => make("li", { textContent: text }));
 }
 
+function pieceOf(id) {
+  const found = (bred.lockable ?? []).find((one) => one.id === id);
+  return found ? `${found.name} (${found.space})` : id.split("/").at(-1).replaceAll("_", " ");
+}
+
 function words(one) {
   const name = (number) => nameOf(number);
   switch (one.event) {
@@ -174,7 +192,7 @@ function words(one) {
     case "stars": return `${name(one.candidate)}: ${"★".repeat(one.stars)}`;
     case "reason": return `${name(one.candidate)}: ${one.reason}`;
     case "prefer": return t("{one} is better than {other}", { one: name(one.one), other: name(one.other) });
-    case "lock": return t("{name} stays", one);
+    case "lock": return t("{name} stays", { name: pieceOf(one.name) });
     default: return one.event;
   }
 }

@@ -53,7 +53,7 @@ function show() {
   $("arrange").disabled = $("breed").disabled = !(doc.levels ?? []).length || doc.running;
   for (const id of ["solid", "walk", "picture"]) $(id).disabled = !(doc.levels ?? []).length;
   $("export").inert = !(doc.levels ?? []).length;
-  $("redraw").hidden = !doc.version || Boolean(doc.draft) || !doc.walls;
+  $("redraw").hidden = !doc.version || Boolean(doc.draft) || !doc.redraws;
   for (const id of ["stop", "share", "stage"]) $(id).hidden = !doc.running;
   if (!doc.running) $("stage").textContent = "";
   $("levels").replaceChildren(...((doc.levels ?? []).length > 1 ? doc.levels : []).map((one) => {
@@ -362,7 +362,7 @@ $("plan").addEventListener("wheel", (event) => {
 }, { passive: false });
 
 document.addEventListener("keydown", (event) => {
-  if (event.target.matches("input, select") || $("plan").hasAttribute("hidden") && $("space").hidden && $("drawing").hidden || $("walk").ariaPressed === "true") return;
+  if (event.target.matches("input, select") || document.querySelector("dialog[open]") || $("plan").hasAttribute("hidden") && $("space").hidden && $("drawing").hidden || $("walk").ariaPressed === "true") return;
   const piece = chosen(), key = event.key.toLowerCase(), command = event.ctrlKey || event.metaKey;
   const way = { arrowleft: [-1, 0], arrowright: [1, 0], arrowup: [0, 1], arrowdown: [0, -1] }[key];
   if (command && key === "z" && !event.shiftKey) change("undo");
