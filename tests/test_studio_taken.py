@@ -97,14 +97,18 @@ def test_a_sample_is_drawn_over_furnished_and_undone(session: Session) -> None:
     assert "draft" not in session.state()
 
 
-def test_what_is_no_plan_of_rooms_is_not_drawn_over(session: Session) -> None:
-    ask(session, verb="open", source="sample:extend-court")
-    assert not session.state()["redraws"]
-    with pytest.raises(InputError, match="extend that was brought"):
-        ask(session, verb="redraw")
+def test_an_extension_of_several_sources_is_not_drawn_over() -> None:
+    kept = sw.read("sample:extend-court")
+    document = json.loads(kept.model_dump_json())
+    document["sources"] *= 2
+    with pytest.raises(InputError, match="several sources"):
+        draft_of(sw.Brief.model_validate(document))
 
 
-@pytest.mark.parametrize("sample", ["site-courtyards", "site-landmarks", "village-dense"])
+@pytest.mark.parametrize(
+    "sample",
+    ["site-courtyards", "site-landmarks", "village-dense", "extend-court", "extend-village"],
+)
 def test_ground_that_was_brought_means_the_same_when_it_is_taken_over(sample: str) -> None:
     brief = sw.read(f"sample:{sample}")
     draft = draft_of(brief)
@@ -115,10 +119,14 @@ def test_ground_that_was_brought_means_the_same_when_it_is_taken_over(sample: st
 
 
 def document_of(brief: sw.Brief) -> Json:
-    """All that a brief says; a place without a name is named by its id in a drawing."""
+    """All that a brief says; a place without a name is named by its id in a drawing, and streets
+    and buildings are given ids."""
     document: Json = json.loads(brief.model_dump_json())
     for place in (*document.get("sites", ()), *document.get("blocks", ())):
         place["name"] = place["name"] or place["id"]
+    for place in (*document.get("sources", ()), *document.get("areas", ())):
+        for row in (*place["roads"], *place.get("buildings", ())):
+            row["id"] = ""
     return document
 
 

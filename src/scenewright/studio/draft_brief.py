@@ -21,7 +21,7 @@ ABOUT = 20.0
 def brief_of(draft: Json) -> Brief:
     """The brief that a draft means; InputError where it means none."""
     document = {
-        **draft.get("kept", {}),
+        **_without(draft.get("kept", {}), "source"),
         "name": draft["name"],
         "domain": draft["domain"],
         **MEANINGS[draft["domain"]](draft),
@@ -79,23 +79,36 @@ def _village(draft: Json) -> Json:
 
 
 def _extend(draft: Json) -> Json:
-    """Buildings and streets are one source; streets whose middle lies in an area are that's."""
-    areas, left = [], [(_without(row, "level"), _middle(row["line"])) for row in draft["streets"]]
+    """Buildings and streets are one source; streets whose middle lies in an area are that's, those
+    that were taken over ``of`` an area or of none stay so."""
+    areas, left = [], [*draft["streets"]]
     for row in draft["rooms"]:
         shape = shapely.Polygon(row["outline"])
-        roads = [road for road, middle in left if shape.contains(middle)]
-        left = [one for one in left if not shape.contains(one[1])]
+        own = [one for one in left if _is_of(one, row["id"], shape)]
+        left = [one for one in left if one not in own]
+        roads = [_without(one, "level", "of") for one in own]
         areas.append({**_without(row, "level", "asked"), "roads": roads, **row.get("asked", {})})
     buildings = [
-        {key: value for key, value in _without(row, "level", "name").items() if value}
+        {
+            key: value
+            for key, value in _without(row, "level", "name").items()
+            if value not in ("", None)
+        }
         for row in draft["buildings"]
     ]
-    source = {"buildings": buildings, "roads": [road for road, _ in left]}
+    source = {
+        **draft.get("kept", {}).get("source", {}),
+        "buildings": buildings,
+        "roads": [_without(one, "level", "of") for one in left],
+    }
     return {"sources": [source], "areas": areas}
 
 
-def _middle(line: list[list[float]]) -> shapely.Point:
-    return shapely.LineString(line).interpolate(0.5, normalized=True)
+def _is_of(street: Json, area: str, shape: shapely.Polygon) -> bool:
+    if "of" in street:
+        return bool(street["of"] == area)
+    middle = shapely.LineString(street["line"]).interpolate(0.5, normalized=True)
+    return bool(shape.contains(middle))
 
 
 MEANINGS: Mapping[str, Callable[[Json], Json]] = {

@@ -47,12 +47,12 @@ def draft_of(brief: Brief) -> Json:
     if take is None:
         raise InputError(f"a {brief.domain} that was brought cannot be drawn over", "begin a plan")
     draft = new_draft(brief.domain, brief.name) | {"style": brief.style}
-    drawn = {*DRAWN, *LOST, FORMS[brief.domain].under, "lanes"}
+    drawn = {*DRAWN, *LOST, FORMS[brief.domain].under, "lanes", "sources"}
     draft["kept"] = {key: row for key, row in document.items() if key not in {*drawn, *draft}}
     draft["lost"] = [text for key, text in LOST.items() if document.get(key)]
     take(draft, document, brief)
     noun = NOUNS[brief.domain]
-    for group, name in (("rooms", f"{noun}s"), ("streets", "streets")):
+    for group, name in (("rooms", f"{noun}s"), ("streets", "streets"), ("buildings", "buildings")):
         if len(draft[group]) > MOST:
             raise InputError(f"more than {MOST} {name} cannot be drawn over", "change its file")
     return draft
@@ -93,11 +93,37 @@ def _take_ground(draft: Json, document: Json, brief: Brief) -> None:
         _put(draft, "streets", street)
 
 
+def _take_growth(draft: Json, document: Json, brief: Brief) -> None:
+    """Areas as other ground, with the streets and buildings of the one source."""
+    whole = json.loads(brief.model_dump_json())
+    (source, *others), rows = whole["sources"], document["sources"][0]
+    if others or source.get("path"):
+        fault = "an extension of a file, or of several sources, cannot be drawn over"
+        raise InputError(fault, "bring one whose buildings are listed in it")
+    _take_ground(draft, document, brief)
+    draft["kept"]["source"] = {key: rows[key] for key in rows if key not in {"buildings", "roads"}}
+    for street in draft["streets"]:
+        owners = zip(draft["rooms"], whole["areas"], strict=True)
+        lines = ((row["id"], [road["line"] for road in area["roads"]]) for row, area in owners)
+        street["of"] = next(name for name, held in lines if street["line"] in held)
+    for street in source["roads"]:
+        _put(draft, "streets", {**street, "of": ""})
+    for number, row in enumerate(source["buildings"], 1):
+        outline = [rounded(point) for point in row["outline"]]
+        outline = outline[::-1] if _is_clockwise(outline) else outline
+        known = {"outline": outline, "name": row["name"] or f"Building {number}"}
+        known |= {key: row.get(key) or "" for key in ("use", "roof")}
+        _put(draft, "buildings", {**row, **known})
+    if any(row["name"] for row in source["buildings"]):
+        draft["lost"].append("names of the buildings that stand")
+
+
 TAKEN: Mapping[str, Callable[[Json, Json, Brief], None]] = {
     "home": _take_rooms,
     "hall": _take_rooms,
     "site": _take_ground,
     "village": _take_ground,
+    "extend": _take_growth,
 }
 """Kinds of scene that are drawn over when they were brought."""
 
