@@ -102,6 +102,24 @@ def name_it(page: Any, name: str, box: str = "#room-name") -> None:
     page.locator("#draft:focus").wait_for()
 
 
+def column_over_image(page: Any, at: tuple[float, float]) -> None:
+    """Lay an image under the drawing, which leaves the tools in one row; put a column there and
+    type its size."""
+    seen = {"name": "plan.png", "mimeType": "image/png", "buffer": page.screenshot()}
+    page.set_input_files("#under", seen)
+    page.locator("#tools [data-tool=scale]").wait_for()
+    tops = "[...tools.querySelectorAll('button')].map((one) => one.offsetTop)"
+    assert len({*page.evaluate(f"{tops}.filter((top) => top)")}) == 1
+    page.locator("#draft").focus()
+    page.keyboard.press("c")
+    page.mouse.click(*at)
+    page.fill("#column-size", "0.3")
+    page.keyboard.press("Enter")
+    page.locator("#draft").focus()
+    size = "fetch('/state').then((r) => r.json()).then((s) => s.draft.columns[0].size === 0.3)"
+    page.wait_for_function(size)
+
+
 def furnish_drawing(page: Any) -> None:
     page.locator("#faults", has_text="nothing").wait_for()
     page.locator("#furnish:enabled").wait_for()

@@ -97,8 +97,8 @@ function showStoreys() {
 }
 
 function showPanel() {
-  const [group, row] = find(at.picked), of = { rooms: "of-room", zones: "of-room", buildings: "of-building", openings: "of-opening", streets: "of-street", stairs: "of-stairs" }[group] ?? (row ? "" : "of-plan");
-  for (const id of ["of-room", "of-opening", "of-building", "of-street", "of-stairs", "of-plan"]) $(id).hidden = id !== of;
+  const [group, row] = find(at.picked), of = { rooms: "of-room", zones: "of-room", buildings: "of-building", openings: "of-opening", streets: "of-street", stairs: "of-stairs", columns: "of-column" }[group] ?? (row ? "" : "of-plan");
+  for (const id of ["of-room", "of-opening", "of-building", "of-street", "of-stairs", "of-column", "of-plan"]) $(id).hidden = id !== of;
   $("erase").hidden = !row; $("twin").hidden = !moves(group);
   const put = (id, value) => { if (document.activeElement !== $(id)) $(id).value = value; };
   if (of === "of-room") {
@@ -113,6 +113,7 @@ function showPanel() {
   }
   if (of === "of-building") { put("building-height", row.height); put("building-use", row.use); put("building-roof", row.roof); }
   if (of === "of-street") { put("street-name", row.name); put("street-width", row.width); put("street-kind", row.kind); }
+  if (of === "of-column") put("column-size", row.size);
   if (of === "of-stairs") { put("stairs-width", row.width); put("stairs-shape", row.shape); put("stairs-turn", row.turn); put("stairs-heading", Math.round(row.heading * 180 / Math.PI)); }
   put("plan-name", at.draft.name); put("wall", at.draft.wall_thickness); put("outer-wall", at.draft.outer_wall_thickness); put("village-style", at.draft.style || "rural");
   const storey = at.draft.levels.find((one) => one.id === at.level);
@@ -324,7 +325,7 @@ $("erase-storey").onclick = () => act({ act: "remove", id: at.level });
 const set = (id, key, own, read = (value) => value) => { $(id).onchange = () => act({ act: "set", id: own(), key, value: read($(id).value) }); };
 const row = () => at.picked, plan = () => undefined, storey = () => at.level;
 for (const [id, key] of [["room-name", "name"], ["opening-swing", "swing"], ["opening-hinge", "hinge"], ["street-name", "name"], ["street-kind", "kind"], ["stairs-shape", "shape"], ["stairs-turn", "turn"], ["building-use", "use"], ["building-roof", "roof"]]) set(id, key, row);
-for (const [id, key] of [["opening-width", "width"], ["opening-sill", "sill"], ["street-width", "width"], ["stairs-width", "width"], ["building-height", "height"]]) set(id, key, row, Number);
+for (const [id, key] of [["opening-width", "width"], ["opening-sill", "sill"], ["street-width", "width"], ["stairs-width", "width"], ["column-size", "size"], ["building-height", "height"]]) set(id, key, row, Number);
 set("stairs-heading", "heading", row, (degrees) => Number(degrees) * Math.PI / 180);
 for (const [id, key] of [["plan-name", "name"], ["village-style", "style"]]) set(id, key, plan);
 for (const [id, key] of [["wall", "wall_thickness"], ["outer-wall", "outer_wall_thickness"]]) set(id, key, plan, Number);
