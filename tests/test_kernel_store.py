@@ -152,7 +152,7 @@ import numpy as np
 from scenewright.geometry.compile_clock import compile_clock
 from scenewright.geometry.boxes import wrap
 from scenewright.domains.home.terms.packing import size
-from scenewright.domains.site.solvers.perimeter_block import set_along
+from scenewright.domains.site.solvers.blocks.perimeter_block import set_along
 few, none, no = np.zeros((1, 4)), np.zeros((0, 5)), np.zeros(0, np.int64)
 along = few, few, few, (1.0, 1.0, 1.0), no > 0, no, none, np.zeros((0, 8)), no
 calls = (wrap, (7.0,)), (size, (4.5, 10.0)), (set_along, along)
@@ -188,7 +188,11 @@ def test_words_compile_nothing_and_code_what_it_is_part_of(tmp_path: Path) -> No
     assert kernels_compiled() == "000", "words are no code"
     edit(sources / "domains/home/terms/packing.py", "MOST_SHARE = 0.55", "MOST_SHARE = 0.56")
     assert kernels_compiled() == "010", "a home's constant is no part of sites"
-    edit(sources / "domains/site/solvers/perimeter_block.py", "HAIR * HAIR", "HAIR * 0.5 * HAIR")
+    edit(
+        sources / "domains/site/solvers/blocks/perimeter_block.py",
+        "HAIR * HAIR",
+        "HAIR * 0.5 * HAIR",
+    )
     assert kernels_compiled() == "001", "a part is code of the kernel it is copied into"
     edit(boxes, "angle - 2.0 * math.pi", "angle - 2.5 * math.pi")
     assert kernels_compiled() == "100"

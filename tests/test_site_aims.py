@@ -14,7 +14,7 @@ from benchmarks.site_instances import example_site
 from scenewright.domains.site.problem import SiteProblem, sides_of
 from scenewright.domains.site.solvers.aims import around, lacking
 from scenewright.domains.site.solvers.answer import score
-from scenewright.domains.site.solvers.block import BlockLayout
+from scenewright.domains.site.solvers.blocks.block import BlockLayout
 from scenewright.domains.site.solvers.exchange import exchange_all
 from scenewright.domains.site.solvers.fill import fill_site
 from scenewright.domains.site.solvers.improve import (

@@ -9,9 +9,9 @@ import pytest
 import shapely
 
 from scenewright.core.layout import corners
-from scenewright.domains.site.solvers.court_rings import RingRule, find_ring, make_ring_work
-from scenewright.domains.site.solvers.distances import mark_shaded
-from scenewright.domains.site.solvers.perimeter_block import HAIR, rim
+from scenewright.domains.site.solvers.blocks.court_rings import RingRule, find_ring, make_ring_work
+from scenewright.domains.site.solvers.blocks.distances import mark_shaded
+from scenewright.domains.site.solvers.blocks.perimeter_block import HAIR, rim
 
 GAP, WIDEST, NOON = 4.0, 11.0, -math.pi / 2
 

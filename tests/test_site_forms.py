@@ -13,7 +13,7 @@ from scenewright.core.errors import InputError
 from scenewright.domains import check, plan_of
 from scenewright.domains.site.encodings.cells import decode
 from scenewright.domains.site.encodings.forms import FORMS as TEMPLATE_FORMS
-from scenewright.domains.site.solvers.block import FORMS
+from scenewright.domains.site.solvers.blocks.block import FORMS
 from scenewright.domains.site.solvers.lattice import make_cells
 from scenewright.domains.site.solvers.seed_layouts import seed_layouts
 from scenewright.domains.site.solving import problems

@@ -11,8 +11,8 @@ from benchmarks.site_instances import example_site
 import sites
 from scenewright.core.brief import Brief
 from scenewright.domains.site.problem import SiteProblem
-from scenewright.domains.site.solvers.block import lay_out_block
-from scenewright.domains.site.solvers.front import blind, turned_in
+from scenewright.domains.site.solvers.blocks.block import lay_out_block
+from scenewright.domains.site.solvers.blocks.front import blind, turned_in
 from scenewright.domains.site.solving import problems, solve
 
 WEST, EAST, SOUTH = math.pi, 0.0, -math.pi / 2

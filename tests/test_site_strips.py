@@ -10,9 +10,9 @@ from hypothesis import strategies as st
 
 from scenewright.building.outlines import edges, rings
 from scenewright.core.layout import corners
-from scenewright.domains.site.solvers.perimeter_block import rim
-from scenewright.domains.site.solvers.rows import StripRule, rows
-from scenewright.domains.site.solvers.strips import back, free_spans, rotate_block
+from scenewright.domains.site.solvers.blocks.perimeter_block import rim
+from scenewright.domains.site.solvers.blocks.rows import StripRule, rows
+from scenewright.domains.site.solvers.blocks.strips import back, free_spans, rotate_block
 
 
 def block(seed: int, holes: int = 3) -> shapely.Polygon:

@@ -28,7 +28,8 @@ from scenewright.domains.site.plan import plan_sites
 from scenewright.domains.site.presets import PRESETS
 from scenewright.domains.site.problem import SiteProblem
 from scenewright.domains.site.reasons import reasons
-from scenewright.domains.site.solvers.block import FORMS
+from scenewright.domains.site.solvers.blocks.block import FORMS
+from scenewright.domains.site.solvers.blocks.schemes import QUEUES
 from scenewright.domains.site.solvers.chosen import (
     AXES,
     GAPS,
@@ -40,7 +41,6 @@ from scenewright.domains.site.solvers.chosen import (
     remember_fillings,
 )
 from scenewright.domains.site.solvers.outcome import SiteLayout
-from scenewright.domains.site.solvers.schemes import QUEUES
 from scenewright.domains.site.solving import Built, assemble_solution, build_site_problem, solve
 from scenewright.domains.site.variants import Variant
 from scenewright.ground.works import GroundWorks

@@ -7,7 +7,7 @@ from math import isfinite
 from scenewright.core.solution import TermValue
 from scenewright.domains.site.problem import SiteProblem
 from scenewright.domains.site.solvers.answer import score
-from scenewright.domains.site.solvers.distances import noon
+from scenewright.domains.site.solvers.blocks.distances import noon
 from scenewright.domains.site.solvers.outcome import SiteLayout
 from scenewright.domains.site.terms.table import (
     MUCH,

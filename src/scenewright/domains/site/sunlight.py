@@ -11,7 +11,7 @@ from collections.abc import Callable
 import numpy as np
 
 from scenewright.domains.site.problem import Floats, Ints, SiteProblem
-from scenewright.domains.site.solvers.distances import noon
+from scenewright.domains.site.solvers.blocks.distances import noon
 from scenewright.domains.site.solvers.outcome import SiteFound, SiteLayout
 from scenewright.geometry.sun import sun_hours, sun_path
 

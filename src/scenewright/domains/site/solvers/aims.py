@@ -7,8 +7,8 @@ from typing import NamedTuple
 import numpy as np
 
 from scenewright.domains.site.problem import Flags, Floats, SiteProblem, sides_of
-from scenewright.domains.site.solvers.block import BlockLayout
-from scenewright.domains.site.solvers.front import inside
+from scenewright.domains.site.solvers.blocks.block import BlockLayout
+from scenewright.domains.site.solvers.blocks.front import inside
 from scenewright.domains.site.terms.table import MUCH, read_site_aims
 from scenewright.geometry.box_grid import box_grid
 from scenewright.geometry.sun import SILL, light, open_hours, sun_path

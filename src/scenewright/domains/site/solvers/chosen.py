@@ -15,16 +15,16 @@ from typing import NamedTuple
 import numpy as np
 
 from scenewright.domains.site.problem import Flags, Floats, SiteProblem
-from scenewright.domains.site.solvers.block import (
+from scenewright.domains.site.solvers.blocks.block import (
     FORMS,
     BlockLayout,
     headings,
     list_forms,
     loosen_layout,
 )
+from scenewright.domains.site.solvers.blocks.schemes import QUEUES, order_queue
 from scenewright.domains.site.solvers.fill import list_edges, list_ground, order_blocks, share_out
 from scenewright.domains.site.solvers.outcome import SiteFound, SiteLayout
-from scenewright.domains.site.solvers.schemes import QUEUES, order_queue
 from scenewright.engine.solve import Found
 
 TURNS = (0.0, math.pi / 2, -math.pi / 2)

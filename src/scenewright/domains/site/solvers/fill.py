@@ -18,7 +18,7 @@ import numpy as np
 
 from scenewright.domains.site.problem import Flags, Floats, SiteProblem
 from scenewright.domains.site.solvers.aims import Around, around, lacking
-from scenewright.domains.site.solvers.block import (
+from scenewright.domains.site.solvers.blocks.block import (
     USUAL,
     BlockBorder,
     BlockLayout,
@@ -28,16 +28,16 @@ from scenewright.domains.site.solvers.block import (
     list_forms,
     loosen_layout,
 )
-from scenewright.domains.site.solvers.closed_court import close_court
-from scenewright.domains.site.solvers.distances import list_reserved_edges
-from scenewright.domains.site.solvers.front import inside, list_square_lines, on_square, set_back
-from scenewright.domains.site.solvers.improve import improve_layout
-from scenewright.domains.site.solvers.interlock import interlock
-from scenewright.domains.site.solvers.loosen import loosen_buildings
-from scenewright.domains.site.solvers.outcome import SiteFound, SiteLayout
-from scenewright.domains.site.solvers.perimeter_block import list_front_lines, rim
-from scenewright.domains.site.solvers.podiums import join_podiums
-from scenewright.domains.site.solvers.schemes import (
+from scenewright.domains.site.solvers.blocks.closed_court import close_court
+from scenewright.domains.site.solvers.blocks.distances import list_reserved_edges
+from scenewright.domains.site.solvers.blocks.front import (
+    inside,
+    list_square_lines,
+    on_square,
+    set_back,
+)
+from scenewright.domains.site.solvers.blocks.perimeter_block import list_front_lines, rim
+from scenewright.domains.site.solvers.blocks.schemes import (
     QUEUES,
     Scheme,
     choose_scheme,
@@ -46,6 +46,11 @@ from scenewright.domains.site.solvers.schemes import (
     order_queue,
     spread_points,
 )
+from scenewright.domains.site.solvers.improve import improve_layout
+from scenewright.domains.site.solvers.interlock import interlock
+from scenewright.domains.site.solvers.loosen import loosen_buildings
+from scenewright.domains.site.solvers.outcome import SiteFound, SiteLayout
+from scenewright.domains.site.solvers.podiums import join_podiums
 from scenewright.engine.solve import Budget, BudgetWatch, Cancel, Found, Progress
 
 ALIKE = 1e-6

@@ -13,6 +13,7 @@ import numpy as np
 import shapely
 
 from scenewright.domains.site.problem import Flags, Floats, Ints, SiteProblem, sides_of
+from scenewright.domains.site.solvers.blocks.front import blind, on_square
 from scenewright.domains.site.solvers.exchange import (
     ExchangeRule,
     Lists,
@@ -20,7 +21,6 @@ from scenewright.domains.site.solvers.exchange import (
     exchange_all,
     fill_hours,
 )
-from scenewright.domains.site.solvers.front import blind, on_square
 from scenewright.domains.site.solvers.outcome import SiteLayout
 from scenewright.domains.site.terms.measure import (
     SitePrepared,

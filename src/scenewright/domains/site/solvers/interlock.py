@@ -18,8 +18,8 @@ import shapely
 
 from scenewright.core.footprint import Footprint, place_outline
 from scenewright.domains.site.problem import Floats, SiteProblem
-from scenewright.domains.site.solvers.block import wrap_angle
-from scenewright.domains.site.solvers.distances import noon
+from scenewright.domains.site.solvers.blocks.block import wrap_angle
+from scenewright.domains.site.solvers.blocks.distances import noon
 from scenewright.domains.site.solvers.outcome import SiteLayout
 from scenewright.engine.solve import BudgetWatch
 

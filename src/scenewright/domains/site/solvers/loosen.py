@@ -12,6 +12,7 @@ import shapely
 
 from scenewright.core.footprint import place_outline
 from scenewright.domains.site.problem import Floats, SiteProblem
+from scenewright.domains.site.solvers.blocks.schemes import find_void, spread_points
 from scenewright.domains.site.solvers.interlock import (
     StandingBuilding,
     blocks_of,
@@ -20,7 +21,6 @@ from scenewright.domains.site.solvers.interlock import (
     places_in,
 )
 from scenewright.domains.site.solvers.outcome import SiteLayout
-from scenewright.domains.site.solvers.schemes import find_void, spread_points
 from scenewright.engine.solve import BudgetWatch
 
 ROOM = (12.0, 8.0, 5.0, 3.0, 1.5)

@@ -15,10 +15,10 @@ import shapely
 from scenewright.core.layout import corners
 from scenewright.domains.site.problem import Flags, Floats, SiteProblem
 from scenewright.domains.site.solvers.answer import LOOSE, sun_of
-from scenewright.domains.site.solvers.distances import mark_shaded, noon
-from scenewright.domains.site.solvers.front import blind, on_square
+from scenewright.domains.site.solvers.blocks.distances import mark_shaded, noon
+from scenewright.domains.site.solvers.blocks.front import blind, on_square
+from scenewright.domains.site.solvers.blocks.schemes import find_void, spread_points
 from scenewright.domains.site.solvers.outcome import SiteLayout
-from scenewright.domains.site.solvers.schemes import find_void, spread_points
 from scenewright.domains.site.terms.measure import (
     SitePrepared,
     SiteState,

@@ -14,7 +14,7 @@ import numpy as np
 from scenewright.domains.site.encodings.cells import SiteLattice, encode
 from scenewright.domains.site.encodings.forms import FORMS, FRONT, rotate_boxes
 from scenewright.domains.site.problem import Buildings, Floats, Ints, SiteProblem
-from scenewright.domains.site.solvers.front import inside
+from scenewright.domains.site.solvers.blocks.front import inside
 from scenewright.domains.site.solvers.templates import make_template
 from scenewright.geometry.rectangles import largest_rectangle
 

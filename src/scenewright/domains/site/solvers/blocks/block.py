@@ -11,12 +11,20 @@ from typing import NamedTuple
 import numpy as np
 
 from scenewright.domains.site.problem import Floats, SiteProblem
-from scenewright.domains.site.solvers.closed_court import close_court
-from scenewright.domains.site.solvers.distances import list_reserved_edges, mark_shaded, noon
-from scenewright.domains.site.solvers.front import list_front_margins, list_side_margins, turned_in
-from scenewright.domains.site.solvers.perimeter_block import list_front_lines, rim, spread_out
-from scenewright.domains.site.solvers.rows import StripRule, rows
-from scenewright.domains.site.solvers.strips import back, rotate_block
+from scenewright.domains.site.solvers.blocks.closed_court import close_court
+from scenewright.domains.site.solvers.blocks.distances import list_reserved_edges, mark_shaded, noon
+from scenewright.domains.site.solvers.blocks.front import (
+    list_front_margins,
+    list_side_margins,
+    turned_in,
+)
+from scenewright.domains.site.solvers.blocks.perimeter_block import (
+    list_front_lines,
+    rim,
+    spread_out,
+)
+from scenewright.domains.site.solvers.blocks.rows import StripRule, rows
+from scenewright.domains.site.solvers.blocks.strips import back, rotate_block
 
 FORMS = (
     "parallel",

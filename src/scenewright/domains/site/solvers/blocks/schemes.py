@@ -16,7 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from scenewright.domains.site.problem import Flags, Floats, SiteProblem, sides_of
-from scenewright.domains.site.solvers.front import inside
+from scenewright.domains.site.solvers.blocks.front import inside
 from scenewright.geometry.compiled import compiled
 
 QUEUES = ("as ranked", "handsome first", "backwards", "alternating")

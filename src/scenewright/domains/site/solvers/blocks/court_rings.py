@@ -12,8 +12,8 @@ from typing import NamedTuple
 import numpy as np
 
 from scenewright.domains.site.problem import Flags, Floats, Ints
-from scenewright.domains.site.solvers.distances import mark_shaded
-from scenewright.domains.site.solvers.perimeter_block import (
+from scenewright.domains.site.solvers.blocks.distances import mark_shaded
+from scenewright.domains.site.solvers.blocks.perimeter_block import (
     HAIR,
     ROUNDING,
     SLACK,

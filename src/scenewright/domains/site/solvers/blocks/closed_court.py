@@ -14,10 +14,10 @@ import numpy as np
 
 from scenewright.domains.site.problem import Flags, Floats, SiteProblem
 from scenewright.domains.site.settings import CourtSettings
-from scenewright.domains.site.solvers.court_rings import RingRule, find_ring, make_ring_work
-from scenewright.domains.site.solvers.distances import noon
-from scenewright.domains.site.solvers.perimeter_block import HAIR
-from scenewright.domains.site.solvers.strips import back, rotate_block
+from scenewright.domains.site.solvers.blocks.court_rings import RingRule, find_ring, make_ring_work
+from scenewright.domains.site.solvers.blocks.distances import noon
+from scenewright.domains.site.solvers.blocks.perimeter_block import HAIR
+from scenewright.domains.site.solvers.blocks.strips import back, rotate_block
 from scenewright.geometry.compiled import compiled
 from scenewright.geometry.rectangles import largest_rectangle
 

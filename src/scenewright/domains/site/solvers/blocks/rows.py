@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from scenewright.domains.site.solvers.strips import STEP, Turned, next_strip, write_spans
+from scenewright.domains.site.solvers.blocks.strips import STEP, Turned, next_strip, write_spans
 from scenewright.geometry.compiled import compiled, inlined
 
 Floats = NDArray[np.float64]

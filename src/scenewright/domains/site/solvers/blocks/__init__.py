@@ -1,0 +1,1 @@
+"""Layouts of one block: rows, rims and courts, by construction inside and apart."""
