@@ -12,6 +12,7 @@ from benchmarks.shapely_home import rectangle
 from benchmarks.site_composition import list_gap_variations, list_podium_gaps
 from benchmarks.site_instances import example_site
 
+from scenewright.core.footprint import place_outline
 from scenewright.domains.site.problem import SiteProblem
 from scenewright.domains.site.solvers.outcome import SiteLayout
 from scenewright.domains.site.solvers.podiums import join_podiums
@@ -65,6 +66,24 @@ def test_a_tower_stands_beside_its_podium() -> None:
         [polygon(problem.ground.block_edges[a:b]) for a, b in problem.ground.block_spans]
     )
     assert shapely.area(shapely.difference(shapes[1], block)).max() < 0.005
+
+
+def test_a_tower_stands_in_the_corner_of_an_l_shaped_podium() -> None:
+    ell = ((-30.0, -20.0), (30.0, -20.0), (30.0, -5.0), (-10.0, -5.0), (-10.0, 20.0), (-30.0, 20.0))
+    problem = open_ground([(60, 40, 6), (20, 18, 60)])
+    made = problem.buildings._replace(footprints=(ell, ()))
+    problem = problem._replace(buildings=made, weights={"seen": 0.0, "sun": 0.0})
+    boxes = np.array([[0.0, 0.0, -SOUTH, 60.0, 40.0], [18.0, 12.0, -SOUTH, 20.0, 18.0]])
+    boxes[:, :2] += middle_of(problem)
+    after, joined = join_podiums(problem, SiteLayout(boxes, np.ones(2, bool), {}, ("",) * 2))
+    assert joined.all()
+    low, tower = (
+        shapely.Polygon(place_outline(outline, *box[:3]))
+        for outline, box in zip(made.outlines(), after.boxes, strict=True)
+    )
+    assert shapely.distance(low, tower) < 0.01
+    assert low.intersection(tower).area < 0.05
+    assert low.convex_hull.intersection(tower).area > 100.0
 
 
 def test_what_is_no_tower_or_no_podium_stays() -> None:

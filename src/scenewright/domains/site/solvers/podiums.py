@@ -1,18 +1,21 @@
-"""Podiums and towers: where walls may meet, a low wide building and a high slender one stand wall
-to wall. Designers build them so or far apart, hardly ever between.
+"""Podiums and towers: where walls may meet, a low wide building and a high one on less ground stand
+wall to wall. Designers build them so or far apart, hardly ever between.
 
-One of the two moves to a side of the other, fronts or backs in line, where that costs no sun, no
-way before a front and no distance, and leaves no more ground void. What is joined stays so.
+One of the two moves so that a wall of it runs along one of the other, in corners of its footprint
+too, where that costs no sun, no way before a front, no door and no distance, leaves no more ground
+void and keeps what stands along the border there. What is joined stays so.
 """
 
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 import shapely
+from numpy.typing import NDArray
 
-from scenewright.core.layout import corners
+from scenewright.core.footprint import place_outline
 from scenewright.domains.site.problem import Flags, Floats, SiteProblem
 from scenewright.domains.site.solvers.answer import LOOSE, sun_of
 from scenewright.domains.site.solvers.blocks.distances import mark_shaded, noon
@@ -31,19 +34,40 @@ from scenewright.domains.site.terms.measure import (
 from scenewright.geometry.boxes import make_frame, read_frame
 from scenewright.geometry.buckets import remove
 from scenewright.geometry.compiled import compiled
+from scenewright.ground.ways.walks import find_doors
+
+Planes = NDArray[np.complex128]
+Shapes = NDArray[np.object_]
 
 WIDER, HIGHER, LOWEST = 1.5, 2.0, 15.0
 """How many times a tower's ground a podium takes and how many times higher the tower is, at least;
 metres of height of a podium, at most."""
-TOWERS, PODIUMS = 3, 24
-"""Nearest towers tried for each podium, and the largest podiums looked at."""
+TOWERS, PODIUMS, LOOKED = 3, 24, 40
+"""Nearest towers tried for each podium, the largest podiums looked at, and places looked at."""
 TOUCHING, MEETING = 1e-3, 1.0
 """Metres more than the least distance at which they are set, and within which walls meet; where
 buildings keep a greater distance, none are joined."""
-ALIGNED = math.radians(5.0)
-"""Radians by which both may be turned against each other: none is turned by more."""
-WAY = 15.0
-"""Metres from a door within which a way is near."""
+WALL = 6.0
+"""Metres of the shortest wall that another may stand along."""
+BORDER, ALONG = 15.0, math.radians(10.0)
+"""Metres from the border within which walls stand along it, and how far they may be turned."""
+WAY, DOOR, ASIDE = 15.0, (0.5, 3.5), 0.9
+"""Metres from a door within which a way is near; where ahead of it its walk begins, and what that
+keeps from walls."""
+
+
+class Before(NamedTuple):
+    """A layout before a building of it moves: its ``boxes`` (n, 5), which stand, their ``shapes``
+    (n,) and the ``walks`` (n,) that begin at their doors, mean hours of sun on fronts, and the
+    ``points`` of its ground, of which a share is void."""
+
+    boxes: Floats
+    present: Flags
+    shapes: Shapes
+    walks: Shapes
+    hours: float
+    points: Floats
+    void: float
 
 
 def join_podiums(problem: SiteProblem, found: SiteLayout) -> tuple[SiteLayout, Flags]:
@@ -54,15 +78,17 @@ def join_podiums(problem: SiteProblem, found: SiteLayout) -> tuple[SiteLayout, F
         return found, joined
     boxes = np.where(found.present[:, None], found.boxes, 0.0)
     p, s = prepare_site(problem), make_site_state(problem)
+    before = _read_layout(problem, boxes, found.present)
     for podium, tower in pairs:
         if joined[podium] or joined[tower]:
             continue
-        placed: Floats | None = boxes
-        if not _side_by_side(boxes[[podium, tower]]):
-            placed = _join(problem, p, s, boxes, found.present, (podium, tower))
-        if placed is not None:
-            boxes, joined[[podium, tower]] = placed, True
-    return found._replace(boxes=boxes, score={}), joined
+        placed: Floats | None = before.boxes
+        if shapely.distance(before.shapes[podium], before.shapes[tower]) > MEETING:
+            placed = _join(problem, p, s, before, (podium, tower))
+            if placed is not None:
+                before = _read_layout(problem, placed, found.present)
+        joined[[podium, tower]] = placed is not None
+    return found._replace(boxes=before.boxes, score={}), joined
 
 
 def list_pairs(problem: SiteProblem, found: SiteLayout) -> list[tuple[int, int]]:
@@ -74,11 +100,10 @@ def list_pairs(problem: SiteProblem, found: SiteLayout) -> list[tuple[int, int]]
     free &= np.array([not form for form in given] or [True] * len(free), bool)
     if problem.court_gap > 0.0:
         free &= np.array([form != "peripheral" for form in found.forms], bool)
-    slender = free & (high >= sizes[:, :2].max(1))
     pairs = []
     low = np.flatnonzero(free & (high <= LOWEST))
     for podium in low[np.argsort(-area[low], kind="stable")][:PODIUMS].tolist():
-        fit = slender & (high >= HIGHER * high[podium]) & (WIDER * area <= area[podium])
+        fit = free & (high >= HIGHER * high[podium]) & (WIDER * area <= area[podium])
         towers = np.flatnonzero(fit)
         far = np.hypot(*(found.boxes[towers, :2] - found.boxes[podium, :2]).T)
         near = towers[np.argsort(far, kind="stable")][:TOWERS].tolist()
@@ -86,54 +111,71 @@ def list_pairs(problem: SiteProblem, found: SiteLayout) -> list[tuple[int, int]]
     return pairs
 
 
-def _side_by_side(two: Floats) -> bool:
-    a, b = shapely.polygons(corners(two))
-    return bool(shapely.distance(a, b) <= MEETING)
+def _read_layout(problem: SiteProblem, boxes: Floats, present: Flags) -> Before:
+    points = spread_points(np.asarray(problem.ground.block_edges))
+    hours = sun_of(problem, boxes[present], problem.buildings.sizes[present, 2])
+    built = _build(problem.buildings.outlines(), boxes)
+    for row in built:
+        row[~present] = shapely.Polygon()
+    return Before(boxes, present, *built, hours, points, find_void(points, boxes[present]))
+
+
+def _build(outlines: list[Floats], boxes: Floats) -> tuple[Shapes, Shapes]:
+    """The shapes (k,) of buildings at some boxes, and where the walks from their doors begin."""
+    rings = [place_outline(outline, *box[:3]) for outline, box in zip(outlines, boxes, strict=True)]
+    doors = find_doors(rings, boxes[:, 2])
+    walks = np.stack([doors.places + ahead * doors.ways for ahead in DOOR], 1)
+    return np.array([shapely.Polygon(ring) for ring in rings], object), shapely.linestrings(walks)
 
 
 def _join(
-    problem: SiteProblem,
-    p: SitePrepared,
-    s: SiteState,
-    boxes: Floats,
-    present: Flags,
-    pair: tuple[int, int],
+    problem: SiteProblem, p: SitePrepared, s: SiteState, before: Before, pair: tuple[int, int]
 ) -> Floats | None:
     """The boxes (n, 5) with one of a pair beside the other, None if nowhere at no loss."""
+    boxes, outlines = before.boxes, problem.buildings.outlines()
     lay(p, s, boxes)
-    hours = sun_of(problem, boxes[present], problem.buildings.sizes[present, 2])
-    off = (boxes[pair[0], 2] - boxes[pair[1], 2] + 0.5 * math.pi) % math.pi - 0.5 * math.pi
-    for base, other in (pair, pair[::-1]) if abs(off) <= ALIGNED else ():
-        places = list_places(boxes[base], boxes[other], problem.spacing + TOUCHING)
+    for base, other in (pair, pair[::-1]):
+        walls = place_outline(outlines[base], *boxes[base, :3])
+        places = list_places(walls, outlines[other], boxes[other], problem.spacing + TOUCHING)
         fit = np.zeros(len(places), bool)
         mark_standing(p, s, other, places, LOOSE, fit)
-        for place in places[fit]:
+        for place in places[fit][:LOOKED]:
             moved = boxes.copy()
             moved[other] = place
-            if _is_no_worse(problem, boxes, moved, present, other, hours):
+            if _is_no_worse(problem, outlines, before, moved, other):
                 return moved
     return None
 
 
-def list_places(base: Floats, other: Floats, gap: float) -> Floats:
-    """Boxes (6, 5) of a building ``other`` beside ``base``, ``gap`` metres from its right or left
-    side, fronts, backs or middles in line; the nearest to where it stands first.
+def list_places(base: Floats, outline: Floats, other: Floats, gap: float) -> Floats:
+    """Boxes (k, 5) of a building ``other`` of some ``outline`` (m, 2) with one of its walls ``gap``
+    metres off and along one of those of ``base`` (n, 2), their ends or middles in line; the nearest
+    to where it stands first.
 
-    >>> base, tower = np.array([0, 0, 0, 30, 20.0]), np.array([0, 90, 0, 10, 10.0])
-    >>> list_places(base, tower, 2.0)[0].tolist()
-    [0.0, 22.0, 0.0, 10.0, 10.0]
+    >>> base = 0.5 * np.array([(-30, -20), (30, -20), (30, 20), (-30, 20)])
+    >>> tower, there = base / (3, 2), np.array([25.0, 30.0, 0.0, 10.0, 10.0])
+    >>> list_places(base, tower, there, 2.0)[0, :2].round(6).tolist()
+    [10.0, 17.0]
     """
-    c, s = math.cos(base[2]), math.sin(base[2])
-    aside = 0.5 * (base[3] + other[3]) + gap
-    rows = [
-        [base[0] + u * s + v * c, base[1] - u * c + v * s, base[2], other[3], other[4]]
-        for u in (aside, -aside)
-        for v in 0.5 * (base[4] - other[4]) * np.array([1.0, -1.0, 0.0])
-    ]
-    places = np.array(rows)
-    far = np.hypot(*(places[:, :2] - other[:2]).T)
-    nearest: Floats = places[np.argsort(far, kind="stable")]
+    (a, b), (c, d) = _list_walls(base), _list_walls(outline)
+    a, b = a[:, None], b[:, None]
+    along, own = (b - a) / np.abs(b - a), (d - c) / np.abs(d - c)
+    turn, off = -along / own, -1j * gap * along
+    starts, ends = a - turn * d + off, b - turn * c + off
+    middles = np.concatenate([starts, ends, 0.5 * (starts + ends)]).ravel()
+    headings = np.tile(np.angle(turn), (3, 1)).ravel() + 0.5 * math.pi
+    sizes = np.tile(other[3:], (len(middles), 1))
+    places = np.column_stack([middles.real, middles.imag, headings, sizes])
+    nearest: Floats = places[np.argsort(np.abs(middles - complex(*other[:2])), kind="stable")]
     return nearest
+
+
+def _list_walls(ring: Floats) -> tuple[Planes, Planes]:
+    """Where the walls of a ring (k, 2) that are long enough begin and end, as complex numbers."""
+    first = ring[:, 0] + 1j * ring[:, 1]
+    last = np.roll(first, -1)
+    long = np.abs(last - first) >= WALL
+    return first[long], last[long]
 
 
 @compiled
@@ -150,9 +192,11 @@ def mark_standing(
 
 
 def _is_no_worse(
-    problem: SiteProblem, boxes: Floats, moved: Floats, present: Flags, i: int, hours: float
+    problem: SiteProblem, outlines: list[Floats], before: Before, moved: Floats, i: int
 ) -> bool:
-    """Whether building ``i`` has as good a front as before, and all as much sun."""
+    """Whether building ``i`` has as good a front as before, and all have as much sun and their
+    doors free."""
+    boxes, present = before.boxes, before.present
     rows, heights = moved[present], problem.buildings.sizes[present, 2]
     if blind(problem, moved[i : i + 1])[0] and not blind(problem, boxes[i : i + 1])[0]:
         return False
@@ -164,10 +208,29 @@ def _is_no_worse(
         mark_shaded(rows, heights, noon(problem), problem.sun_spacing, work, dark)
         if dark.any():
             return False
-    points = spread_points(np.asarray(problem.ground.block_edges))
-    if find_void(points, rows) > find_void(points, boxes[present]):
+    if _stands_along(problem, boxes[i]) and not _stands_along(problem, moved[i]):
         return False
-    return sun_of(problem, rows, heights) >= hours
+    if find_void(before.points, rows) > before.void:
+        return False
+    free = _doors_are_free(outlines, before, moved, i)
+    return free and sun_of(problem, rows, heights) >= before.hours
+
+
+def _doors_are_free(outlines: list[Floats], before: Before, moved: Floats, i: int) -> bool:
+    """Whether building ``i`` leaves room before all doors, and has it before its own."""
+    (shape,), (walk,) = _build([outlines[i]], moved[i : i + 1])
+    others = np.arange(len(before.boxes)) != i
+    cut_off = shapely.dwithin(before.walks[others], shape, ASIDE)
+    return not (cut_off | shapely.dwithin(before.shapes[others], walk, ASIDE)).any()
+
+
+def _stands_along(problem: SiteProblem, box: Floats) -> bool:
+    """Whether the middle of a box lies near an edge of the ground and a side of it along that."""
+    edges = np.asarray(problem.ground.edges)
+    far = shapely.distance(shapely.linestrings(edges.reshape(-1, 2, 2)), shapely.Point(box[:2]))
+    way = edges[int(far.argmin()), 2:] - edges[int(far.argmin()), :2]
+    off = (math.atan2(way[1], way[0]) - box[2] + math.pi / 4) % (math.pi / 2) - math.pi / 4
+    return float(far.min()) <= BORDER + 0.5 * float(box[4]) and abs(off) <= ALONG
 
 
 def _to_way(problem: SiteProblem, box: Floats) -> float:
