@@ -14,7 +14,7 @@ from scenewright.core.layout import corners
 from scenewright.domains import check, plan_of
 from scenewright.domains.site.facing import face_ways, find_box_doors
 from scenewright.domains.site.solvers.blocks.front import on_square
-from scenewright.domains.site.solvers.fill import list_edges, order_blocks
+from scenewright.domains.site.solvers.blocks.shares import list_edges, order_blocks
 from scenewright.domains.site.solving import problems
 from scenewright.ground.streetside.fronts import find_fronting, list_ways
 from scenewright.ground.ways.lane_ends import BACK, LONG, TURN, find_dead_ends, lay_head, link_ends

@@ -23,7 +23,12 @@ from scenewright.domains.site.solvers.blocks.block import (
     loosen_layout,
 )
 from scenewright.domains.site.solvers.blocks.schemes import QUEUES, order_queue
-from scenewright.domains.site.solvers.fill import list_edges, list_ground, order_blocks, share_out
+from scenewright.domains.site.solvers.blocks.shares import (
+    list_edges,
+    list_ground,
+    order_blocks,
+    share_out,
+)
 from scenewright.domains.site.solvers.outcome import SiteFound, SiteLayout
 from scenewright.engine.solve import Found
 
