@@ -1,4 +1,4 @@
-"""What each block of a site gets: the order of blocks, their share of the buildings, their ground."""
+"""What each block of a site gets: its turn, its share of the buildings, its ground."""
 
 from __future__ import annotations
 
