@@ -51,6 +51,23 @@ def test_ground_is_shared_in_the_middle_of_a_gap() -> None:
     assert right.bounds[0] == pytest.approx(12.0, abs=0.2)
 
 
+def test_a_house_about_a_narrow_court_has_its_ground() -> None:
+    corners = (
+        "55.50734049076722 32.65877863751646, 71.41040319651667 30.9002006389617, "
+        "73.82844794452946 52.7669118593672, 57.92538523878001 54.52548985792196, "
+        "57.21096292686714 48.064870633711244, 65.16249427974186 47.185581634433866, "
+        "64.17329415555481 38.240108862449794, 56.22176280268009 39.11939786172717, "
+        "55.50734049076722 32.65877863751646"
+    )
+    house = shapely.from_wkt(f"POLYGON (({corners}))")
+    wide = shapely.buffer(house, 24.0, quad_segs=2, join_style="mitre", mitre_limit=1.5)
+    assert not wide.is_valid  # or the court is no longer one that GEOS stumbles over
+    floor = shapely.box(45, 0, 95, 62)
+    (part,) = share_ground(floor, np.array([house], object))
+    assert part.is_valid
+    assert part.covers(shapely.intersection(floor, house.buffer(20.0)).buffer(-0.01))
+
+
 def test_a_shed_belongs_to_the_nearest_dwelling() -> None:
     shapes = np.array([BOX(0, 0, 10, 10), BOX(30, 0, 40, 10), BOX(24, 12, 27, 15)], object)
     plots = lay_plots(BOX(-5, -5, 50, 30), "abc", shapes, np.array([False, False, True]))

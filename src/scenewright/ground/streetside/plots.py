@@ -114,7 +114,8 @@ def _runs(owner: Indices, count: int) -> tuple[Indices, Indices]:
 
 def _near(part: shapely.Geometry, shape: shapely.Polygon) -> shapely.Polygon:
     """The piece of ground about a footprint, and the footprint."""
-    reach = shapely.buffer(shape, DEEP, quad_segs=2, join_style="mitre", mitre_limit=1.5)
+    wide = shapely.buffer(shape, DEEP, quad_segs=2, join_style="mitre", mitre_limit=1.5)
+    reach = _about(wide, shape)  # of a court, GEOS also gives a shell within the outer one
     inside = shapely.get_parts(shapely.intersection(part, reach))
     pieces = [p for p in inside if p.geom_type == "Polygon"]
     near = shapely.union_all([*pieces, shape], grid_size=1e-3)
