@@ -23,16 +23,11 @@ pytest.importorskip("starlette")
 from scenewright.studio.breeding import name_log, share
 from scenewright.studio.drawable import draw_card
 from scenewright.studio.session import Session
-from scenewright.studio.shapes import Json
-from scenewright.studio.verbs import do_verb
 from scenewright.workflow import project
+from studio_asking import ask
 
 HOME = "sample:home-room"
 FEW = BreedingPlan(first=4, each=2, rounds=1, brood=4)
-
-
-def ask(session: Session, **keys: object) -> Json:
-    return do_verb(session, json.dumps(keys).encode())
 
 
 def wait(session: Session) -> None:

@@ -16,9 +16,9 @@ from scenewright.studio.draft_faults import read_draft
 from scenewright.studio.drafting import complete_draft, draw_act, new_draft
 from scenewright.studio.session import Session
 from scenewright.studio.shapes import Json
-from scenewright.studio.verbs import do_verb
 from scenewright.studio.wishing import FORMS, ask_schema, list_wishes
 from scenewright.workflow import project
+from studio_asking import ask, box
 
 LEFT = {"act": "room", "outline": [[0, 0], [4, 0], [4, 3], [0, 3]], "name": "Living room"}
 RIGHT = {"act": "room", "outline": [[4, 0], [7, 0], [7, 3], [4, 3]], "name": "Bedroom"}
@@ -27,10 +27,6 @@ DOORS = [
     {"act": "opening", "kind": "door", "at": [4, 2]},
     {"act": "opening", "kind": "window", "at": [7, 1.5]},
 ]
-
-
-def box(left: float, low: float, right: float, high: float) -> list[list[float]]:
-    return [[left, low], [right, low], [right, high], [left, high]]
 
 
 def drawn(*acts: Json, domain: str = "home") -> Json:
@@ -45,10 +41,6 @@ def session(tmp_path: Path) -> Iterator[Session]:
     db = project.open_project(tmp_path / "new.studio")
     yield Session(db, lambda _event: None)
     db.close()
-
-
-def ask(session: Session, **keys: object) -> Json:
-    return do_verb(session, json.dumps(keys).encode())
 
 
 def test_a_wall_that_is_moved_takes_along_what_is_joined_to_it() -> None:

@@ -19,8 +19,8 @@ from scenewright.studio.draft_taken import draft_of
 from scenewright.studio.drafting import draw_act
 from scenewright.studio.session import Session
 from scenewright.studio.shapes import Json
-from scenewright.studio.verbs import do_verb
 from scenewright.workflow import project
+from studio_asking import ask, box
 
 
 @pytest.fixture
@@ -28,14 +28,6 @@ def session(tmp_path: Path) -> Iterator[Session]:
     db = project.open_project(tmp_path / "new.studio")
     yield Session(db, lambda _event: None)
     db.close()
-
-
-def ask(session: Session, **keys: object) -> Json:
-    return do_verb(session, json.dumps(keys).encode())
-
-
-def box(left: float, low: float, right: float, high: float) -> list[list[float]]:
-    return [[left, low], [right, low], [right, high], [left, high]]
 
 
 def outlines_of(plan: Plan) -> dict[str, list[list[float]]]:
@@ -124,10 +116,41 @@ def document_of(brief: sw.Brief) -> Json:
     document: Json = json.loads(brief.model_dump_json())
     for place in (*document.get("sites", ()), *document.get("blocks", ())):
         place["name"] = place["name"] or place["id"]
-    for place in (*document.get("sources", ()), *document.get("areas", ())):
+    for place in (
+        *document.get("sources", ()),
+        *document.get("areas", ()),
+        *document.get("sites", ()),
+    ):
         for row in (*place["roads"], *place.get("buildings", ())):
             row["id"] = ""
     return document
+
+
+def two_sites() -> sw.Brief:
+    """Two sites side by side; the street of the first is farther than streets are taken for its,
+    that of the second near both."""
+    far = {"id": "far", "line": [[0, -30], [60, -30]], "width": 6}
+    near = {"id": "near", "line": [[70, -5], [130, -5]], "width": 6}
+    sites = [
+        {"id": "west", "outline": box(0, 0, 60, 50), "verge": 40, "roads": [far]},
+        {"id": "east", "outline": box(70, 0, 130, 50), "roads": [near]},
+    ]
+    return sw.Brief.model_validate({"name": "Two", "domain": "site", "sites": sites})
+
+
+def test_streets_stay_those_of_their_sites() -> None:
+    read = read_draft(json.loads(json.dumps(draft_of(two_sites()))))
+    assert read.faults == []
+    assert read.brief is not None
+    assert document_of(read.brief)["sites"] == document_of(two_sites())["sites"]
+
+
+def test_streets_of_a_site_that_is_removed_go_to_what_is_near() -> None:
+    draft, _ = draw_act(draft_of(two_sites()), {"act": "remove", "id": "east"})
+    read = read_draft(draft)
+    assert read.brief is not None
+    (west,) = document_of(read.brief)["sites"]
+    assert [road["line"][0] for road in west["roads"]] == [[0.0, -30.0], [70.0, -5.0]]
 
 
 def test_sides_of_a_block_are_streets_still_when_it_is_turned_round() -> None:

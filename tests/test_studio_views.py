@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import io
-import json
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -23,8 +22,8 @@ pytest.importorskip("starlette")
 from scenewright.studio.photos import Photos, View
 from scenewright.studio.session import Session
 from scenewright.studio.shapes import Json
-from scenewright.studio.verbs import do_verb
 from scenewright.workflow import project
+from studio_asking import ask
 
 
 @pytest.fixture(scope="module")
@@ -41,10 +40,6 @@ def session(tmp_path: Path, room: Solution) -> Iterator[Session]:
     yield made
     made.close()
     db.close()
-
-
-def ask(session: Session, **keys: object) -> Json:
-    return do_verb(session, json.dumps(keys).encode())
 
 
 def test_a_photograph_is_taken_from_where_one_stands_and_tells_how_far_it_is(

@@ -63,11 +63,12 @@ def _hall(draft: Json) -> Json:
 
 
 def _site(draft: Json) -> Json:
-    lines = [(row, shapely.LineString(row["line"])) for row in draft["streets"]]
+    """Streets near a site are its, those that were taken over stay ``of`` the sites they were."""
     sites = []
     for row in draft["rooms"]:
         shape = shapely.Polygon(row["outline"])
-        roads = [_without(road, "level") for road, line in lines if shape.distance(line) < ABOUT]
+        near = [one for one in draft["streets"] if _is_of(one, row["id"], _line, shape, ABOUT)]
+        roads = [_without(one, "level", "of") for one in near]
         sites.append({**_without(row, "level", "asked"), "roads": roads, **row.get("asked", {})})
     return {"sites": sites}
 
@@ -80,12 +81,12 @@ def _village(draft: Json) -> Json:
 
 def _extend(draft: Json) -> Json:
     """Buildings and streets are one source; streets whose middle lies in an area are that's, those
-    that were taken over ``of`` an area or of none stay so."""
-    areas, left = [], [*draft["streets"]]
+    that were taken over stay ``of`` the areas they were, or of none."""
+    areas, of_none = [], [*draft["streets"]]
     for row in draft["rooms"]:
         shape = shapely.Polygon(row["outline"])
-        own = [one for one in left if _is_of(one, row["id"], shape)]
-        left = [one for one in left if one not in own]
+        own = [one for one in draft["streets"] if _is_of(one, row["id"], _middle, shape, 0.0)]
+        of_none = [one for one in of_none if one not in own]
         roads = [_without(one, "level", "of") for one in own]
         areas.append({**_without(row, "level", "asked"), "roads": roads, **row.get("asked", {})})
     buildings = [
@@ -99,16 +100,30 @@ def _extend(draft: Json) -> Json:
     source = {
         **draft.get("kept", {}).get("source", {}),
         "buildings": buildings,
-        "roads": [_without(one, "level", "of") for one in left],
+        "roads": [_without(one, "level", "of") for one in of_none],
     }
     return {"sources": [source], "areas": areas}
 
 
-def _is_of(street: Json, area: str, shape: shapely.Polygon) -> bool:
+def _line(street: Json) -> shapely.LineString:
+    return shapely.LineString(street["line"])
+
+
+def _middle(street: Json) -> shapely.Point:
+    return _line(street).interpolate(0.5, normalized=True)
+
+
+def _is_of(
+    street: Json,
+    place: str,
+    part: Callable[[Json], shapely.Geometry],
+    shape: shapely.Polygon,
+    reach: float,
+) -> bool:
+    """Whether a street is a place's: it was taken over so, or a part of it is within reach."""
     if "of" in street:
-        return bool(street["of"] == area)
-    middle = shapely.LineString(street["line"]).interpolate(0.5, normalized=True)
-    return bool(shape.contains(middle))
+        return place in street["of"]
+    return bool(shape.distance(part(street)) <= reach)
 
 
 MEANINGS: Mapping[str, Callable[[Json], Json]] = {

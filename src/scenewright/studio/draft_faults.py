@@ -170,7 +170,7 @@ def find_street_faults(draft: Json) -> Iterator[DraftFault]:
     places = shapely.MultiLineString(borders)
     for row in draft["streets"]:
         line = shapely.LineString(row["line"])
-        if draft["rooms"] and line.distance(places) >= ABOUT:
+        if draft["rooms"] and not row.get("of") and line.distance(places) >= ABOUT:
             middle = line.interpolate(0.5, normalized=True)
             message = f"a street is {line.distance(places):.0f} m away from all that is drawn"
             yield DraftFault(message, [[middle.x, middle.y]], (row["id"],), warns=True)

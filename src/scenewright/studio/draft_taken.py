@@ -72,13 +72,13 @@ def _take_rooms(draft: Json, document: Json, brief: Brief) -> None:
 
 
 def _take_ground(draft: Json, document: Json, brief: Brief) -> None:
-    """Sites and blocks with their streets, each once; what else is on a site stays where it is."""
+    """Sites, blocks and areas with their streets, each once and ``of`` those whose it is; what else
+    is on a site stays where it is."""
     form, whole = FORMS[brief.domain], json.loads(brief.model_dump_json())
-    streets = whole.get("lanes", [])
+    streets: dict[str, Json] = {json.dumps(lane): lane for lane in whole.get("lanes", ())}
     for number, (place, full) in enumerate(
         zip(document[form.under], whole[form.under], strict=True), 1
     ):
-        streets += [road for road in full.get("roads", ()) if road not in streets]
         place = {key: row for key, row in place.items() if key != "roads"}
         asked = {key: place.pop(key) for key in (form.rows, *form.keys) if place.get(key)}
         outline = [rounded(point) for point in place["outline"]]
@@ -89,7 +89,9 @@ def _take_ground(draft: Json, document: Json, brief: Brief) -> None:
         known = {"id": place.get("id") or usual, "outline": outline}
         row = _put(draft, "rooms", {**place, **known})
         row |= {"name": place.get("name") or row["id"], **({"asked": asked} if asked else {})}
-    for street in streets:
+        for road in full.get("roads", ()):
+            streets.setdefault(json.dumps(road), {**road, "of": []})["of"].append(row["id"])
+    for street in streets.values():
         _put(draft, "streets", street)
 
 
@@ -102,12 +104,8 @@ def _take_growth(draft: Json, document: Json, brief: Brief) -> None:
         raise InputError(fault, "bring one whose buildings are listed in it")
     _take_ground(draft, document, brief)
     draft["kept"]["source"] = {key: rows[key] for key in rows if key not in {"buildings", "roads"}}
-    for street in draft["streets"]:
-        owners = zip(draft["rooms"], whole["areas"], strict=True)
-        lines = ((row["id"], [road["line"] for road in area["roads"]]) for row, area in owners)
-        street["of"] = next(name for name, held in lines if street["line"] in held)
     for street in source["roads"]:
-        _put(draft, "streets", {**street, "of": ""})
+        _put(draft, "streets", {**street, "of": []})
     for number, row in enumerate(source["buildings"], 1):
         outline = [rounded(point) for point in row["outline"]]
         outline = outline[::-1] if _is_clockwise(outline) else outline

@@ -284,6 +284,11 @@ def _remove(draft: Json, asked: Mapping[str, Any]) -> str:
             draft[group] = [one for one in draft[group] if one["level"] != row["id"]]
     for group in ("levels", *GROUPS):
         draft[group] = [one for one in draft[group] if one is not row]
+    for street in draft["streets"]:
+        if row["id"] in street.get("of", ()):
+            street["of"] = [place for place in street["of"] if place != row["id"]]
+            if not street["of"]:
+                del street["of"]
     return f"removed {row.get('name') or row['id']}"
 
 
