@@ -78,7 +78,8 @@ def join_podiums(problem: SiteProblem, found: SiteLayout) -> tuple[SiteLayout, F
         return found, joined
     boxes = np.where(found.present[:, None], found.boxes, 0.0)
     p, s = prepare_site(problem), make_site_state(problem)
-    before = _read_layout(problem, boxes, found.present)
+    points = spread_points(np.asarray(problem.ground.block_edges))
+    before = _read_layout(problem, boxes, found.present, points)
     for podium, tower in pairs:
         if joined[podium] or joined[tower]:
             continue
@@ -86,7 +87,7 @@ def join_podiums(problem: SiteProblem, found: SiteLayout) -> tuple[SiteLayout, F
         if shapely.distance(before.shapes[podium], before.shapes[tower]) > MEETING:
             placed = _join(problem, p, s, before, (podium, tower))
             if placed is not None:
-                before = _read_layout(problem, placed, found.present)
+                before = _read_layout(problem, placed, found.present, points)
         joined[[podium, tower]] = placed is not None
     return found._replace(boxes=before.boxes, score={}), joined
 
@@ -111,8 +112,7 @@ def list_pairs(problem: SiteProblem, found: SiteLayout) -> list[tuple[int, int]]
     return pairs
 
 
-def _read_layout(problem: SiteProblem, boxes: Floats, present: Flags) -> Before:
-    points = spread_points(np.asarray(problem.ground.block_edges))
+def _read_layout(problem: SiteProblem, boxes: Floats, present: Flags, points: Floats) -> Before:
     hours = sun_of(problem, boxes[present], problem.buildings.sizes[present, 2])
     built = _build(problem.buildings.outlines(), boxes)
     for row in built:
